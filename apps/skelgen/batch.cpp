@@ -1,0 +1,264 @@
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <thread>
+
+#include <skelgen/io/atomic_file.hpp>
+#include <skelgen/io/template_json.hpp>
+
+#include "batch_inputs.hpp"
+#include "batch_summary.hpp"
+#include "commands.hpp"
+#include "console.hpp"
+#include "extract_file.hpp"
+#include "leftovers.hpp"
+#include "progress_bar.hpp"
+#include "worker_pool.hpp"
+
+namespace skelgen {
+namespace {
+
+namespace fs = std::filesystem;
+using cli::BatchItem;
+using cli::SummaryLine;
+
+constexpr int status_some_failed = 5;
+
+struct BatchCommand {
+    std::vector<std::string> inputs;
+    std::string output_folder;
+    std::string skeleton_template = "human21";
+    std::string shard = "1/1";
+    std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
+    double timeout_seconds = 600;
+    bool resume = false;
+    bool quiet = false;
+};
+
+void make_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error || !fs::is_directory(folder))
+        throw Error(ErrorCode::usage, folder.string() + ": cannot be made a folder: " +
+                                          (error ? error.message() : "it is a file") + "; choose another one with -o");
+}
+
+// --------------------------------------------------------------------------------------------- in a worker process
+
+std::string to_status(ErrorCode code) {
+    if (code == ErrorCode::bad_input) return "bad_input";
+    return code == ErrorCode::no_skeleton ? "no_skeleton" : "internal";
+}
+
+/// Extracts one mesh to its output file.
+SummaryLine process(const BatchItem& item, const ExtractOptions& options) {
+    SummaryLine line{item.file, "ok", "", 0, 0, {}};
+    try {
+        const auto result = cli::in_file(item.mesh, [&] { return cli::extract_file(item.mesh, options); });
+        make_folder(item.output.parent_path());
+        cli::in_file(item.output, [&] { write_file_atomically(item.output, result.json); });
+        line.faces = result.provenance.mesh->faces;
+        line.warnings = result.extraction.skeleton.quality.warnings;
+    } catch (const Error& error) {
+        line.status = to_status(error.code());
+        line.error = error.what();
+    }
+    return line;
+}
+
+// ---------------------------------------------------------------------------------------------- before and after
+
+std::set<fs::path> output_folders(const std::vector<BatchItem>& items) {
+    std::set<fs::path> folders;
+    for (const BatchItem& item : items) folders.insert(item.output.parent_path());
+    return folders;
+}
+
+std::vector<std::string> names(const std::vector<BatchItem>& items) {
+    std::vector<std::string> files;
+    for (const BatchItem& item : items) files.push_back(item.file);
+    return files;
+}
+
+/// Without --resume a batch starts over: nothing that an earlier run left may pass for a result of this one.
+void start_over(const std::vector<BatchItem>& items, const cli::BatchSummary& summary) {
+    std::error_code error; // what cannot be removed cannot be replaced either: its mesh will fail
+    for (const BatchItem& item : items) fs::remove(item.output, error);
+    summary.update(names(items), {});
+}
+
+/// The summary line that an earlier run did not come to write; none if it did not finish the skeleton either.
+std::optional<SummaryLine> recover_line(const BatchItem& item) {
+    std::error_code error;
+    if (!fs::exists(item.output, error)) return std::nullopt;
+    try {
+        const SkeletonDocument document = read_skeleton_document(item.output);
+        const auto& [mesh, timings] = document.provenance;
+        return SummaryLine{item.file,
+                           "ok",
+                           "",
+                           timings ? timings->stages.total / 1000 : 0,
+                           mesh ? mesh->faces : 0,
+                           document.skeleton.quality.warnings};
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+/// Brings the summary in order after a run that was cut off. Returns the items still to be done.
+std::vector<BatchItem> resume(const std::vector<BatchItem>& items, const cli::BatchSummary& summary) {
+    const cli::SummaryLines known = summary.read();
+    std::vector<BatchItem> left;
+    std::vector<SummaryLine> recovered;
+    for (const BatchItem& item : items) {
+        const auto line = known.find(item.file);
+        std::error_code error;
+        if (line != known.end() && line->second.status == "ok" && fs::exists(item.output, error)) continue;
+        if (auto made = recover_line(item))
+            recovered.push_back(std::move(*made));
+        else
+            left.push_back(item);
+    }
+    summary.update(names(left), recovered);
+    return left;
+}
+
+// -------------------------------------------------------------------------------------------------- while it runs
+
+std::string seconds_text(double seconds) {
+    std::ostringstream text;
+    text << seconds;
+    return text.str();
+}
+
+/// Takes down what becomes of each mesh.
+class Recorder {
+public:
+    Recorder(const std::vector<BatchItem>& items, const cli::BatchSummary& summary, const BatchCommand& command)
+        : items_(items), summary_(summary), timeout_seconds_(command.timeout_seconds),
+          bar_(items.size(), !command.quiet) {
+        bar_.show(0, 0);
+    }
+
+    void record(std::size_t index, const cli::JobOutcome& outcome) {
+        const SummaryLine line = to_line(items_[index], outcome);
+        if (line.status != "ok") take_failure(items_[index], line);
+        summary_.append(line);
+        bar_.show(++done_, failed_);
+    }
+
+    [[nodiscard]] std::size_t done() const { return done_; }
+    [[nodiscard]] std::size_t failed() const { return failed_; }
+    void clear_bar() const { bar_.clear(); }
+
+private:
+    [[nodiscard]] SummaryLine to_line(const BatchItem& item, const cli::JobOutcome& outcome) const {
+        SummaryLine line{item.file, "", "", outcome.seconds, 0, {}};
+        switch (outcome.end) {
+        case cli::JobEnd::done:
+            line = cli::parse_summary_line(outcome.result);
+            line.seconds = outcome.seconds;
+            break;
+        case cli::JobEnd::crashed:
+            line.status = "crash";
+            line.error = item.mesh.string() + ": " + outcome.result + "; a fault of skelgen's own, please report it";
+            break;
+        case cli::JobEnd::timed_out:
+            line.status = "timeout";
+            line.error = item.mesh.string() + ": took longer than " + seconds_text(timeout_seconds_) +
+                         " s; use a smaller mesh or a longer --timeout";
+            break;
+        }
+        return line;
+    }
+
+    void take_failure(const BatchItem& item, const SummaryLine& line) {
+        ++failed_;
+        std::error_code error;
+        fs::remove(item.output, error); // a worker may have been killed just after it wrote the file
+        cli::remove_leftovers(item.output.parent_path());
+        bar_.clear();
+        cli::print_error(line.error);
+    }
+
+    const std::vector<BatchItem>& items_;
+    const cli::BatchSummary& summary_;
+    double timeout_seconds_;
+    cli::ProgressBar bar_;
+    std::size_t done_ = 0;
+    std::size_t failed_ = 0;
+};
+
+void clean_up(const std::vector<BatchItem>& items, const fs::path& output_folder) {
+    cli::remove_leftovers(output_folder);
+    for (const fs::path& folder : output_folders(items)) cli::remove_leftovers(folder);
+}
+
+/// Returns the exit status.
+int run(const BatchCommand& command) {
+    const ExtractOptions options{cli::in_file("--template", [&] { return load_template(command.skeleton_template); }),
+                                 1};
+    const fs::path folder = command.output_folder;
+    const auto all = cli::find_batch_items(command.inputs, folder);
+    const auto items = cli::take_shard(all, cli::parse_shard(command.shard));
+    make_folder(folder);
+    clean_up(items, folder);
+
+    const cli::BatchSummary summary(folder);
+    std::vector<BatchItem> left = items;
+    if (command.resume)
+        left = resume(items, summary);
+    else
+        start_over(items, summary);
+
+    Recorder recorder(left, summary, command);
+    const int signal = cli::run_in_workers(
+        left.size(), {command.jobs, command.timeout_seconds},
+        [&](std::size_t i) { return cli::to_json(process(left[i], options)); },
+        [&](std::size_t i, const cli::JobOutcome& outcome) { recorder.record(i, outcome); });
+
+    recorder.clear_bar();
+    clean_up(left, folder);
+    summary.update({}, {});
+    if (!command.quiet)
+        std::fprintf(stderr, "%zu meshes: %zu done now, %zu done before, %zu failed%s; see %s\n", items.size(),
+                     recorder.done() - recorder.failed(), items.size() - left.size(), recorder.failed(),
+                     signal != 0 ? ", the rest interrupted (continue with --resume)" : "", summary.file().c_str());
+    if (signal != 0) return 128 + signal; // as shells tell it
+    return recorder.failed() > 0 ? status_some_failed : 0;
+}
+
+} // namespace
+
+void add_batch_command(CLI::App& app) {
+    auto command = std::make_shared<BatchCommand>();
+    CLI::App* sub = app.add_subcommand("batch", "Find the skeletons in many meshes");
+    sub->add_option("INPUT", command->inputs, "Meshes, folders of meshes, or quoted patterns such as 'scans/**/*.ply'")
+        ->required();
+    sub->add_option("-o,--output", command->output_folder, "Folder to write <relative path>.json and summary.jsonl to")
+        ->required()
+        ->type_name("DIR");
+    sub->add_option("--jobs", command->jobs, "Meshes at a time")
+        ->check(CLI::Range(std::size_t{1}, std::size_t{1024}))
+        ->capture_default_str();
+    sub->add_flag("--resume", command->resume, "Leave out what an earlier run has done; try again what has failed");
+    sub->add_option("--shard", command->shard, "Do part K of N only, for several machines")->type_name("K/N");
+    sub->add_option("--timeout", command->timeout_seconds, "Seconds after which a mesh is given up; 0: never")
+        ->check(CLI::Range(0.0, 1e9))
+        ->capture_default_str();
+    sub->add_option("--template", command->skeleton_template, "Built-in template, or a template's file (JSON)")
+        ->capture_default_str();
+    sub->add_flag("-q,--quiet", command->quiet, "No progress bar and no closing line");
+    sub->footer("Examples:\n"
+                "  skelgen batch scans/ -o skeletons/ --jobs 8\n"
+                "  skelgen batch scans/ -o skeletons/ --resume\n"
+                "  skelgen batch 'scans/*.ply' -o skeletons/ --shard 2/4");
+    sub->callback([command] {
+        if (const int status = run(*command)) throw CLI::RuntimeError(status);
+    });
+}
+
+} // namespace skelgen

@@ -1,0 +1,164 @@
+#include "batch_inputs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <fnmatch.h>
+#include <string_view>
+
+#include <skelgen/core/error.hpp>
+
+namespace skelgen::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A mesh, and its path within the input that named it.
+struct FoundMesh {
+    fs::path mesh;
+    fs::path relative;
+};
+
+bool is_hidden(const fs::path& path) { return path.filename().native().front() == '.'; }
+
+bool has_mesh_extension(const fs::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    constexpr std::array<std::string_view, 4> known{".off", ".obj", ".ply", ".stl"};
+    return std::find(known.begin(), known.end(), extension) != known.end();
+}
+
+/// All meshes below `folder`, in any order.
+std::vector<FoundMesh> meshes_below(const fs::path& folder) {
+    std::vector<FoundMesh> found;
+    std::error_code error;
+    fs::recursive_directory_iterator entry(folder, error);
+    for (const fs::recursive_directory_iterator end; !error && entry != end; entry.increment(error)) {
+        if (is_hidden(entry->path())) {
+            entry.disable_recursion_pending();
+            continue;
+        }
+        std::error_code gone; // a file that vanishes meanwhile is no mesh
+        if (has_mesh_extension(entry->path()) && entry->is_regular_file(gone))
+            found.push_back({entry->path(), entry->path().lexically_relative(folder)});
+    }
+    if (error)
+        throw Error(ErrorCode::bad_input,
+                    folder.string() + ": cannot be searched: " + error.message() + "; check the permissions");
+    return found;
+}
+
+bool is_pattern(const std::string& text) { return text.find_first_of("*?[") != std::string::npos; }
+
+using Parts = std::vector<std::string>;
+
+Parts split(const fs::path& path) {
+    Parts parts;
+    for (const fs::path& part : path)
+        if (!part.empty() && part != ".") parts.push_back(part.string());
+    return parts;
+}
+
+/// Whether the folders and file name from `part` on match the pattern from `p` on. A pattern that is used up before the
+/// path is named a folder above the file.
+bool matches(Parts::const_iterator p, Parts::const_iterator pattern_end, Parts::const_iterator part,
+             Parts::const_iterator path_end) {
+    if (p == pattern_end) return true;
+    if (*p == "**") {
+        for (auto rest = part; rest != path_end; ++rest)
+            if (matches(p + 1, pattern_end, rest, path_end)) return true;
+        return false;
+    }
+    return part != path_end && ::fnmatch(p->c_str(), part->c_str(), FNM_PERIOD) == 0 &&
+           matches(p + 1, pattern_end, part + 1, path_end);
+}
+
+std::vector<FoundMesh> meshes_matching(const std::string& text) {
+    fs::path base;
+    fs::path wild;
+    for (const fs::path& part : fs::path(text)) {
+        const bool fixed = wild.empty() && !is_pattern(part.string());
+        (fixed ? base : wild) /= part;
+    }
+    const fs::path folder = base.empty() ? "." : base;
+    std::error_code error;
+    if (!fs::is_directory(folder, error)) return {};
+    std::vector<FoundMesh> found = meshes_below(folder);
+    const Parts pattern = split(wild);
+    std::erase_if(found, [&](const FoundMesh& mesh) {
+        const Parts path = split(mesh.relative);
+        return !matches(pattern.begin(), pattern.end(), path.begin(), path.end());
+    });
+    return found;
+}
+
+std::vector<FoundMesh> find_meshes(const std::string& input) {
+    std::error_code error;
+    std::vector<FoundMesh> found;
+    if (fs::is_directory(input, error))
+        found = meshes_below(input);
+    else if (is_pattern(input) && !fs::exists(input, error))
+        found = meshes_matching(input);
+    else
+        found = {{input, fs::path(input).filename()}};
+    if (found.empty())
+        throw Error(ErrorCode::bad_input, input + ": holds no mesh (.off, .obj, .ply or .stl); check the name");
+    return found;
+}
+
+bool is_same_file(const BatchItem& a, const BatchItem& b) {
+    std::error_code error;
+    return a.mesh == b.mesh || fs::equivalent(a.mesh, b.mesh, error);
+}
+
+/// Orders the items and drops those named twice.
+void require_distinct_outputs(std::vector<BatchItem>& items) {
+    std::stable_sort(items.begin(), items.end(),
+                     [](const BatchItem& a, const BatchItem& b) { return a.output.native() < b.output.native(); });
+    std::vector<BatchItem> distinct;
+    for (BatchItem& item : items) {
+        if (distinct.empty() || distinct.back().output != item.output)
+            distinct.push_back(std::move(item));
+        else if (!is_same_file(distinct.back(), item))
+            throw Error(ErrorCode::usage, item.output.string() + ": both " + distinct.back().mesh.string() + " and " +
+                                              item.mesh.string() +
+                                              " would be written there; rename one, or run them into two folders");
+    }
+    std::sort(distinct.begin(), distinct.end(), [](const BatchItem& a, const BatchItem& b) { return a.file < b.file; });
+    items = std::move(distinct);
+}
+
+} // namespace
+
+std::vector<BatchItem> find_batch_items(const std::vector<std::string>& inputs, const fs::path& output_folder) {
+    std::vector<BatchItem> items;
+    for (const std::string& input : inputs)
+        for (const FoundMesh& found : find_meshes(input)) {
+            fs::path output = output_folder / found.relative;
+            items.push_back({found.mesh, found.relative.generic_string(), output.replace_extension(".json")});
+        }
+    require_distinct_outputs(items);
+    return items;
+}
+
+Shard parse_shard(const std::string& text) {
+    Shard shard;
+    const char* const end = text.data() + text.size();
+    const auto number = std::from_chars(text.data(), end, shard.number);
+    const bool has_slash = number.ec == std::errc() && number.ptr != end && *number.ptr == '/';
+    const auto count = std::from_chars(has_slash ? number.ptr + 1 : end, end, shard.count);
+    const bool is_complete = has_slash && count.ec == std::errc() && count.ptr == end;
+    if (!is_complete || shard.number < 1 || shard.number > shard.count)
+        throw Error(ErrorCode::usage, "--shard " + text + ": is not K/N with K from 1 to N, such as 2/4");
+    return shard;
+}
+
+std::vector<BatchItem> take_shard(const std::vector<BatchItem>& items, const Shard& shard) {
+    std::vector<BatchItem> part;
+    for (std::size_t i = shard.number - 1; i < items.size(); i += shard.count) part.push_back(items[i]);
+    return part;
+}
+
+} // namespace skelgen::cli

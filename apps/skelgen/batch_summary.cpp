@@ -1,0 +1,131 @@
+#include "batch_summary.hpp"
+
+#include <cerrno>
+#include <cmath>
+#include <fcntl.h>
+#include <fstream>
+#include <sys/file.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include <skelgen/core/error.hpp>
+#include <skelgen/io/atomic_file.hpp>
+
+#include "console.hpp"
+
+namespace skelgen::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Keeps other processes out of a folder's summary as long as it lives. The folder itself is what is locked: the
+/// summary is replaced now and then, and a lock file would have to be cleaned up. Where a file system knows no locks,
+/// there are none.
+class FolderLock {
+public:
+    explicit FolderLock(const std::filesystem::path& folder)
+        : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+        while (descriptor_ >= 0 && ::flock(descriptor_, LOCK_EX) != 0 && errno == EINTR) {
+        }
+    }
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+    ~FolderLock() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+    }
+
+private:
+    int descriptor_;
+};
+
+SummaryLines read_lines(const std::filesystem::path& file) {
+    SummaryLines lines;
+    std::ifstream stream(file, std::ios::binary);
+    for (std::string text; std::getline(stream, text);) {
+        if (stream.eof()) break; // no line end: cut off
+        try {
+            SummaryLine line = parse_summary_line(text);
+            lines[line.file] = std::move(line);
+        } catch (const Error&) { // cut off, and a later line put behind it
+        }
+    }
+    return lines;
+}
+
+std::string to_text(const SummaryLines& lines) {
+    std::string text;
+    for (const auto& [file, line] : lines) text += to_json(line) + "\n";
+    return text;
+}
+
+[[noreturn]] void throw_cannot_append(const std::filesystem::path& file, int error) {
+    throw Error(ErrorCode::usage, file.string() + ": cannot be written: " + std::generic_category().message(error) +
+                                      "; make room, or choose another output folder");
+}
+
+/// Whether a line was cut off at the file's end, by a process killed in the middle of writing it.
+bool ends_in_half_line(int descriptor) {
+    const ::off_t size = ::lseek(descriptor, 0, SEEK_END);
+    char last = '\n';
+    return size > 0 && ::pread(descriptor, &last, 1, size - 1) == 1 && last != '\n';
+}
+
+} // namespace
+
+std::string to_json(const SummaryLine& line) {
+    const Json json{{"file", line.file},
+                    {"status", line.status},
+                    {"error", line.error.empty() ? Json(nullptr) : Json(line.error)},
+                    {"seconds", std::round(line.seconds * 1000) / 1000},
+                    {"faces", line.faces},
+                    {"warnings", line.warnings}};
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+SummaryLine parse_summary_line(const std::string& json) {
+    try {
+        const Json fields = Json::parse(json);
+        const Json& error = fields.at("error");
+        return {fields.at("file").get<std::string>(),
+                fields.at("status").get<std::string>(),
+                error.is_null() ? "" : error.get<std::string>(),
+                fields.at("seconds").get<double>(),
+                fields.at("faces").get<std::int64_t>(),
+                fields.at("warnings").get<std::vector<std::string>>()};
+    } catch (const Json::exception& error) {
+        throw Error(ErrorCode::bad_input, std::string("no summary line: ") + error.what());
+    }
+}
+
+BatchSummary::BatchSummary(std::filesystem::path folder)
+    : folder_(std::move(folder)), file_(folder_ / "summary.jsonl") {}
+
+void BatchSummary::append(const SummaryLine& line) const {
+    const FolderLock lock(folder_);
+    const int descriptor = ::open(file_.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor < 0) throw_cannot_append(file_, errno);
+    const std::string text = (ends_in_half_line(descriptor) ? "\n" : "") + to_json(line) + "\n";
+    const ::ssize_t written = ::write(descriptor, text.data(), text.size());
+    const int error = written < 0 ? errno : ENOSPC;
+    ::close(descriptor);
+    if (written != static_cast<::ssize_t>(text.size())) throw_cannot_append(file_, error);
+}
+
+SummaryLines BatchSummary::update(const std::vector<std::string>& files, const std::vector<SummaryLine>& lines) const {
+    const FolderLock lock(folder_);
+    SummaryLines all = read_lines(file_);
+    for (const std::string& file : files) all.erase(file);
+    for (const SummaryLine& line : lines) all[line.file] = line;
+    in_file(file_, [&] { write_file_atomically(file_, to_text(all)); });
+    return all;
+}
+
+SummaryLines BatchSummary::read() const {
+    const FolderLock lock(folder_);
+    return read_lines(file_);
+}
+
+} // namespace skelgen::cli

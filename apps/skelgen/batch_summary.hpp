@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace skelgen::cli {
+
+/// What became of one mesh of a batch.
+struct SummaryLine {
+    std::string file;   ///< BatchItem::file
+    std::string status; ///< "ok", "bad_input", "no_skeleton", "internal", "timeout" or "crash"
+    std::string error;  ///< one sentence; empty when all is well
+    double seconds = 0;
+    std::int64_t faces = 0;
+    std::vector<std::string> warnings;
+};
+
+/// By file.
+using SummaryLines = std::map<std::string, SummaryLine>;
+
+[[nodiscard]] std::string to_json(const SummaryLine& line);
+
+/// \throws Error bad_input when `json` is no summary line.
+[[nodiscard]] SummaryLine parse_summary_line(const std::string& json);
+
+/// A folder's summary.jsonl. Several processes may work on it at a time, shards of one batch: every access locks it. It
+/// survives their being killed at any moment: a line that was cut off is dropped at the next access.
+class BatchSummary {
+public:
+    explicit BatchSummary(std::filesystem::path folder);
+
+    /// Adds a line at the end, in one write. \throws Error usage when it cannot be written.
+    void append(const SummaryLine& line) const;
+
+    /// Removes the lines of `files` and puts `lines` in; then there is one line per file, the last one, ordered by
+    /// file. Returns all that is in it. The file is replaced as a whole. \throws Error usage when it cannot be written.
+    SummaryLines update(const std::vector<std::string>& files, const std::vector<SummaryLine>& lines) const;
+
+    /// One line per file, the last one.
+    [[nodiscard]] SummaryLines read() const;
+
+    [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+
+private:
+    std::filesystem::path folder_;
+    std::filesystem::path file_;
+};
+
+} // namespace skelgen::cli

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace skelgen {
+
+// One function per command: it adds the subcommand with its options, and the callback that does the work. Callbacks
+// throw skelgen::Error, its text beginning with the file concerned, or CLI::RuntimeError with an exit status when
+// everything has been said already.
+
+void add_extract_command(CLI::App& app);
+void add_batch_command(CLI::App& app);
+void add_evaluate_command(CLI::App& app);
+void add_curve_command(CLI::App& app);
+void add_render_command(CLI::App& app);
+void add_synth_command(CLI::App& app);
+
+} // namespace skelgen

@@ -1,0 +1,47 @@
+#include "console.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+#include <skelgen/io/atomic_file.hpp>
+
+namespace skelgen::cli {
+namespace {
+
+/// File names and messages of other libraries may hold anything; scripts count on one line per message.
+void print_line(std::string_view kind, std::string_view what) {
+    std::string line = "skelgen: " + std::string(kind) + ": " + std::string(what);
+    std::replace_if(
+        line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
+    line += '\n';
+    std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+void write_to_standard_output(std::string_view text) {
+    errno = 0;
+    const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    if (written && std::fflush(stdout) == 0) return;
+    throw Error(ErrorCode::usage, "standard output: cannot be written: " + std::generic_category().message(errno) +
+                                      "; name a file with -o");
+}
+
+} // namespace
+
+void print_error(std::string_view what) { print_line("error", what); }
+
+void print_warning(std::string_view what) { print_line("warning", what); }
+
+void write_result(const std::string& path, std::string_view text) {
+    if (path.empty() || path == "-") return write_to_standard_output(text);
+    in_file(path, [&] { write_file_atomically(path, text); });
+}
+
+void require_different_files(const std::filesystem::path& input, const std::string& output) {
+    std::error_code error; // of files that are not there: they are not the same
+    if (std::filesystem::is_regular_file(output, error) && std::filesystem::equivalent(input, output, error))
+        throw Error(ErrorCode::usage, output + ": is the input; choose another output file");
+}
+
+} // namespace skelgen::cli

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <string>
+#include <string_view>
+
+#include <skelgen/core/error.hpp>
+
+namespace skelgen::cli {
+
+/// Prints "skelgen: error: WHAT" on standard error, on one line whatever WHAT holds.
+void print_error(std::string_view what);
+
+/// Prints "skelgen: warning: WHAT" likewise.
+void print_warning(std::string_view what);
+
+/// Writes a result to the file, wholly or not at all; to standard output if `path` is empty or "-".
+/// \throws Error usage, its text beginning with the file's name, when it cannot be written.
+void write_result(const std::string& path, std::string_view text);
+
+/// Refuses to replace the input by the output.
+/// \throws Error usage when both are the same file.
+void require_different_files(const std::filesystem::path& input, const std::string& output);
+
+/// Does `work`; what it throws becomes an Error with the name of the file it is about in front.
+template <typename Work>
+auto in_file(const std::filesystem::path& file, const Work& work) {
+    try {
+        return work();
+    } catch (const Error& error) {
+        throw Error(error.code(), file.string() + ": " + error.what());
+    } catch (const std::bad_alloc&) {
+        throw Error(ErrorCode::internal, file.string() + ": out of memory; use a smaller mesh or a larger machine");
+    } catch (const std::exception& error) {
+        throw Error(ErrorCode::internal,
+                    file.string() + ": a fault of skelgen's own, please report it: " + error.what());
+    }
+}
+
+} // namespace skelgen::cli

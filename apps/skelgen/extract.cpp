@@ -1,0 +1,72 @@
+#include <cstdio>
+#include <memory>
+
+#include <skelgen/io/curve_formats.hpp>
+#include <skelgen/io/template_json.hpp>
+
+#include "commands.hpp"
+#include "console.hpp"
+#include "extract_file.hpp"
+
+namespace skelgen {
+namespace {
+
+struct ExtractCommand {
+    std::string mesh;
+    std::string output = "-";
+    std::string skeleton_template = "human21";
+    std::string curve;
+    int threads = 1;
+    bool verbose = false;
+    bool quiet = false;
+};
+
+void print_details(const cli::FileExtraction& result) {
+    const auto& mesh = *result.provenance.mesh;
+    const auto& timings = *result.provenance.timings_ms;
+    const auto& quality = result.extraction.skeleton.quality;
+    std::fprintf(stderr, "%s: %lld vertices, %lld faces, geodesic diameter %.6g\n", mesh.file.c_str(),
+                 static_cast<long long>(mesh.vertices), static_cast<long long>(mesh.faces), mesh.geodesic_diameter);
+    std::fprintf(stderr, "%s: %d template nodes matched, sides told apart with confidence %.2f\n", mesh.file.c_str(),
+                 quality.matched_nodes, quality.sides_confidence);
+    std::fprintf(stderr, "%s: read %.1f ms, curve %.1f, embed %.1f, refine %.1f, sides %.1f, total %.1f\n",
+                 mesh.file.c_str(), timings.read, timings.stages.curve, timings.stages.embed, timings.stages.refine,
+                 timings.stages.sides, timings.stages.total);
+}
+
+void run(const ExtractCommand& command) {
+    cli::require_different_files(command.mesh, command.output);
+    cli::require_different_files(command.mesh, command.curve);
+    const ExtractOptions options{cli::in_file("--template", [&] { return load_template(command.skeleton_template); }),
+                                 command.threads};
+    const auto result = cli::in_file(command.mesh, [&] { return cli::extract_file(command.mesh, options); });
+
+    if (!command.curve.empty())
+        cli::in_file(command.curve, [&] { write_curve(command.curve, result.extraction.curve); });
+    cli::write_result(command.output, result.json);
+    if (command.verbose) print_details(result);
+    if (command.quiet) return;
+    for (const std::string& warning : result.extraction.skeleton.quality.warnings)
+        cli::print_warning(command.mesh + ": " + warning);
+}
+
+} // namespace
+
+void add_extract_command(CLI::App& app) {
+    auto command = std::make_shared<ExtractCommand>();
+    CLI::App* sub = app.add_subcommand("extract", "Find the skeleton in the mesh of a body");
+    sub->add_option("MESH", command->mesh, "Mesh of one body: OFF, OBJ, PLY or STL")->required();
+    sub->add_option("-o,--output", command->output, "Skeleton file to write (JSON); - for standard output");
+    sub->add_option("--template", command->skeleton_template, "Built-in template, or a template's file (JSON)")
+        ->capture_default_str();
+    sub->add_option("--curve", command->curve, "Also write the curve skeleton: .json, .obj, .ply or .swc");
+    sub->add_option("--threads", command->threads, "Threads to use; the result does not depend on it")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    CLI::Option* verbose = sub->add_flag("-v,--verbose", command->verbose, "Tell sizes, confidence and timings");
+    sub->add_flag("-q,--quiet", command->quiet, "No warnings")->excludes(verbose);
+    sub->footer("Example:\n  skelgen extract body.off -o body.json");
+    sub->callback([command] { run(*command); });
+}
+
+} // namespace skelgen

@@ -1,0 +1,206 @@
+#include <unistd.h>
+
+#include <charconv>
+#include <cstdio>
+#include <memory>
+#include <tuple>
+
+#include <skelgen/io/template_json.hpp>
+#include <skelgen/render/contact_sheet.hpp>
+#include <skelgen/render/png.hpp>
+#include <skelgen/render/render_scene.hpp>
+
+#include "batch_inputs.hpp"
+#include "commands.hpp"
+#include "console.hpp"
+#include "load_scene.hpp"
+
+namespace skelgen {
+namespace {
+
+namespace fs = std::filesystem;
+using cli::BatchItem;
+
+constexpr int status_some_failed = 5;
+
+struct RenderCommand {
+    std::vector<std::string> inputs;
+    std::string output = "-";
+    std::string view = "front";
+    std::string size; ///< empty: 800x1000, or 320x400 for each picture of a sheet
+    std::string background = "white";
+    std::string skeleton_template = "human21";
+    std::string skeleton;
+    std::string curve;
+    std::string truth;
+    int columns = 0; ///< 0: as many as make the sheet most nearly square
+    int threads = 1;
+    bool names = false;
+};
+
+bool is_svg(const std::string& output) { return fs::path(output).extension() == ".svg"; }
+
+void check_output(const std::string& output) {
+    if (output == "-") {
+        if (isatty(STDOUT_FILENO) != 0)
+            throw Error(ErrorCode::usage,
+                        "standard output: is a terminal, which cannot show a PNG; name a file with -o");
+        return;
+    }
+    if (!is_svg(output) && fs::path(output).extension() != ".png")
+        throw Error(ErrorCode::usage, output + ": is neither .png nor .svg; choose one of the two");
+}
+
+std::pair<int, int> parse_size(const std::string& text) {
+    const char* const end = text.data() + text.size();
+    int width = 0;
+    int height = 0;
+    const auto [cross, first] = std::from_chars(text.data(), end, width);
+    if (first == std::errc() && cross != end && *cross == 'x') {
+        const auto [rest, second] = std::from_chars(cross + 1, end, height);
+        if (second == std::errc() && rest == end) return {width, height};
+    }
+    throw Error(ErrorCode::usage, "--size: '" + text + "' is no size; write width x height in pixels, as 800x1000");
+}
+
+RenderOptions render_options(const RenderCommand& command, bool sheet) {
+    RenderOptions options;
+    const std::string usual_size = sheet ? "320x400" : "800x1000";
+    std::tie(options.width, options.height) = parse_size(command.size.empty() ? usual_size : command.size);
+    options.view = cli::in_file("--view", [&] { return parse_view(command.view); });
+    options.background = command.background == "transparent" ? Background::transparent : Background::white;
+    options.names = command.names;
+    return options;
+}
+
+/// The file that belongs to a mesh: the one that was named, or the mesh's own in the folder that was named.
+fs::path companion(const std::string& named, const BatchItem& item) {
+    if (named.empty() || !fs::is_directory(named)) return named;
+    return fs::path(named) / fs::path(item.file).replace_extension(".json");
+}
+
+cli::SceneSources sources_of(const RenderCommand& command, const BatchItem& item) {
+    return {item.mesh,
+            companion(command.skeleton, item),
+            companion(command.curve, item),
+            companion(command.truth, item),
+            {load_template(command.skeleton_template), command.threads}};
+}
+
+// ---- one mesh ----
+
+void render_one(const RenderCommand& command, const BatchItem& item) {
+    cli::require_different_files(item.mesh, command.output);
+    const RenderOptions options = render_options(command, false);
+    const Scene scene = cli::load_scene(sources_of(command, item));
+    if (!scene.failure.empty()) cli::print_warning(item.mesh.string() + ": " + scene.failure);
+    cli::write_result(command.output, cli::in_file(item.mesh, [&] {
+                          return is_svg(command.output) ? render_svg(scene, options)
+                                                        : encode_png(render_scene(scene, options));
+                      }));
+}
+
+// ---- a contact sheet ----
+
+/// The scene of one cell. What cannot be read costs its own cell only.
+Scene load_cell(const RenderCommand& command, const BatchItem& item, bool& readable) {
+    Scene scene;
+    try {
+        scene = cli::load_scene(sources_of(command, item));
+        readable = true;
+        if (!scene.failure.empty()) cli::print_warning(item.mesh.string() + ": " + scene.failure);
+    } catch (const Error& error) {
+        readable = false;
+        cli::print_error(error.what());
+        const std::string prefix = item.mesh.string() + ": "; // the caption names the mesh already
+        const std::string what = error.what();
+        scene.failure = what.rfind(prefix, 0) == 0 ? what.substr(prefix.size()) : what;
+    }
+    scene.caption = item.file;
+    return scene;
+}
+
+void check_companions(const RenderCommand& command) {
+    for (const std::string& named : {command.skeleton, command.curve, command.truth})
+        if (!named.empty() && !fs::is_directory(named))
+            throw Error(ErrorCode::usage, named + ": is no folder; several meshes need a folder with a file for each");
+}
+
+void render_sheet(const RenderCommand& command, const std::vector<BatchItem>& items) {
+    check_companions(command);
+    const RenderOptions options = render_options(command, true);
+    const bool svg = is_svg(command.output);
+    std::vector<Image> images;
+    std::vector<std::string> documents;
+    std::size_t failed = 0;
+    for (const BatchItem& item : items) {
+        cli::require_different_files(item.mesh, command.output);
+        bool readable = false;
+        const Scene scene = load_cell(command, item, readable);
+        failed += readable ? 0 : 1;
+        if (svg)
+            documents.push_back(render_svg(scene, options));
+        else
+            images.push_back(render_scene(scene, options));
+    }
+    const int count = static_cast<int>(items.size());
+    const int columns = command.columns > 0 ? command.columns : sheet_columns(count, options.width, options.height);
+    cli::write_result(command.output, svg ? svg_contact_sheet(documents, columns, options.width, options.height)
+                                          : encode_png(contact_sheet(images, columns)));
+    if (failed > 0) throw CLI::RuntimeError(status_some_failed);
+}
+
+void run(const RenderCommand& command) {
+    check_output(command.output);
+    const std::vector<BatchItem> items = cli::find_batch_items(command.inputs, {});
+    const bool sheet = items.size() > 1 || fs::is_directory(command.inputs.front());
+    if (sheet)
+        render_sheet(command, items);
+    else
+        render_one(command, items.front());
+}
+
+void add_source_options(CLI::App& sub, RenderCommand& command) {
+    sub.add_option("--skeleton", command.skeleton,
+                   "Show this skeleton file instead of extracting; several meshes: a folder of them");
+    sub.add_option("--curve", command.curve, "Show this curve file (JSON); several meshes: a folder of them");
+    sub.add_option("--truth", command.truth,
+                   "Mark the joints of this file (JSON, \"joints\": {name: [x, y, z]}) by red crosses; or a folder");
+    sub.add_option("--template", command.skeleton_template, "Built-in template, or a template's file (JSON)")
+        ->capture_default_str();
+    sub.add_option("--threads", command.threads, "Threads to extract with; the result does not depend on it")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+}
+
+void add_picture_options(CLI::App& sub, RenderCommand& command) {
+    sub.add_option("--view", command.view,
+                   "front, back, side, top, three-quarter, or a direction towards the viewer as x,y,z")
+        ->capture_default_str();
+    sub.add_option("--size", command.size,
+                   "Width x height in pixels, of each picture in a sheet; 800x1000 if not given, 320x400 in a sheet");
+    sub.add_option("--background", command.background, "white or transparent")
+        ->check(CLI::IsMember({"white", "transparent"}))
+        ->capture_default_str();
+    sub.add_option("--columns", command.columns, "Columns of a contact sheet; as square as it gets if not given")
+        ->check(CLI::Range(1, 1000));
+    sub.add_flag("--names", command.names, "Write the joints' names");
+}
+
+} // namespace
+
+void add_render_command(CLI::App& app) {
+    auto command = std::make_shared<RenderCommand>();
+    CLI::App* sub = app.add_subcommand("render", "Draw a body with its skeleton inside; several as a contact sheet");
+    sub->add_option("MESH", command->inputs, "Meshes, folders of meshes, patterns; more than one make a contact sheet")
+        ->required();
+    sub->add_option("-o,--output", command->output, "Picture to write: .png or .svg; - for a PNG on standard output")
+        ->capture_default_str();
+    add_picture_options(*sub, *command);
+    add_source_options(*sub, *command);
+    sub->footer("Example:\n  skelgen render body.off -o body.png --view three-quarter --names\n"
+                "  skelgen render scans/ -o sheet.png");
+    sub->callback([command] { run(*command); });
+}
+
+} // namespace skelgen

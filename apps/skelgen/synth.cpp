@@ -1,0 +1,124 @@
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+
+#include <skelgen/core/error.hpp>
+#include <skelgen/io/atomic_file.hpp>
+#include <skelgen/io/write_mesh.hpp>
+#include <skelgen/synth/body.hpp>
+#include <skelgen/synth/sets.hpp>
+
+#include "commands.hpp"
+#include "console.hpp"
+
+namespace skelgen {
+namespace {
+
+struct SynthCommand {
+    std::string output;
+    std::string truth;
+    std::string pose = "a";
+    std::string sex;
+    std::string set;
+    BodyShape shape;
+    std::uint64_t seed = 0;
+    int faces = 13776;
+};
+
+void set_sex(BodyShape& shape, const std::string& sex) {
+    if (sex == "female")
+        shape.masculinity = 0;
+    else if (sex == "male")
+        shape.masculinity = 1;
+    else if (!sex.empty())
+        throw Error(ErrorCode::usage, "--sex " + sex + " is unknown: give female or male, or --masculinity");
+}
+
+BodyPose read_pose(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    return parse_pose(std::string(std::istreambuf_iterator<char>(in), {}));
+}
+
+/// A random pose, one from a file or one of the library, for which the limbs are spread as far as this body needs.
+BodyPose find_pose(const SynthCommand& command) {
+    if (command.pose == "random") return random_free_pose(command.shape, command.seed);
+    if (std::filesystem::is_regular_file(command.pose))
+        return cli::in_file(command.pose, [&] { return read_pose(command.pose); });
+    return spread_limbs(command.shape, named_pose(command.pose));
+}
+
+/// DIR/meshes/<set>/<name>.off and DIR/truth/<set>/<name>.json of every body of the set.
+void run_set(const SynthCommand& command) {
+    namespace fs = std::filesystem;
+    const std::vector<BodyPlan> plans = body_set(command.set, command.seed);
+    const fs::path meshes = fs::path(command.output) / "meshes" / command.set;
+    const fs::path truths = fs::path(command.output) / "truth" / command.set;
+    std::error_code error;
+    fs::create_directories(meshes, error);
+    if (!error) fs::create_directories(truths, error);
+    if (error) throw Error(ErrorCode::usage, command.output + ": cannot make this folder: " + error.message());
+    for (const BodyPlan& plan : plans) {
+        const SynthBody body = cli::in_file(plan.name, [&] { return synthesize_body(plan); });
+        write_mesh(meshes / (plan.name + ".off"), body.mesh);
+        write_file_atomically(truths / (plan.name + ".json"),
+                              truth_to_json(body.truth, command.set + "/" + plan.name + ".off"));
+    }
+}
+
+void run(SynthCommand& command) {
+    if (!command.set.empty()) return run_set(command);
+    set_sex(command.shape, command.sex);
+    check_shape(command.shape);
+    const SynthBody body = synthesize_body(command.shape, find_pose(command), command.faces);
+    cli::in_file(command.output, [&] { write_mesh(command.output, body.mesh); });
+    if (!command.truth.empty())
+        cli::in_file(command.truth, [&] {
+            write_file_atomically(command.truth,
+                                  truth_to_json(body.truth, std::filesystem::path(command.output).filename().string()));
+        });
+}
+
+void add_shape_options(CLI::App& sub, SynthCommand& command) {
+    BodyShape& shape = command.shape;
+    sub.add_option("--age", shape.age, "Years, 5 to 90")->capture_default_str();
+    sub.add_option("--sex", command.sex, "female or male (the default)");
+    sub.add_option("--masculinity", shape.masculinity, "Between woman (0) and man (1)")
+        ->capture_default_str()
+        ->excludes("--sex");
+    sub.add_option("--height", shape.height, "Metres, 0.8 to 2.3; default: the average of age and sex");
+    sub.add_option("--weight", shape.weight, "Kilograms, body mass index 12 to 60; default: the average");
+    sub.add_option("--muscle", shape.muscle, "0 slack to 1 athletic")->capture_default_str();
+    sub.add_option("--arm-length", shape.arm_length, "Factor, 0.6 to 1.5")->capture_default_str();
+    sub.add_option("--leg-length", shape.leg_length, "Factor, 0.6 to 1.5; the height stays")->capture_default_str();
+    sub.add_option("--torso-length", shape.torso_length, "Factor, 0.6 to 1.5; the height stays")->capture_default_str();
+    sub.add_option("--head-size", shape.head_size, "Factor, 0.7 to 1.5")->capture_default_str();
+    sub.add_option("--shoulder-width", shape.shoulder_width, "Factor, 0.7 to 1.4")->capture_default_str();
+    sub.add_option("--hip-width", shape.hip_width, "Factor, 0.7 to 1.4")->capture_default_str();
+}
+
+} // namespace
+
+void add_synth_command(CLI::App& app) {
+    auto command = std::make_shared<SynthCommand>();
+    CLI::App* sub = app.add_subcommand("synth", "Make a posed human body of which every joint is known");
+    sub->add_option("-o,--output", command->output, "Mesh to write: .off, .obj, .ply or .stl; a folder for --set")
+        ->required();
+    std::string sets = "Make a whole set of bodies with their truth into a folder:";
+    for (const std::string& name : set_names()) sets += " " + name;
+    sub->add_option("--set", command->set, sets);
+    sub->add_option("--truth", command->truth, "JSON to write with joints, end points and the geodesic diameter");
+    std::string poses = "Pose: random, a JSON file, or";
+    for (const std::string& name : pose_names()) poses += " " + name;
+    sub->add_option("--pose", command->pose, poses)->capture_default_str();
+    sub->add_option("--seed", command->seed, "Of the random poses and faults")->capture_default_str();
+    sub->add_option("--faces", command->faces, "Number of triangles, 5000 to 3000000, kept within 2 %")
+        ->capture_default_str();
+    add_shape_options(*sub, *command);
+    sub->footer("Examples:\n  skelgen synth -o body.off --truth body.json --pose walk\n"
+                "  skelgen synth -o child.ply --age 7 --sex female --pose random --seed 3 --faces 50000\n"
+                "  skelgen synth --set faust -o bodies");
+    sub->callback([command] { run(*command); });
+}
+
+} // namespace skelgen

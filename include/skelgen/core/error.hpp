@@ -1,0 +1,28 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace skelgen {
+
+/// What a caller can do about a failure; the values are the exit statuses of the command line.
+enum class ErrorCode {
+    internal = 1,    ///< a fault of skelgen's own: report it
+    usage = 2,       ///< an argument or option that makes no sense: change the call
+    bad_input = 3,   ///< the input cannot be read or is no mesh: repair the file
+    no_skeleton = 4, ///< a sound mesh in which no human skeleton could be found
+};
+
+/// The one exception type that skelgen throws. `what()` states the violated condition and what to do about it,
+/// without the file's name: the caller knows it and puts it in front.
+class Error : public std::runtime_error {
+public:
+    Error(ErrorCode code, const std::string& what) : std::runtime_error(what), code_(code) {}
+
+    [[nodiscard]] ErrorCode code() const noexcept { return code_; }
+
+private:
+    ErrorCode code_;
+};
+
+} // namespace skelgen

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <skelgen/core/mesh.hpp>
+
+namespace skelgen {
+
+/// One joint of a kinematic skeleton.
+template <typename Scalar = double>
+struct Joint {
+    std::string name;
+    int parent = -1; ///< index into the joints, always smaller than the joint's own; -1 for the root
+    Vector3<Scalar> position = Vector3<Scalar>::Zero();
+    Scalar radius = 0; ///< mean distance from the joint to the surface around it, same unit as the position
+};
+
+/// The person's own directions. (left, forward, up) is a LEFT-handed triple: left x forward = -up.
+template <typename Scalar = double>
+struct BodyFrame {
+    Vector3<Scalar> origin = Vector3<Scalar>::Zero(); ///< the root joint
+    Vector3<Scalar> left = Vector3<Scalar>::UnitX();
+    Vector3<Scalar> forward = Vector3<Scalar>::UnitY();
+    Vector3<Scalar> up = Vector3<Scalar>::UnitZ();
+};
+
+/// How far the result may be trusted.
+struct Quality {
+    double sides_confidence = 0;       ///< 0 (a coin toss) to 1 (every witness agrees)
+    int matched_nodes = 0;             ///< nodes of the reduced template found in the curve skeleton
+    std::vector<std::string> warnings; ///< one sentence each
+};
+
+/// The result: joints in template order (parents before children), end points on the surface, frame and quality.
+template <typename Scalar = double>
+struct KinematicSkeleton {
+    std::string template_name;
+    std::vector<Joint<Scalar>> joints;
+    std::vector<std::pair<std::string, Vector3<Scalar>>> end_points; ///< head_top, left_fingertip, ... in fixed order
+    BodyFrame<Scalar> frame;
+    Quality quality;
+};
+
+/// Index of the joint of that name, or -1. O(joints).
+template <typename Scalar>
+[[nodiscard]] int find_joint(const KinematicSkeleton<Scalar>& skeleton, const std::string& name) {
+    for (std::size_t i = 0; i < skeleton.joints.size(); ++i)
+        if (skeleton.joints[i].name == name) return static_cast<int>(i);
+    return -1;
+}
+
+} // namespace skelgen

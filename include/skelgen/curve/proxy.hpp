@@ -1,0 +1,19 @@
+#pragma once
+
+#include <skelgen/core/mesh.hpp>
+
+namespace skelgen {
+
+/// How finely the contracted stand-in of the input is meshed.
+struct ProxyOptions {
+    int vertices = 3000; ///< approximate number of vertices, whatever the input's size
+    int rounds = 4;      ///< rounds of split, collapse, flip and relax
+};
+
+/// A well-shaped triangulation of a manifold surface with about `options.vertices` vertices: isotropic remeshing with one
+/// target edge length (Botsch & Kobbelt 2004): split long edges, collapse short ones, flip towards valence six, relax
+/// tangentially. Same topology as the input. Bounds the cost of contraction and spares it degenerate triangles.
+/// O(n log n). \throws Error bad_input when `mesh` is not manifold.
+[[nodiscard]] TriangleMesh<double> build_proxy(const TriangleMesh<double>& mesh, const ProxyOptions& options = {});
+
+} // namespace skelgen

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include <skelgen/core/curve_skeleton.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/embedding/spectral_matching.hpp>
+
+namespace skelgen {
+
+/// A piece of the template between two joints of its reduced graph, and the curve that it lies on.
+struct Chain {
+    std::vector<int> joints; ///< template joints along it, both ends included
+    std::vector<int> nodes;  ///< curve nodes along it, from the partner of the first joint to that of the last
+};
+
+/// The template laid into a curve skeleton.
+struct Embedding {
+    std::vector<int> node_of_joint; ///< per template joint its curve node, -1 for joints of degree 2
+    std::vector<Chain> chains;      ///< every bone of the template belongs to exactly one
+    int matched_nodes = 0;
+};
+
+/// Embeds the template in a pruned curve skeleton (LF20 section 3.1): reduced graphs, spectral matching, merging of
+/// unmatched junctions into the matched neighbour with the most branches. Which of two like limbs is the left one is not
+/// known yet. \throws Error no_skeleton when a node of the reduced template finds no partner, or two of its joints that
+/// are neighbours no path between them.
+[[nodiscard]] Embedding embed(const CurveSkeleton<double>& curve, const SkeletonTemplate& skeleton_template,
+                              const MatchingOptions& options = {});
+
+} // namespace skelgen

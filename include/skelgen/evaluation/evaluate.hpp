@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <skelgen/core/mesh.hpp>
+
+namespace skelgen {
+
+/// What is known about the body in one mesh, in the mesh's own coordinates.
+struct GroundTruth {
+    double scale = 1;                                            ///< largest geodesic distance: the unit of all errors
+    std::vector<std::pair<std::string, Vector3<double>>> joints; ///< where they are, in the file's order
+    std::map<std::string, Vector3<double>> markers;              ///< surface points that tell limbs and sides
+};
+
+/// Joint positions by joint name, as far as a skeleton file has them.
+using JointPositions = std::map<std::string, Vector3<double>>;
+
+/// How well one skeleton agrees with the truth.
+struct MeshScore {
+    std::string name;
+    bool complete = false; ///< all 21 joints are there and finite; what follows is empty and false otherwise
+    bool limbs = false;    ///< head, hands and feet: each is nearest to its own marker, and within 0.12 of it
+    bool sides = false;    ///< hands, feet, elbows, knees, shoulders: each nearer to its own side's marker
+    std::vector<std::string> wrong_limbs;               ///< the joints that break `limbs`
+    std::vector<std::string> flipped;                   ///< the joints that break `sides`
+    std::optional<std::vector<std::string>> outside;    ///< the joints outside of the mesh, if a mesh was looked at
+    std::vector<std::pair<std::string, double>> errors; ///< distance to the truth over its scale, in the truth's order
+
+    [[nodiscard]] bool solved() const { return complete && limbs && sides; }
+};
+
+/// The scores of the meshes of one data set, in the order of their names.
+struct SetScore {
+    std::string name;
+    std::vector<MeshScore> meshes;
+};
+
+/// What a number of errors amounts to.
+struct ErrorStatistics {
+    std::size_t count = 0;
+    double mean = 0;
+    double median = 0;
+    double p95 = 0; ///< 95th percentile
+    double worst = 0;
+    std::string worst_mesh; ///< where the worst one is
+};
+
+/// One data set's results. Errors are those of solved meshes alone: distances to a wrong limb measure nothing.
+struct SetSummary {
+    std::string name;
+    std::size_t meshes = 0, complete = 0, limbs = 0, sides = 0, solved = 0;
+    std::optional<ErrorStatistics> errors;                          ///< over all joints; none if nothing is solved
+    std::vector<std::pair<std::string, ErrorStatistics>> per_joint; ///< ordered by the joints' names
+    std::optional<double> inside; ///< mean share of joints inside their mesh; none if no mesh was looked at
+};
+
+/// Names of the 21 joints of `human21`, in template order.
+[[nodiscard]] const std::vector<std::string>& evaluated_joints();
+
+/// Reads `scale`, `joints` and `markers` of a truth file.
+/// \throws Error bad_input when it cannot be read or misses something.
+[[nodiscard]] GroundTruth read_ground_truth(const std::filesystem::path& path);
+
+/// Reads the joints of a skeleton file and nothing else of it: a result that breaks the file format elsewhere is still
+/// to be scored. Empty when there is no such file, or nothing to score in it.
+[[nodiscard]] JointPositions read_joint_positions(const std::filesystem::path& path);
+
+/// Scores one skeleton. O(1).
+/// \throws Error bad_input when `truth` lacks a marker, or names a joint that a complete `joints` does not have.
+[[nodiscard]] MeshScore score_joints(const GroundTruth& truth, const JointPositions& joints);
+
+/// The joints, of the 21, at which the mesh's winding number is below one half. O(joints * faces).
+[[nodiscard]] std::vector<std::string> joints_outside(const TriangleMesh<double>& mesh, const JointPositions& joints);
+
+/// Scores one skeleton file against one truth file; `mesh` (optional) is the mesh's file.
+/// \throws Error bad_input as `read_ground_truth`, `score_joints` and `read_mesh`, with the file's name in front.
+[[nodiscard]] MeshScore evaluate_file(const std::filesystem::path& truth, const std::filesystem::path& prediction,
+                                      const std::optional<std::filesystem::path>& mesh = {});
+
+/// Scores PREDICTION/<set>/<name>.json against every TRUTH/<set>/<name>.json, a missing one as not complete. A truth
+/// folder without folders in it is one set. `meshes` (optional) holds <set>/<name> with a mesh's extension.
+/// \throws Error bad_input as `evaluate_file`, and when there is no truth at all.
+[[nodiscard]] std::vector<SetScore> evaluate_folders(const std::filesystem::path& truth,
+                                                     const std::filesystem::path& prediction,
+                                                     const std::optional<std::filesystem::path>& meshes = {});
+
+/// Sums up one set's scores. O(n log n) in the number of errors.
+[[nodiscard]] SetSummary summarise(const SetScore& set);
+
+} // namespace skelgen

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace skelgen {
+
+/// Writes `content` to `path` so that a reader sees the whole file or none of it: it goes to a temporary name in the
+/// same folder (.skelgen-<process>-<number>.tmp), which is then renamed over `path`. A file that was there is replaced
+/// and keeps its permissions; a symbolic link keeps pointing where it did. What is no regular file (/dev/stdout,
+/// /dev/null, a named pipe) is written to directly. Missing folders are not made. Not synced to the disk: a power cut
+/// may still lose the file. \throws Error usage when it cannot be written; nothing is left behind then, and a file that
+/// was there is untouched.
+void write_file_atomically(const std::filesystem::path& path, std::string_view content);
+
+} // namespace skelgen

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include <skelgen/core/mesh.hpp>
+
+namespace skelgen {
+
+/// Polygons as files hold them, before they become a TriangleMesh.
+struct PolygonMesh {
+    std::vector<double> coordinates; ///< x, y, z of every vertex in turn
+    std::vector<int> corners;        ///< vertex indices, face after face, counter-clockwise seen from outside
+    std::vector<int> sizes;          ///< number of corners of each face, 3 or more
+};
+
+/// Most corners a face may have: a face of n corners takes O(n^2).
+inline constexpr int max_face_corners = 10000;
+
+/// Cuts every polygon into triangles along its own diagonals, the shortest first (a concave polygon is not covered
+/// twice, a quad is cut along its shorter inner diagonal). Vertices keep their indices, also those that no face uses;
+/// triangles follow the order of the faces. Triangles that would name a vertex twice are left out; nothing else is:
+/// several fans around one vertex, or three faces at one edge, stay as they are.
+/// O(vertices + corners) for triangles and quads.
+/// \throws Error bad_input when there is no vertex or no face left, a coordinate is not finite (in `Scalar`), a face
+///         has less than 3 or more than `max_face_corners` corners, or a corner names no vertex.
+template <typename Scalar = double>
+[[nodiscard]] TriangleMesh<Scalar> triangulate(const PolygonMesh& polygons);
+
+} // namespace skelgen

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/io/mesh_format.hpp>
+
+namespace skelgen {
+
+/// The bytes of a file with this mesh: OFF and OBJ as text with the shortest numbers that read back the same, PLY
+/// binary little-endian with properties of type `Scalar`, STL binary. STL alone loses something: it has single
+/// precision and no indices. `Scalar` is float or double. Linear. \throws Error usage when a face names no vertex, a
+/// coordinate is not finite, or is too large for STL's float.
+template <typename Scalar>
+[[nodiscard]] std::string format_mesh(const TriangleMesh<Scalar>& mesh, MeshFormat format);
+
+/// Writes `mesh` in the format of the extension: .off, .obj, .ply or .stl. The file appears whole or not at all (see
+/// `write_file_atomically`).
+/// \throws Error usage when the extension is none of these, as `format_mesh`, or when the file cannot be written.
+template <typename Scalar>
+void write_mesh(const std::filesystem::path& path, const TriangleMesh<Scalar>& mesh);
+
+} // namespace skelgen

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/embedding/embed.hpp>
+#include <skelgen/refinement/centreline.hpp>
+
+namespace skelgen {
+
+/// One chain of the template that ends at a tip (an arm, a leg, the head), and the centreline it lies on.
+struct Limb {
+    std::vector<int> joints;      ///< template joints after the branching one, outwards; the last one ends the limb
+    Centreline line;              ///< from the branching node to the tip on the surface
+    std::vector<double> from_tip; ///< per joint its rest-pose distance from the tip along the template, scaled to this body
+    double attachment = 0;        ///< arc length on `line` where the limb leaves the trunk: nearer the start sections are not its own
+};
+
+/// Rest-pose length to body length, from the geodesic diameter of the body (all in the body's unit).
+[[nodiscard]] double template_scale(const SkeletonTemplate& skeleton_template, double geodesic_diameter);
+
+/// Centrelines of all limbs of an embedded template.
+[[nodiscard]] std::vector<Limb> trace_limbs(const Slicer& slicer, const CurveSkeleton<double>& curve,
+                                            const Embedding& embedding, const SkeletonTemplate& skeleton_template,
+                                            double scale, const CentrelineOptions& options = {});
+
+} // namespace skelgen

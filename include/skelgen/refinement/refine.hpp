@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <skelgen/core/curve_skeleton.hpp>
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/embedding/embed.hpp>
+#include <skelgen/refinement/centreline.hpp>
+
+namespace skelgen {
+
+/// Constants of the refinement (LF20 section 3.2); lengths relative to the bones they apply to.
+struct RefinementOptions {
+    CentrelineOptions centreline;
+    double flatness = 0.1;        ///< a section counts as cylindrical below this flatness of its Gauss map (LF20)
+    double bend_from = 25;        ///< degrees; below, an elbow or knee is straight and placed by length ratio
+    double bend_full = 45;        ///< degrees; above, it is placed where its bones' lines meet; between, blended
+    double wrist_window = 0.2;    ///< of the forearm: how far from its place the thinnest section is looked for
+};
+
+/// Joints in template order with their thickness, and the limbs' ends on the surface.
+struct RefinedJoints {
+    Points<double> positions;                       ///< per template joint
+    Eigen::VectorXd radii;                          ///< mean distance from the joint to the surface around it
+    std::vector<std::pair<int, Vector3<double>>> tips; ///< end joint and the end of its limb
+    std::vector<std::string> warnings;
+};
+
+/// Places all joints of an embedded template by cross-sections of the original mesh and prior knowledge. Left and right
+/// are still those of the embedding. `geodesic_diameter` in the mesh's unit.
+[[nodiscard]] RefinedJoints refine(const TriangleMesh<double>& mesh, const CurveSkeleton<double>& curve,
+                                   const Embedding& embedding, const SkeletonTemplate& skeleton_template,
+                                   double geodesic_diameter, const RefinementOptions& options = {});
+
+} // namespace skelgen

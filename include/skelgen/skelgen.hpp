@@ -1,0 +1,52 @@
+#pragma once
+
+// The whole public API. Adaptors to other mesh libraries (io/openmesh_adaptor.hpp, io/cgal_adaptor.hpp) are not part of
+// it: they need these libraries' headers.
+
+#include <skelgen/core/canonical_form.hpp>
+#include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/curve_skeleton.hpp>
+#include <skelgen/core/error.hpp>
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/core/kinematic_skeleton.hpp>
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/core/polyline.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/core/template_rules.hpp>
+#include <skelgen/curve/centring.hpp>
+#include <skelgen/curve/contraction.hpp>
+#include <skelgen/curve/extract_curve.hpp>
+#include <skelgen/curve/laplacian.hpp>
+#include <skelgen/curve/manifold_parts.hpp>
+#include <skelgen/curve/medial_balls.hpp>
+#include <skelgen/curve/proxy.hpp>
+#include <skelgen/curve/pruning.hpp>
+#include <skelgen/curve/surgery.hpp>
+#include <skelgen/embedding/embed.hpp>
+#include <skelgen/embedding/reduced_graph.hpp>
+#include <skelgen/embedding/spectral_matching.hpp>
+#include <skelgen/evaluation/evaluate.hpp>
+#include <skelgen/evaluation/report.hpp>
+#include <skelgen/evaluation/statistics.hpp>
+#include <skelgen/evaluation/winding_number.hpp>
+#include <skelgen/extract.hpp>
+#include <skelgen/io/atomic_file.hpp>
+#include <skelgen/io/curve_formats.hpp>
+#include <skelgen/io/mesh_format.hpp>
+#include <skelgen/io/polygon_mesh.hpp>
+#include <skelgen/io/read_mesh.hpp>
+#include <skelgen/io/skeleton_json.hpp>
+#include <skelgen/io/template_json.hpp>
+#include <skelgen/io/write_mesh.hpp>
+#include <skelgen/refinement/centreline.hpp>
+#include <skelgen/refinement/cross_section.hpp>
+#include <skelgen/render/contact_sheet.hpp>
+#include <skelgen/render/image.hpp>
+#include <skelgen/render/png.hpp>
+#include <skelgen/render/render_scene.hpp>
+#include <skelgen/render/scene.hpp>
+#include <skelgen/render/view.hpp>
+#include <skelgen/synth/body.hpp>
+#include <skelgen/synth/pose.hpp>
+#include <skelgen/synth/shape.hpp>
+#include <skelgen/version.hpp>

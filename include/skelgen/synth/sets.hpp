@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <skelgen/synth/body.hpp>
+
+namespace skelgen {
+
+/// The sets that `body_set` knows: scape (one person, 71 poses), faust (10 people, 10 poses), proportions (children,
+/// very heavy, long and short limbs), partial (feet, hands or an arm missing), joined (arms, hands and thighs grown
+/// together), scan (noise, holes, floating pieces, flipped patches, pinched vertices).
+[[nodiscard]] std::vector<std::string> set_names();
+
+/// What to synthesize for a set, in order. The same seed gives the same plans.
+/// \throws Error usage naming the known sets.
+[[nodiscard]] std::vector<BodyPlan> body_set(std::string_view name, std::uint64_t seed);
+
+} // namespace skelgen

@@ -1,0 +1,82 @@
+#include <skelgen/evaluation/evaluate.hpp>
+
+#include <algorithm>
+
+#include <skelgen/evaluation/statistics.hpp>
+
+namespace skelgen {
+namespace {
+
+/// Errors, and the mesh that each is from.
+struct Sample {
+    std::vector<double> errors;
+    std::vector<std::string> meshes;
+};
+
+ErrorStatistics to_statistics(const Sample& sample) {
+    const auto worst = std::max_element(sample.errors.begin(), sample.errors.end());
+    ErrorStatistics statistics;
+    statistics.count = sample.errors.size();
+    statistics.mean = mean(sample.errors);
+    statistics.median = percentile(sample.errors, 50);
+    statistics.p95 = percentile(sample.errors, 95);
+    statistics.worst = *worst;
+    statistics.worst_mesh = sample.meshes[static_cast<std::size_t>(worst - sample.errors.begin())];
+    return statistics;
+}
+
+/// The solved meshes' errors joint by joint, in the order in which the joints first appear.
+std::vector<std::pair<std::string, Sample>> group_by_joint(const SetScore& set) {
+    std::vector<std::pair<std::string, Sample>> groups;
+    for (const MeshScore& mesh : set.meshes) {
+        if (!mesh.solved()) continue;
+        for (const auto& [joint, error] : mesh.errors) {
+            auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == joint; });
+            if (group == groups.end()) group = groups.insert(groups.end(), {joint, {}});
+            group->second.errors.push_back(error);
+            group->second.meshes.push_back(mesh.name);
+        }
+    }
+    return groups;
+}
+
+std::optional<double> mean_share_inside(const SetScore& set) {
+    std::vector<double> shares;
+    for (const MeshScore& mesh : set.meshes)
+        if (mesh.outside)
+            shares.push_back(1 - static_cast<double>(mesh.outside->size()) /
+                                     static_cast<double>(evaluated_joints().size()));
+    if (shares.empty()) return std::nullopt;
+    return mean(shares);
+}
+
+template <typename Condition>
+std::size_t count(const SetScore& set, const Condition& condition) {
+    return static_cast<std::size_t>(std::count_if(set.meshes.begin(), set.meshes.end(), condition));
+}
+
+} // namespace
+
+SetSummary summarise(const SetScore& set) {
+    SetSummary summary;
+    summary.name = set.name;
+    summary.meshes = set.meshes.size();
+    summary.complete = count(set, [](const MeshScore& mesh) { return mesh.complete; });
+    summary.limbs = count(set, [](const MeshScore& mesh) { return mesh.limbs; });
+    summary.sides = count(set, [](const MeshScore& mesh) { return mesh.sides; });
+    summary.solved = count(set, [](const MeshScore& mesh) { return mesh.solved(); });
+    summary.inside = mean_share_inside(set);
+
+    Sample all; // joint after joint: the mean's last digit depends on the order
+    for (const auto& [joint, sample] : group_by_joint(set)) {
+        summary.per_joint.emplace_back(joint, to_statistics(sample));
+        all.errors.insert(all.errors.end(), sample.errors.begin(), sample.errors.end());
+        all.meshes.insert(all.meshes.end(), sample.meshes.begin(), sample.meshes.end());
+    }
+    if (!all.errors.empty()) summary.errors = to_statistics(all);
+    std::sort(summary.per_joint.begin(), summary.per_joint.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    return summary;
+}
+
+} // namespace skelgen

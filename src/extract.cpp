@@ -1,0 +1,128 @@
+#include <skelgen/extract.hpp>
+
+#include <chrono>
+#include <string>
+
+#include <skelgen/core/canonical_form.hpp>
+#include <skelgen/core/error.hpp>
+#include <skelgen/core/geodesics.hpp>
+#include <skelgen/core/template_rules.hpp>
+#include <skelgen/curve/manifold_parts.hpp>
+#include <skelgen/embedding/embed.hpp>
+#include <skelgen/io/template_json.hpp>
+
+namespace skelgen {
+namespace {
+
+class Stopwatch {
+public:
+    /// Milliseconds since the last lap.
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const double elapsed = std::chrono::duration<double, std::milli>(now - last_).count();
+        last_ = now;
+        return elapsed;
+    }
+
+private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+template <typename Scalar>
+void check_surface(const TriangleMesh<Scalar>& mesh) {
+    if (mesh.vertices.rows() < 4 || mesh.faces.rows() < 4)
+        throw Error(ErrorCode::bad_input, "the mesh has fewer than four vertices or faces; a body needs a closed surface");
+    if (!mesh.vertices.allFinite())
+        throw Error(ErrorCode::bad_input, "the mesh has a coordinate that is not a finite number; repair it");
+    if (mesh.faces.minCoeff() < 0 || mesh.faces.maxCoeff() >= mesh.vertices.rows())
+        throw Error(ErrorCode::bad_input, "a face refers to a vertex that does not exist; repair the mesh");
+}
+
+/// From the pipeline's canonical coordinates back to the caller's.
+template <typename Scalar>
+class BackToInput {
+public:
+    explicit BackToInput(const Similarity& similarity) : similarity_(similarity) {}
+
+    [[nodiscard]] Vector3<Scalar> point(const Vector3<double>& p) const {
+        return similarity_.to_input(p).template cast<Scalar>();
+    }
+    [[nodiscard]] Vector3<Scalar> direction(const Vector3<double>& d) const {
+        return (similarity_.rotation.transpose() * d).template cast<Scalar>();
+    }
+    [[nodiscard]] Scalar length(double l) const { return static_cast<Scalar>(similarity_.scale * l); }
+
+    [[nodiscard]] KinematicSkeleton<Scalar> skeleton(const KinematicSkeleton<double>& s) const {
+        KinematicSkeleton<Scalar> out;
+        out.template_name = s.template_name;
+        for (const Joint<double>& joint : s.joints)
+            out.joints.push_back({joint.name, joint.parent, point(joint.position), length(joint.radius)});
+        for (const auto& [name, p] : s.end_points) out.end_points.emplace_back(name, point(p));
+        out.frame = {point(s.frame.origin), direction(s.frame.left), direction(s.frame.forward), direction(s.frame.up)};
+        out.quality = s.quality;
+        return out;
+    }
+
+    [[nodiscard]] CurveSkeleton<Scalar> curve(const CurveSkeleton<double>& c, const std::vector<int>& source) const {
+        CurveSkeleton<Scalar> out;
+        out.nodes.resize(c.nodes.rows(), 3);
+        for (Eigen::Index v = 0; v < c.nodes.rows(); ++v) out.nodes.row(v) = point(c.nodes.row(v).transpose()).transpose();
+        out.edges = c.edges;
+        for (const double radius : c.radii) out.radii.push_back(length(radius));
+        for (const std::vector<int>& region : c.regions) {
+            out.regions.emplace_back();
+            for (const int v : region) out.regions.back().push_back(source[static_cast<std::size_t>(v)]);
+        }
+        return out;
+    }
+
+private:
+    const Similarity& similarity_;
+};
+
+} // namespace
+
+template <typename Scalar>
+Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options) {
+    Stopwatch total, stage;
+    check_surface(mesh);
+    const SkeletonTemplate& wanted =
+        options.skeleton_template.joints.empty() ? builtin_template("human21") : options.skeleton_template;
+    validate_template(wanted);
+
+    const CanonicalMesh canonical = canonical_form(mesh);
+    const ManifoldParts<double> body = largest_manifold_part(canonical.mesh);
+    const TriangleMesh<double> proxy = build_proxy(body.mesh, options.proxy);
+    const CurveSkeleton<double> curve = extract_curve(body.mesh, proxy, options.curve);
+    const double diameter = geodesic_diameter(proxy);
+    Extraction<Scalar> out;
+    out.timings.curve = stage.lap();
+
+    const Embedding embedding = embed(curve, wanted, options.matching);
+    out.timings.embed = stage.lap();
+
+    const RefinedJoints joints = refine(body.mesh, curve, embedding, wanted, diameter, options.refinement);
+    out.timings.refine = stage.lap();
+
+    const SidesDecision sides = decide_sides(joints, wanted, options.sides);
+    KinematicSkeleton<double> skeleton = assemble(joints, wanted, sides);
+    skeleton.quality.matched_nodes = embedding.matched_nodes;
+    if (body.dropped_pieces > 0)
+        skeleton.quality.warnings.push_back(std::to_string(body.dropped_pieces) +
+                                            " pieces not connected to the body were left out");
+    out.timings.sides = stage.lap();
+
+    std::vector<int> source;
+    for (const int v : body.source) source.push_back(canonical.input_vertex[static_cast<std::size_t>(v)]);
+    const BackToInput<Scalar> back(canonical.similarity);
+    out.skeleton = back.skeleton(skeleton);
+    out.curve = back.curve(curve, source);
+    out.geodesic_diameter = canonical.similarity.scale * diameter;
+    out.timings.total = total.lap();
+    return out;
+}
+
+template Extraction<float> extract_skeleton(const TriangleMesh<float>&, const ExtractOptions&);
+template Extraction<double> extract_skeleton(const TriangleMesh<double>&, const ExtractOptions&);
+
+} // namespace skelgen

@@ -1,0 +1,132 @@
+#include <skelgen/io/read_mesh.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <system_error>
+
+#include <skelgen/core/error.hpp>
+
+#include "mesh_parsers.hpp"
+#include "text_scanner.hpp"
+
+namespace skelgen {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class Encoding { off, obj, ply, stl_text, stl_binary };
+
+[[noreturn]] void throw_unreadable(const std::string& message) { throw Error(ErrorCode::bad_input, message); }
+
+std::string read_file(const fs::path& path) {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) throw_unreadable("is a folder; name a mesh file in it");
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+    if (!file)
+        throw_unreadable("cannot be opened: " + std::generic_category().message(errno) + "; check its name and rights");
+
+    // The size is a guess only: that of a pipe is unknown, and another program may be writing the file.
+    const std::uintmax_t size = fs::file_size(path, ignored);
+    constexpr std::size_t least_room = std::size_t{1} << 16U;
+    std::string content(ignored ? least_room : std::max<std::size_t>(size + 1, least_room), '\0');
+    std::size_t used = 0;
+    while (const std::size_t got = std::fread(content.data() + used, 1, content.size() - used, file.get())) {
+        used += got;
+        if (used == content.size()) content.resize(2 * used);
+    }
+    if (std::ferror(file.get()) != 0) throw_unreadable("cannot be read to its end; check the disk or the network");
+    content.resize(used);
+    return content;
+}
+
+/// STL text has further words of STL behind "solid"; the free header of a binary one may begin with "solid" too.
+bool is_stl_text(std::string_view content, std::string_view first_word) {
+    if (first_word != "solid" && first_word != "SOLID") return false;
+    constexpr std::size_t far_enough = 1024;
+    const std::string_view start = content.substr(0, far_enough);
+    if (start.find('\0') != std::string_view::npos) return false;
+    for (const char* word : {"facet", "FACET", "endsolid", "ENDSOLID"})
+        if (start.find(word) != std::string_view::npos) return true;
+    return false;
+}
+
+std::optional<Encoding> encoding_by_content(std::string_view content) {
+    if (detail::is_stl_binary(content)) return Encoding::stl_binary;
+    detail::TextScanner scanner(content);
+    scanner.seek_word();
+    const std::string_view first_word = scanner.word();
+    if (first_word == "ply") return Encoding::ply;
+    if (detail::is_off_keyword(first_word)) return Encoding::off;
+    if (is_stl_text(content, first_word)) return Encoding::stl_text;
+    if (detail::is_obj_keyword(first_word)) return Encoding::obj;
+    return std::nullopt;
+}
+
+Encoding encoding_by_extension(std::optional<MeshFormat> extension) {
+    if (!extension) throw_unreadable("is no mesh in a known format; use OFF, OBJ, PLY or STL");
+    switch (*extension) {
+    case MeshFormat::off:
+        return Encoding::off;
+    case MeshFormat::obj:
+        return Encoding::obj;
+    case MeshFormat::ply:
+        return Encoding::ply;
+    case MeshFormat::stl:
+        break;
+    }
+    return Encoding::stl_binary;
+}
+
+PolygonMesh parse(std::string_view content, Encoding encoding) {
+    switch (encoding) {
+    case Encoding::off:
+        return detail::parse_off(content);
+    case Encoding::obj:
+        return detail::parse_obj(content);
+    case Encoding::ply:
+        return detail::parse_ply(content);
+    case Encoding::stl_text:
+        return detail::parse_stl_text(content);
+    case Encoding::stl_binary:
+        break;
+    }
+    return detail::parse_stl_binary(content);
+}
+
+/// Lines that end in a carriage return alone (old Macs), as lines that the parsers know; empty for all other files.
+std::string with_line_feeds(std::string_view content) {
+    const auto has = [content](char c) { return content.find(c) != std::string_view::npos; };
+    if (has('\n') || !has('\r') || has('\0')) return {};
+    std::string result(content);
+    std::replace(result.begin(), result.end(), '\r', '\n');
+    return result;
+}
+
+} // namespace
+
+template <typename Scalar>
+TriangleMesh<Scalar> parse_mesh(std::string_view content, std::optional<MeshFormat> extension) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // of UTF-8
+    if (content.starts_with(byte_order_mark)) content.remove_prefix(byte_order_mark.size());
+    if (content.empty()) throw_unreadable("the file is empty; write it again");
+    const std::string converted = with_line_feeds(content);
+    if (!converted.empty()) content = converted;
+
+    const std::optional<Encoding> encoding = encoding_by_content(content);
+    return triangulate<Scalar>(parse(content, encoding ? *encoding : encoding_by_extension(extension)));
+}
+
+template <typename Scalar>
+TriangleMesh<Scalar> read_mesh(const fs::path& path) {
+    return parse_mesh<Scalar>(read_file(path), mesh_format_of(path));
+}
+
+template TriangleMesh<float> parse_mesh<float>(std::string_view, std::optional<MeshFormat>);
+template TriangleMesh<double> parse_mesh<double>(std::string_view, std::optional<MeshFormat>);
+template TriangleMesh<float> read_mesh<float>(const fs::path&);
+template TriangleMesh<double> read_mesh<double>(const fs::path&);
+
+} // namespace skelgen

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <skelgen/synth/pose.hpp>
+
+#include "kinematics.hpp"
+#include "primitives.hpp"
+#include "proportions.hpp"
+
+/// What is on the bones, part by part, in the part's rest coordinates: x to the left (outwards on a limb), y
+/// backwards, z up (down the limb where it says so). All tables are those of a man or a woman of 1.75 m.
+namespace skelgen::synth {
+
+/// Chest, belly, pelvis and neck; world coordinates of the rest pose. Shoulder blades, collar bones and buttocks
+/// follow the arms and thighs of `skeleton`.
+[[nodiscard]] std::vector<Blob> trunk(const Proportions& proportions, const PosedSkeleton& skeleton);
+
+/// Skull, face and ears around the head joint.
+[[nodiscard]] std::vector<Blob> head(const Proportions& proportions);
+
+/// z down the limb from the upper joint. Every section is symmetric about the bone between the joints.
+[[nodiscard]] std::vector<Blob> upper_arm(const Proportions& proportions);
+[[nodiscard]] std::vector<Blob> forearm(const Proportions& proportions);
+[[nodiscard]] std::vector<Blob> thigh(const Proportions& proportions);
+[[nodiscard]] std::vector<Blob> calf(const Proportions& proportions);
+
+struct Hand {
+    std::vector<Blob> blobs;
+    Vec3 fingertip; ///< of the middle finger
+};
+
+/// z from the wrist to the fingers, -x the palm, -y the thumb. `fingers`: bend curls and side spreads them.
+[[nodiscard]] Hand hand(const Proportions& proportions, const JointAngles& fingers);
+
+struct Foot {
+    std::vector<Blob> blobs;
+    Vec3 toe; ///< tip of the big toe
+};
+
+/// Around the ankle, z up; `toes_up` in degrees bends the toes at the ball.
+[[nodiscard]] Foot foot(const Proportions& proportions, double toes_up);
+
+/// The lengthwise outline of a limb: its rings along z.
+[[nodiscard]] const Tube& outline(const std::vector<Blob>& limb);
+
+} // namespace skelgen::synth

@@ -1,0 +1,179 @@
+#include "anatomy.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+namespace skelgen::synth {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+struct LimbRow {
+    double at;     ///< fraction of the bone
+    double side;   ///< half the width
+    double depth;  ///< half the depth
+    double fat;    ///< added to both per unit of Proportions::fat
+    double muscle; ///< added to both per unit of Proportions::muscle above the average
+};
+
+template <std::size_t n>
+Tube limb_outline(const Proportions& p, const std::array<LimbRow, n>& rows, double length, double low_cap,
+                  double high_cap) {
+    const double thin = 1 - 0.10 * (1 - p.masculinity) - 0.07 * (1 - p.maturity);
+    std::vector<Ring> rings;
+    for (const LimbRow& row : rows) {
+        const double more = row.fat * p.fat + row.muscle * (p.muscle - 0.3);
+        const double side = p.scale * (thin * row.side + more), depth = p.scale * (thin * row.depth + more);
+        rings.push_back({row.at * length, side, depth, depth});
+    }
+    const double low = low_cap * rings.front().side, high = high_cap * rings.back().side;
+    return Tube(std::move(rings), 2, low, high);
+}
+
+constexpr std::array<LimbRow, 6> upper_arm_rows{{{0.00, .050, .054, .030, .016},
+                                                 {0.16, .051, .055, .034, .020},
+                                                 {0.38, .047, .051, .034, .018},
+                                                 {0.60, .043, .047, .030, .014},
+                                                 {0.82, .038, .040, .022, .006},
+                                                 {1.00, .032, .033, .014, .004}}};
+
+constexpr std::array<LimbRow, 6> forearm_rows{{{0.00, .032, .034, .014, .004},
+                                               {0.18, .040, .043, .018, .010},
+                                               {0.38, .037, .042, .016, .009},
+                                               {0.62, .030, .035, .012, .004},
+                                               {0.82, .023, .029, .008, .001},
+                                               {1.00, .020, .028, .006, .000}}};
+
+constexpr std::array<LimbRow, 7> thigh_rows{{{0.00, .084, .086, .050, .012},
+                                             {0.14, .083, .088, .055, .014},
+                                             {0.34, .077, .083, .050, .016},
+                                             {0.54, .069, .075, .042, .014},
+                                             {0.74, .059, .064, .030, .010},
+                                             {0.90, .051, .055, .020, .002},
+                                             {1.00, .045, .049, .016, .002}}};
+
+constexpr std::array<LimbRow, 8> calf_rows{{{0.00, .044, .048, .016, .002},
+                                            {0.10, .048, .052, .018, .004},
+                                            {0.26, .053, .058, .022, .012},
+                                            {0.40, .051, .056, .020, .011},
+                                            {0.58, .042, .046, .015, .005},
+                                            {0.76, .034, .038, .010, .001},
+                                            {0.90, .030, .034, .008, .000},
+                                            {1.00, .029, .034, .007, .000}}};
+
+/// A finger of three phalanges from its knuckle, curled towards the palm (-x).
+Vec3 add_finger(std::vector<Blob>& blobs, const Vec3& knuckle, double spread, double curl, double length,
+                double radius) {
+    constexpr std::array<double, 3> share{0.46, 0.30, 0.24}, bend{1.0, 1.15, 0.8};
+    Vec3 at = knuckle;
+    double angle = 0;
+    for (std::size_t i = 0; i < share.size(); ++i) {
+        angle += curl * bend[i];
+        const Vec3 direction(-std::sin(angle), std::cos(angle) * std::sin(spread), std::cos(angle) * std::cos(spread));
+        const Vec3 next = at + length * share[i] * direction;
+        const double thick = radius * (1 - 0.09 * static_cast<double>(i)),
+                     thin = radius * (1 - 0.09 * static_cast<double>(i + 1));
+        blobs.push_back({RoundCone{at, next, thick, thin}, i == 0 ? 0.006 * radius / 0.009 : 0.002 * radius / 0.009});
+        at = next;
+    }
+    return at;
+}
+
+} // namespace
+
+const Tube& outline(const std::vector<Blob>& limb) { return std::get<Tube>(limb.front().form); }
+
+std::vector<Blob> upper_arm(const Proportions& p) {
+    const double k = p.scale, strong = 1 + 0.4 * (p.muscle - 0.3) + 0.5 * p.fat - 0.10 * (1 - p.masculinity);
+    std::vector<Blob> blobs{{limb_outline(p, upper_arm_rows, p.upper_arm, 0.8, 0.9), 0}};
+    // The deltoid caps the shoulder and ends above the middle third of the bone.
+    blobs.push_back({Ellipsoid{k * Vec3(0.007, 0.000, 0.016), k * strong * Vec3(0.056, 0.060, 0.068)}, 0.02 * k});
+    return blobs;
+}
+
+std::vector<Blob> forearm(const Proportions& p) { return {{limb_outline(p, forearm_rows, p.forearm, 0.9, 0.8), 0}}; }
+
+std::vector<Blob> thigh(const Proportions& p) { return {{limb_outline(p, thigh_rows, p.thigh, 0.75, 0.9), 0}}; }
+
+std::vector<Blob> calf(const Proportions& p) {
+    const double k = p.scale, thin = 1 - 0.10 * (1 - p.masculinity) - 0.07 * (1 - p.maturity);
+    std::vector<Blob> blobs{{limb_outline(p, calf_rows, p.calf, 0.95, 0.9), 0}};
+    blobs.push_back({Ellipsoid{k * Vec3(0, -0.042 * thin - 0.012 * p.fat, 0.004), k * thin * Vec3(0.025, 0.020, 0.030)},
+                     0.018 * k});
+    return blobs;
+}
+
+Hand hand(const Proportions& p, const JointAngles& fingers) {
+    const double k = p.hand_scale, puffy = 1 + 0.2 * p.fat;
+    const auto ring = [&](double at, double side, double depth) {
+        return Ring{at * k, side * k * puffy, depth * k, depth * k};
+    };
+    Hand result;
+    result.blobs.push_back({Tube({ring(-0.005, .0185, .0265), ring(0.025, .0165, .0320), ring(0.055, .0150, .0390),
+                                  ring(0.084, .0120, .0405)},
+                                 2.5, 0.020 * k, 0.012 * k),
+                            0});
+    const double curl = (10 + fingers.bend) * degree, spread = fingers.side * degree;
+    struct FingerRow {
+        double y, z, length, radius, splay;
+    };
+    constexpr std::array<FingerRow, 4> rows{{{-.0310, .084, .074, .0088, -9},
+                                             {-.0105, .087, .082, .0090, -2},
+                                             {.0100, .084, .077, .0087, 5},
+                                             {.0295, .077, .061, .0078, 14}}};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const FingerRow& row = rows[i];
+        const Vec3 tip =
+            add_finger(result.blobs, k * Vec3(0, row.y, row.z), row.splay * degree + spread * row.splay / 10, curl,
+                       k * row.length, k * row.radius * puffy);
+        if (i == 1) result.fingertip = tip + Vec3(0, 0, k * row.radius);
+    }
+    // The thumb and its ball.
+    const double out = 1 + 0.02 * fingers.side;
+    const Vec3 root = k * Vec3(-0.004, -0.018, 0.022), base = k * Vec3(-0.010, -0.044 * out, 0.052);
+    const Vec3 middle = k * Vec3(-0.013, -0.060 * out, 0.082), tip = k * Vec3(-0.015, -0.068 * out, 0.106);
+    result.blobs.push_back({RoundCone{root, base, 0.0155 * k * puffy, 0.0125 * k * puffy}, 0.012 * k});
+    result.blobs.push_back({RoundCone{base, middle, 0.0122 * k * puffy, 0.0100 * k * puffy}, 0.004 * k});
+    result.blobs.push_back({RoundCone{middle, tip, 0.0102 * k * puffy, 0.0080 * k * puffy}, 0.003 * k});
+    return result;
+}
+
+Foot foot(const Proportions& p, double toes_up) {
+    const double k = p.foot_scale, wide = 1 + 0.10 * p.fat;
+    const double sole = -p.ankle_height;
+    const auto at = [&](double x, double y, double height) { return Vec3(x * k * wide, y * k, sole + height * k); };
+    std::vector<Blob> blobs{{Ellipsoid{at(0, 0.022, 0.034), k * Vec3(0.031 * wide, 0.036, 0.040)}, 0}};
+    const auto bone = [&](const Vec3& a, const Vec3& b, double ra, double rb, double blend) {
+        blobs.push_back({RoundCone{a, b, ra * k, rb * k}, blend * k});
+    };
+    bone(at(0, 0.004, 0.062), at(-0.002, -0.050, 0.046), 0.031, 0.026, 0.024);
+    bone(at(-0.002, -0.050, 0.046), at(-0.006, -0.122, 0.021), 0.026, 0.017, 0.02);
+    bone(at(0.010, 0.020, 0.022), at(0.030, -0.100, 0.015), 0.022, 0.015, 0.024);
+    bone(at(-0.024, -0.124, 0.018), at(0.028, -0.108, 0.015), 0.018, 0.014, 0.02);
+    for (const double side : {1.0, -1.0})
+        blobs.push_back({Ellipsoid{Vec3(side * 0.028 * k, 0.002 * k, 0), k * Vec3(0.008, 0.012, 0.013)}, 0.012 * k});
+    blobs.push_back({HalfSpace{-Vec3::UnitZ(), -sole}, 0.010 * k, Use::keep});
+
+    const Vec3 ball = at(0, -0.118, 0.016);
+    const Eigen::AngleAxisd lift(-toes_up * degree, Vec3::UnitX());
+    const auto bent = [&](double x, double y, double height) -> Vec3 {
+        return ball + lift * (at(x, y, height) - ball);
+    };
+    struct ToeRow {
+        double x, y, length, radius;
+    };
+    constexpr std::array<ToeRow, 5> toes{{{-.0250, -.142, .040, .0135},
+                                          {-.0045, -.147, .032, .0095},
+                                          {.0100, -.142, .030, .0090},
+                                          {.0235, -.134, .027, .0085},
+                                          {.0360, -.122, .024, .0085}}};
+    for (const ToeRow& toe : toes) {
+        const Vec3 from = bent(toe.x, toe.y, toe.radius + 0.003),
+                   to = bent(toe.x * 1.02, toe.y - toe.length, toe.radius * 0.9);
+        blobs.push_back({RoundCone{from, to, toe.radius * k, 0.88 * toe.radius * k}, 0.010 * k});
+    }
+    return {std::move(blobs), bent(-0.0255, -0.142 - 0.040 - 0.012, 0.012)};
+}
+
+} // namespace skelgen::synth

@@ -1,0 +1,168 @@
+#include <skelgen/synth/body.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include <skelgen/core/error.hpp>
+
+#include "geodesic.hpp"
+#include "implicit_body.hpp"
+#include "surface_mesher.hpp"
+
+namespace skelgen {
+namespace {
+
+using synth::ImplicitBody;
+using synth::Proportions;
+
+struct EndPoint {
+    const char* name;
+    BodyJoint beyond; ///< the last joint before it
+};
+
+constexpr std::array<EndPoint, 5> end_points{{{"head_top", BodyJoint::head},
+                                              {"left_fingertip", BodyJoint::left_hand},
+                                              {"right_fingertip", BodyJoint::right_hand},
+                                              {"left_toe", BodyJoint::left_foot},
+                                              {"right_toe", BodyJoint::right_foot}}};
+
+/// Whether `joint` hangs on one of `cuts` (a cut joint itself stays, at the end of the stump).
+bool beyond_any(BodyJoint joint, const std::vector<BodyJoint>& cuts) {
+    for (; joint != BodyJoint::crotch; joint = joint_parent(joint))
+        if (std::find(cuts.begin(), cuts.end(), joint_parent(joint)) != cuts.end()) return true;
+    return false;
+}
+
+/// Gap that a mesh of the usual fineness keeps open, for a body of 1.75 m.
+constexpr double least_gap = 0.007;
+
+void check_faces(int faces) {
+    if (faces >= least_faces && faces <= most_faces) return;
+    std::ostringstream what;
+    what << faces << " faces is out of range: give " << least_faces << " to " << most_faces;
+    throw Error(ErrorCode::usage, what.str());
+}
+
+std::vector<int> vertices_at(const TriangleMesh<double>& mesh, const std::array<synth::Vec3, 5>& points) {
+    std::vector<int> vertices;
+    for (const synth::Vec3& p : points) {
+        Eigen::Index nearest = 0;
+        (mesh.vertices.rowwise() - p.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+        vertices.push_back(static_cast<int>(nearest));
+    }
+    return vertices;
+}
+
+synth::ImplicitSurface surface_of(const ImplicitBody& body, const Proportions& proportions) {
+    const Vector3<double> middle = body.skeleton().position(BodyJoint::crotch);
+    double radius = 0;
+    for (const auto& frame : body.skeleton().frames) radius = std::max(radius, (frame.translation() - middle).norm());
+    return {[&body](const synth::Vec3& p) { return body(p); }, [&body](const synth::Vec3& p) { return body.grain(p); },
+            middle, radius + 0.25 * proportions.scale * proportions.head_scale + 0.1 * proportions.scale};
+}
+
+double clearance(const Proportions& proportions, const BodyPose& pose) {
+    return ImplicitBody(proportions, pose).clearance();
+}
+
+/// Puts the lowest vertex on the ground.
+void stand_on_ground(SynthBody& body) {
+    const double ground = body.mesh.vertices.col(2).minCoeff();
+    body.mesh.vertices.col(2).array() -= ground;
+    for (auto& joint : body.truth.joints) joint.z() -= ground;
+}
+
+nlohmann::ordered_json to_json(const Vector3<double>& p) { return {p.x(), p.y(), p.z()}; }
+
+} // namespace
+
+SynthBody synthesize_body(const BodyPlan& plan) {
+    check_faces(plan.faces);
+    check_pose(plan.pose);
+    const Proportions proportions = synth::proportions_of(plan.shape);
+    ImplicitBody field(proportions, plan.pose);
+    if (!plan.may_touch && field.clearance() < least_gap / 2 * proportions.scale)
+        throw Error(ErrorCode::usage, "parts of the body touch or sink into each other in this pose: spread the limbs");
+    for (const BodyJoint joint : plan.missing) field.leave_out(joint);
+
+    SynthBody body;
+    body.mesh = synth::mesh_surface(surface_of(field, proportions), plan.faces, !plan.may_touch);
+    for (std::size_t j = 0; j < body.truth.joints.size(); ++j) {
+        body.truth.joints[j] = field.skeleton().frames[j].translation();
+        if (beyond_any(static_cast<BodyJoint>(j), plan.missing))
+            body.truth.missing.push_back(static_cast<BodyJoint>(j));
+    }
+    const std::vector<int> tips = vertices_at(body.mesh, field.extremities());
+    body.truth.geodesic_diameter = synth::geodesic_diameter(body.mesh, tips);
+    stand_on_ground(body);
+    for (std::size_t i = 0; i < tips.size(); ++i)
+        if (!beyond_any(end_points[i].beyond, plan.missing))
+            body.truth.end_points.emplace_back(end_points[i].name, body.mesh.vertices.row(tips[i]).transpose());
+    if (plan.faults.any()) body.mesh = with_scan_faults(body.mesh, plan.faults);
+    return body;
+}
+
+SynthBody synthesize_body(const BodyShape& shape, const BodyPose& pose, int faces) {
+    BodyPlan plan;
+    plan.shape = shape, plan.pose = pose, plan.faces = faces;
+    return synthesize_body(plan);
+}
+
+double limb_clearance(const BodyShape& shape, const BodyPose& pose) {
+    check_pose(pose);
+    return clearance(synth::proportions_of(shape), pose);
+}
+
+BodyPose spread_limbs(const BodyShape& shape, const BodyPose& pose) {
+    check_pose(pose);
+    const Proportions proportions = synth::proportions_of(shape);
+    BodyPose spread = pose;
+    for (int step = 0; step < 12; ++step) {
+        if (clearance(proportions, spread) >= least_gap * proportions.scale) return spread;
+        for (const BodyJoint joint :
+             {BodyJoint::left_shoulder, BodyJoint::right_shoulder, BodyJoint::left_hip, BodyJoint::right_hip}) {
+            double& side = spread.at(joint).side;
+            side = std::min(side + 2.5, joint_limits(joint).high.side);
+        }
+    }
+    throw Error(ErrorCode::usage, "parts of this body touch in this pose however far arms and legs are spread: "
+                                  "take another pose or a lighter body");
+}
+
+BodyPose random_free_pose(const BodyShape& shape, std::uint64_t seed) {
+    const Proportions proportions = synth::proportions_of(shape);
+    constexpr std::uint64_t golden = 0x9e3779b97f4a7c15; // spreads neighbouring seeds' attempts apart
+    for (std::uint64_t attempt = 0; attempt < 2000; ++attempt) {
+        const BodyPose pose = random_pose(seed + attempt * golden);
+        if (clearance(proportions, pose) >= least_gap * proportions.scale) return pose;
+    }
+    throw Error(ErrorCode::usage,
+                "no random pose was found in which this body's limbs do not touch: take a lighter body");
+}
+
+std::string truth_to_json(const BodyTruth& truth, const std::string& mesh_file) {
+    using Json = nlohmann::ordered_json;
+    Json json;
+    json["mesh"] = mesh_file;
+    json["scale"] = truth.geodesic_diameter;
+    json["source"] = "skelgen synth: exact by construction";
+    Json joints = Json::object(), markers = Json::object(), tips = Json::object(), missing = Json::array();
+    for (int j = 0; j < body_joint_count; ++j)
+        joints[std::string(joint_name(static_cast<BodyJoint>(j)))] = to_json(truth.joints[static_cast<std::size_t>(j)]);
+    for (const char* joint : {"hand", "foot", "elbow", "knee", "shoulder"})
+        for (const char* side : {"left_", "right_"})
+            markers[std::string(side) + joint] = joints[std::string(side) + joint];
+    markers["head"] = joints["head"];
+    for (const auto& [name, position] : truth.end_points) tips[name] = to_json(position);
+    json["joints"] = joints;
+    json["markers"] = markers;
+    json["end_points"] = tips;
+    for (const BodyJoint joint : truth.missing) missing.push_back(std::string(joint_name(joint)));
+    if (!missing.empty()) json["missing"] = missing;
+    return json.dump(1) + "\n";
+}
+
+} // namespace skelgen

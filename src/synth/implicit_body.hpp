@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include <skelgen/synth/pose.hpp>
+
+#include "kinematics.hpp"
+#include "primitives.hpp"
+#include "proportions.hpp"
+#include "spine.hpp"
+
+namespace skelgen::synth {
+
+/// A part of the body that moves as one. The trunk bends with the spine, all others are rigid.
+struct Part {
+    Eigen::Isometry3d frame = Eigen::Isometry3d::Identity(); ///< of its joint, see PosedSkeleton
+    double side = 1;                                         ///< -1: modelled as a left part, mirrored
+    bool limb = false;                                       ///< modelled with z down the limb instead of up
+    double twist = 0;  ///< radians about z per metre: the forearm between elbow and wrist
+    double length = 0; ///< where the twist ends
+    std::vector<Blob> blobs;
+    std::vector<Capsule> hull; ///< the part lies inside their union, world coordinates
+    bool absent = false;
+    std::vector<Vec3> probes; ///< points on or near its surface in world coordinates, to find parts that touch
+
+    [[nodiscard]] Vec3 to_local(const Vec3& world) const;
+    [[nodiscard]] Vec3 to_world(const Vec3& local) const;
+    [[nodiscard]] double distance_bound(const Vec3& world) const; ///< at most the distance to the part
+};
+
+/// How a part blends with the one it hangs on: strongly around their joint, weakly elsewhere, so that an arm along the
+/// body stays an arm. Lengths in metres.
+struct Joining {
+    Vec3 joint = Vec3::Zero();
+    double range = 1; ///< from the joint to where the blend is weak
+    double weak = 0;
+    double strong = 0;
+};
+
+/// The parts in the order in which they are united.
+enum class PartName {
+    trunk,
+    head,
+    left_upper_arm,
+    left_forearm,
+    left_hand,
+    right_upper_arm,
+    right_forearm,
+    right_hand,
+    left_thigh,
+    left_calf,
+    left_foot,
+    right_thigh,
+    right_calf,
+    right_foot
+};
+inline constexpr int part_count = 14;
+
+/// A posed human body as a field: negative inside, close to a distance near the surface. Neighbouring parts blend
+/// around their joint, others meet sharply.
+class ImplicitBody {
+public:
+    ImplicitBody(const Proportions& proportions, const BodyPose& pose);
+
+    [[nodiscard]] double operator()(const Vec3& p) const;
+
+    /// Leaves out the limb from a shoulder, elbow, wrist, knee or ankle on; what is left ends in a round stump.
+    /// \throws Error usage for other joints.
+    void leave_out(BodyJoint joint);
+
+    /// How fine the surface is around p: 1 on the trunk, smaller (the ratio of edge lengths) on hands, feet and face.
+    [[nodiscard]] double grain(const Vec3& p) const;
+
+    /// The smallest gap between parts that are no neighbours, negative where they sink into each other. An estimate
+    /// from probes: good to a few millimetres.
+    [[nodiscard]] double clearance() const;
+
+    [[nodiscard]] const PosedSkeleton& skeleton() const { return skeleton_; }
+    [[nodiscard]] const Part& part(PartName name) const { return parts_[static_cast<std::size_t>(name)]; }
+
+    /// Positions of head_top, left_fingertip, right_fingertip, left_toe, right_toe near the surface, in that order.
+    [[nodiscard]] const std::array<Vec3, 5>& extremities() const { return extremities_; }
+
+private:
+    void build_arm(const Proportions& proportions, const BodyPose& pose, PartName first, BodyJoint shoulder,
+                   Vec3& fingertip);
+    void build_leg(const Proportions& proportions, const BodyPose& pose, PartName first, BodyJoint hip, Vec3& toe);
+    [[nodiscard]] double part_value(PartName name, const Vec3& p) const;
+    /// The limb of three parts that begins with `first`; parts further away than `limit` left out.
+    [[nodiscard]] double limb_value(PartName first, const Vec3& p, double limit) const;
+
+    PosedSkeleton skeleton_;
+    SpineBend spine_;
+    double scale_;
+    std::array<Part, part_count> parts_;
+    std::array<Joining, part_count> joining_{};
+    std::array<Vec3, 5> extremities_;
+};
+
+} // namespace skelgen::synth

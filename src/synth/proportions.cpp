@@ -1,0 +1,117 @@
+#include "proportions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include <skelgen/core/error.hpp>
+
+namespace skelgen {
+namespace {
+
+void check_range(const char* field, double value, double low, double high, const char* unit, bool zero_is_free) {
+    if ((value >= low && value <= high) || (zero_is_free && value == 0)) return;
+    std::ostringstream what;
+    what << field << ' ' << value << " is out of range: give " << low << " to " << high << unit;
+    throw Error(ErrorCode::usage, what.str());
+}
+
+/// Linear between the rows of a table {x, y}, flat beyond its ends.
+template <std::size_t n>
+double interpolate(const std::array<std::array<double, 2>, n>& table, double x) {
+    if (x <= table.front()[0]) return table.front()[1];
+    for (std::size_t i = 1; i < n; ++i)
+        if (x <= table[i][0])
+            return std::lerp(table[i - 1][1], table[i][1], (x - table[i - 1][0]) / (table[i][0] - table[i - 1][0]));
+    return table.back()[1];
+}
+
+constexpr std::array<std::array<double, 2>, 7> male_height{
+    {{5, 1.10}, {8, 1.28}, {10, 1.38}, {12, 1.49}, {14, 1.63}, {16, 1.73}, {18, 1.75}}};
+constexpr std::array<std::array<double, 2>, 7> female_height{
+    {{5, 1.09}, {8, 1.27}, {10, 1.38}, {12, 1.51}, {14, 1.59}, {16, 1.62}, {18, 1.63}}};
+constexpr std::array<std::array<double, 2>, 5> average_body_mass_index{
+    {{5, 15.5}, {8, 16}, {12, 18}, {16, 20.5}, {20, 22.5}}};
+
+double average_height(const BodyShape& shape) {
+    return std::lerp(interpolate(female_height, shape.age), interpolate(male_height, shape.age), shape.masculinity);
+}
+
+} // namespace
+
+void check_shape(const BodyShape& shape) {
+    check_range("age", shape.age, 5, 90, " years", false);
+    check_range("masculinity", shape.masculinity, 0, 1, " (woman to man)", false);
+    check_range("height", shape.height, 0.8, 2.3, " m", true);
+    check_range("muscle", shape.muscle, 0, 1, "", false);
+    check_range("arm length", shape.arm_length, 0.6, 1.5, " times the average", false);
+    check_range("leg length", shape.leg_length, 0.6, 1.5, " times the average", false);
+    check_range("torso length", shape.torso_length, 0.6, 1.5, " times the average", false);
+    check_range("head size", shape.head_size, 0.7, 1.5, " times the average", false);
+    check_range("shoulder width", shape.shoulder_width, 0.7, 1.4, " times the average", false);
+    check_range("hip width", shape.hip_width, 0.7, 1.4, " times the average", false);
+    const double height = shape.height > 0 ? shape.height : average_height(shape);
+    const auto kilograms = [height](double index) { return std::round(10 * index * height * height) / 10; };
+    check_range("weight", shape.weight, kilograms(12), kilograms(60), " kg at this height", true);
+}
+
+BodyShape complete_shape(const BodyShape& shape) {
+    check_shape(shape);
+    BodyShape full = shape;
+    if (full.height == 0) full.height = average_height(shape);
+    if (full.weight == 0) full.weight = interpolate(average_body_mass_index, shape.age) * full.height * full.height;
+    return full;
+}
+
+} // namespace skelgen
+
+namespace skelgen::synth {
+
+Proportions proportions_of(const BodyShape& given) {
+    const BodyShape shape = complete_shape(given);
+    Proportions p;
+    p.maturity = std::clamp((shape.age - 5) / 13, 0.0, 1.0);
+    p.masculinity = std::lerp(0.5, shape.masculinity, std::sqrt(p.maturity));
+    p.muscle = shape.muscle * (0.3 + 0.7 * p.maturity);
+    const double child = 1 - p.maturity, woman = 1 - p.masculinity;
+    p.fat = shape.weight / (shape.height * shape.height) / interpolate(average_body_mass_index, shape.age) - 1;
+
+    // Relative to a man of 1.75 m; the sum of the heights is scaled to the height asked for at the end.
+    const double leg = shape.leg_length * (1 - 0.10 * child);
+    const double torso = shape.torso_length * (1 + 0.02 * child + 0.01 * woman);
+    const double head = shape.head_size * (1 + 0.42 * child);
+    p.ankle_height = 0.076;
+    p.calf = 0.405 * leg;
+    p.thigh = 0.415 * leg;
+    p.hip_drop = 0.045 * torso;
+    p.lower_spine = 0.12 * torso;
+    p.upper_spine = 0.31 * torso;
+    p.neck_base = 0.085 * torso;
+    p.neck = 0.129 * head * (1 - 0.15 * child);
+    p.head_top = 0.165 * head;
+    const double height = p.ankle_height + p.calf + p.thigh + p.hip_drop + p.lower_spine + p.upper_spine + p.neck_base +
+                          p.neck + p.head_top;
+    const double fit = shape.height / height;
+    for (double* length : {&p.ankle_height, &p.calf, &p.thigh, &p.hip_drop, &p.lower_spine, &p.upper_spine,
+                           &p.neck_base, &p.neck, &p.head_top})
+        *length *= fit;
+
+    p.scale = shape.height / 1.75;
+    p.head_scale = head * fit;
+    p.hand_scale = p.scale * (1 + 0.04 * child) * (1 - 0.05 * woman);
+    p.foot_scale = p.ankle_height / 0.076 * (1 + 0.02 * child) * (1 - 0.05 * woman);
+    p.shoulder_factor = shape.shoulder_width;
+    p.hip_factor = shape.hip_width;
+    p.hip_half_width = p.scale * shape.hip_width * (0.090 + 0.003 * woman - 0.004 * child) * (1 + 0.08 * p.fat);
+    p.shoulder_half_width = p.scale * shape.shoulder_width *
+                            (0.183 - 0.019 * woman + 0.008 * p.muscle - 0.006 * child) * (1 + 0.10 * p.fat);
+    p.shoulder_rise = 0.012 * p.scale;
+    const double arm = p.scale * shape.arm_length * (1 - 0.06 * child);
+    p.upper_arm = 0.285 * arm;
+    p.forearm = 0.252 * arm;
+    p.palm = 0.086 * p.hand_scale;
+    return p;
+}
+
+} // namespace skelgen::synth

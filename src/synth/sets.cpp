@@ -1,0 +1,191 @@
+#include <skelgen/synth/sets.hpp>
+
+#include <array>
+#include <functional>
+#include <random>
+#include <utility>
+
+#include <skelgen/core/error.hpp>
+
+namespace skelgen {
+namespace {
+
+using J = BodyJoint;
+using Plans = std::vector<BodyPlan>;
+
+constexpr int scape_faces = 24998;
+constexpr int faust_faces = 13776;
+
+std::string numbered(const std::string& stem, std::size_t i) {
+    const std::string digits = std::to_string(i);
+    return stem + std::string(3 - std::min<std::size_t>(3, digits.size()), '0') + digits;
+}
+
+BodyShape person(double age, double masculinity, double height = 0, double weight = 0, double muscle = 0.3) {
+    BodyShape shape;
+    shape.age = age, shape.masculinity = masculinity, shape.height = height, shape.weight = weight,
+    shape.muscle = muscle;
+    return shape;
+}
+
+BodyPlan plan(std::string name, const BodyShape& shape, const BodyPose& pose, int faces = faust_faces) {
+    BodyPlan p;
+    p.name = std::move(name), p.shape = shape, p.pose = pose, p.faces = faces;
+    return p;
+}
+
+/// Named poses first, then random ones, all as this person can hold them.
+std::vector<BodyPose> poses_of(const BodyShape& shape, std::size_t count, std::uint64_t seed) {
+    std::vector<BodyPose> poses;
+    for (const std::string& name : pose_names())
+        if (poses.size() < count) poses.push_back(spread_limbs(shape, named_pose(name)));
+    for (std::uint64_t i = 0; poses.size() < count; ++i) poses.push_back(random_free_pose(shape, seed + i));
+    return poses;
+}
+
+Plans scape(std::uint64_t seed) {
+    const BodyShape shape = person(32, 1, 1.80, 80, 0.6);
+    Plans plans;
+    for (const BodyPose& pose : poses_of(shape, 71, seed))
+        plans.push_back(plan(numbered("mesh", plans.size()), shape, pose, scape_faces));
+    return plans;
+}
+
+Plans faust(std::uint64_t seed) {
+    const std::array<BodyShape, 10> people{person(28, 1, 1.75, 70),      person(25, 0, 1.65, 56),
+                                           person(45, 1, 1.82, 98),      person(50, 0, 1.60, 74),
+                                           person(35, 1, 1.68, 62, 0.8), person(33, 0, 1.74, 66, 0.6),
+                                           person(62, 1, 1.72, 84, 0.1), person(70, 0, 1.58, 64, 0.0),
+                                           person(22, 1, 1.92, 78),      person(30, 0, 1.54, 47)};
+    const std::array<const char*, 6> named{"a", "t", "walk", "one-leg-up", "arms-overhead", "hands-on-hips"};
+    Plans plans;
+    for (const BodyShape& shape : people) {
+        for (const char* name : named)
+            plans.push_back(plan(numbered("body", plans.size()), shape, spread_limbs(shape, named_pose(name))));
+        for (std::uint64_t i = 0; i < 4; ++i)
+            plans.push_back(plan(numbered("body", plans.size()), shape, random_free_pose(shape, seed + plans.size())));
+    }
+    return plans;
+}
+
+Plans proportions(std::uint64_t seed) {
+    const auto with = [](BodyShape shape, const std::function<void(BodyShape&)>& change) {
+        change(shape);
+        return shape;
+    };
+    const std::vector<std::pair<std::string, BodyShape>> people{
+        {"boy-of-5", person(5, 1)},
+        {"girl-of-8", person(8, 0)},
+        {"boy-of-11", person(11, 1)},
+        {"very-heavy-man", person(45, 1, 1.76, 150)},
+        {"very-heavy-woman", person(45, 0, 1.62, 125)},
+        {"very-thin", person(25, 0, 1.75, 44)},
+        {"long-limbs", with(person(30, 1), [](BodyShape& s) { s.arm_length = 1.3, s.leg_length = 1.35; })},
+        {"short-limbs", with(person(30, 1, 1.3), [](BodyShape& s) { s.arm_length = 0.75, s.leg_length = 0.7; })},
+        {"long-torso", with(person(30, 0), [](BodyShape& s) { s.torso_length = 1.35; })},
+        {"large-head", with(person(30, 1, 1.4), [](BodyShape& s) { s.head_size = 1.4; })},
+        {"broad-shoulders", with(person(30, 1, 0, 95, 1), [](BodyShape& s) { s.shoulder_width = 1.25; })},
+        {"giant", person(30, 1, 2.25, 120)}};
+    Plans plans;
+    for (const auto& [name, shape] : people) {
+        plans.push_back(plan(name + "-a", shape, spread_limbs(shape, named_pose("a"))));
+        plans.push_back(plan(name + "-random", shape, random_free_pose(shape, seed + plans.size())));
+    }
+    return plans;
+}
+
+Plans partial(std::uint64_t seed) {
+    const std::vector<std::pair<std::string, std::vector<BodyJoint>>> cuts{
+        {"no-feet", {J::left_ankle, J::right_ankle}},
+        {"no-hands", {J::left_wrist, J::right_wrist}},
+        {"no-left-arm", {J::left_shoulder}},
+        {"no-right-forearm", {J::right_elbow}},
+        {"one-foot", {J::left_ankle}},
+        {"no-hands-no-feet", {J::left_wrist, J::right_wrist, J::left_ankle, J::right_ankle}}};
+    Plans plans;
+    for (const auto& [name, missing] : cuts)
+        for (const char* pose : {"a", "random"}) {
+            const BodyShape shape = person(30, static_cast<double>(plans.size() % 3) / 2);
+            const bool named = pose[0] == 'a';
+            plans.push_back(
+                plan(name + "-" + pose, shape,
+                     named ? spread_limbs(shape, named_pose(pose)) : random_free_pose(shape, seed + plans.size())));
+            plans.back().missing = missing;
+        }
+    return plans;
+}
+
+Plans joined(std::uint64_t) {
+    const auto pose_of = [](JointAngles shoulder, JointAngles elbow, JointAngles hip) {
+        BodyPose pose;
+        for (const auto& [joint, angles] :
+             {std::pair{J::left_shoulder, shoulder}, {J::left_elbow, elbow}, {J::left_hip, hip}})
+            pose.at(joint) = pose.at(mirrored_joint(joint)) = angles;
+        return pose;
+    };
+    BodyPose one_hand = named_pose("a");
+    one_hand.at(J::left_shoulder) = {6, 0, 0};
+    const std::vector<std::pair<std::string, BodyPose>> poses{
+        {"hands-on-thighs", pose_of({6, 8, 0}, {8, 0, 0}, {0, 8, 4})},
+        {"one-hand-on-thigh", one_hand},
+        {"arms-on-torso", pose_of({0, -1, 0}, {6, 0, 0}, {0, 8, 4})},
+        {"thighs-together", pose_of({0, 35, 0}, {8, 0, 0}, {0, -3, 2})},
+        {"hands-clasped", pose_of({42, 2, -36}, {52, 0, 0}, {0, 5, 4})},
+        {"hands-on-waist", pose_of({-18, 42, -66}, {102, 0, 0}, {0, 6, 4})}};
+    Plans plans;
+    for (const auto& [name, pose] : poses)
+        for (const double masculinity : {1.0, 0.0}) {
+            plans.push_back(plan(name + (masculinity > 0 ? "-man" : "-woman"), person(30, masculinity), pose));
+            plans.back().may_touch = true;
+        }
+    return plans;
+}
+
+Plans scan(std::uint64_t seed) {
+    const std::vector<std::pair<std::string, ScanFaults>> faults{
+        {"noise", {0.0012, 0, 0, 0, 0, 0.03, 0}}, {"holes", {0, 12, 0, 0, 0, 0.03, 0}},
+        {"floating", {0, 0, 6, 0, 0, 0.03, 0}},   {"flipped", {0, 0, 0, 5, 0, 0.03, 0}},
+        {"pinched", {0, 0, 0, 0, 8, 0.03, 0}},    {"everything", {0.001, 8, 4, 3, 4, 0.03, 0}}};
+    Plans plans;
+    for (const auto& [name, fault] : faults)
+        for (const char* pose : {"a", "random"}) {
+            const BodyShape shape = person(30, static_cast<double>(plans.size() % 3) / 2);
+            const bool named = pose[0] == 'a';
+            plans.push_back(
+                plan(name + "-" + pose, shape,
+                     named ? spread_limbs(shape, named_pose(pose)) : random_free_pose(shape, seed + plans.size())));
+            plans.back().faults = fault;
+            plans.back().faults.seed = seed + plans.size();
+        }
+    return plans;
+}
+
+struct NamedSet {
+    const char* name;
+    Plans (*plans)(std::uint64_t seed);
+};
+
+constexpr std::array<NamedSet, 6> sets{{{"scape", scape},
+                                        {"faust", faust},
+                                        {"proportions", proportions},
+                                        {"partial", partial},
+                                        {"joined", joined},
+                                        {"scan", scan}}};
+
+} // namespace
+
+std::vector<std::string> set_names() {
+    std::vector<std::string> names;
+    for (const NamedSet& set : sets) names.emplace_back(set.name);
+    return names;
+}
+
+std::vector<BodyPlan> body_set(std::string_view name, std::uint64_t seed) {
+    for (const NamedSet& set : sets)
+        if (name == set.name) return set.plans(seed);
+    std::string what = "there is no set " + std::string(name) + ": give one of";
+    for (const std::string& known : set_names()) what += " " + known;
+    throw Error(ErrorCode::usage, what);
+}
+
+} // namespace skelgen

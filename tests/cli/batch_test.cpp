@@ -1,0 +1,301 @@
+#include <algorithm>
+#include <csignal>
+#include <fcntl.h>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "catch.hpp"
+#include "run_cli.hpp"
+
+namespace {
+
+using namespace skelgen::test;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+/// summary.jsonl by file; fails the test if a file has two lines or a line is no JSON.
+std::map<std::string, Json> read_summary(const fs::path& folder) {
+    std::map<std::string, Json> lines;
+    std::istringstream text(read_file(folder / "summary.jsonl"));
+    for (std::string line; std::getline(text, line);) {
+        const Json json = Json::parse(line);
+        CHECK(lines.emplace(json.at("file"), json).second);
+    }
+    return lines;
+}
+
+std::map<std::string, std::string> statuses(const fs::path& folder) {
+    std::map<std::string, std::string> all;
+    for (const auto& [file, line] : read_summary(folder)) all[file] = line.at("status");
+    return all;
+}
+
+/// The files below a batch's output folder and what they hold, less what differs from run to run.
+std::map<std::string, std::string> results(const fs::path& folder) {
+    static const std::regex times("\"timings_ms\": \\{[^}]*\\}|\"seconds\":[0-9.e+-]+");
+    std::map<std::string, std::string> all;
+    for (const std::string& file : files_below(folder))
+        all[file] = std::regex_replace(read_file(folder / file), times, "");
+    return all;
+}
+
+/// A named pipe that nobody writes to: reading it as a mesh takes forever.
+class EndlessMesh {
+public:
+    explicit EndlessMesh(const fs::path& path) : path_(path) {
+        fs::create_directories(path.parent_path());
+        REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+    }
+    EndlessMesh(const EndlessMesh&) = delete;
+    EndlessMesh& operator=(const EndlessMesh&) = delete;
+    ~EndlessMesh() {
+        if (writer_ >= 0) ::close(writer_);
+    }
+
+    /// Returns once somebody has begun to read.
+    [[nodiscard]] bool wait_for_reader() {
+        return wait_until([&] {
+            writer_ = ::open(path_.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+            return writer_ >= 0;
+        });
+    }
+
+private:
+    fs::path path_;
+    int writer_ = -1;
+};
+
+std::optional<fs::path> real_meshes() {
+    const auto bodies = bodies_folder();
+    return bodies ? std::optional(*bodies / "meshes") : std::nullopt;
+}
+
+TEST_CASE("every bad mesh has its line in the summary, and the batch ends with status 5") {
+    const TemporaryFolder folder;
+    write_file(folder / "in/empty.off", "");
+    write_file(folder / "in/deep/er/sphere.off", sphere_off());
+    write_file(folder / "in/text.OBJ", "hello");
+    write_file(folder / "in/notes.txt", "no mesh");
+    write_file(folder / "in/.hidden.off", "no mesh");
+    const CliResult result = run_cli(folder.path(), {"batch", "in", "-o", "out"});
+    CHECK(result.status == 5);
+    CHECK(result.out.empty());
+    CHECK(statuses(folder / "out") == std::map<std::string, std::string>{{"empty.off", "bad_input"},
+                                                                         {"deep/er/sphere.off", "no_skeleton"},
+                                                                         {"text.OBJ", "bad_input"}});
+    const Json line = read_summary(folder / "out").at("empty.off");
+    CHECK(line.at("error").get<std::string>().find("in/empty.off: ") == 0);
+    CHECK(line.at("seconds").is_number());
+    CHECK(line.at("faces") == 0);
+    CHECK(line.at("warnings") == Json::array());
+    CHECK(result.err.find("skelgen: error: in/empty.off: ") != std::string::npos);
+    CHECK(files_below(folder / "out") == std::vector<std::string>{"summary.jsonl"});
+}
+
+TEST_CASE("inputs are folders, patterns and files") {
+    const TemporaryFolder folder;
+    for (const char* file : {"in/a/1.off", "in/a/2.off", "in/b/1.off", "in/b/c/3.ply", "x.off"})
+        write_file(folder / file, "");
+    std::vector<std::string> arguments;
+    std::vector<std::string> expected;
+    SECTION("folder") {
+        arguments = {"in"};
+        expected = {"a/1.off", "a/2.off", "b/1.off", "b/c/3.ply"};
+    }
+    SECTION("file") {
+        arguments = {"in/b/c/3.ply"};
+        expected = {"3.ply"};
+    }
+    SECTION("pattern for files") {
+        arguments = {"in/?/1.off"};
+        expected = {"a/1.off", "b/1.off"};
+    }
+    SECTION("pattern for folders") {
+        arguments = {"in/[b-z]"};
+        expected = {"b/1.off", "b/c/3.ply"};
+    }
+    SECTION("pattern for any depth") {
+        arguments = {"in/**/*.ply"};
+        expected = {"b/c/3.ply"};
+    }
+    SECTION("the same mesh named twice") {
+        arguments = {"in", "in/*", "x.off"};
+        expected = {"a/1.off", "a/2.off", "b/1.off", "b/c/3.ply", "x.off"};
+    }
+    arguments.insert(arguments.begin(), "batch");
+    arguments.insert(arguments.end(), {"-o", "out"});
+    CHECK(run_cli(folder.path(), arguments).status == 5); // they are all empty
+    std::vector<std::string> files;
+    for (const auto& [file, line] : read_summary(folder / "out")) files.push_back(file);
+    CHECK(files == expected);
+}
+
+TEST_CASE("inputs that name no mesh end the batch before it starts") {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "empty");
+    const std::string input = GENERATE("empty", "*.off");
+    const CliResult result = run_cli(folder.path(), {"batch", input, "-o", "out"});
+    CHECK(result.status == 3);
+    CHECK(result.err.find("skelgen: error: " + input + ": ") == 0);
+    CHECK_FALSE(fs::exists(folder / "out"));
+}
+
+TEST_CASE("two meshes with one output are wrong usage, and both are named") {
+    const TemporaryFolder folder;
+    write_file(folder / "a/mesh.off", "");
+    write_file(folder / "b/mesh.ply", "");
+    const CliResult result = run_cli(folder.path(), {"batch", "a", "b", "-o", "out"});
+    CHECK(result.status == 2);
+    CHECK(result.err.find("a/mesh.off") != std::string::npos);
+    CHECK(result.err.find("b/mesh.ply") != std::string::npos);
+    CHECK_FALSE(fs::exists(folder / "out"));
+}
+
+TEST_CASE("shards share the meshes out, each to exactly one") {
+    const TemporaryFolder folder;
+    for (int i = 0; i < 7; ++i) write_file(folder / ("in/" + std::to_string(i) + ".off"), "");
+    std::size_t lines = 0;
+    for (const char* shard : {"1/3", "2/3", "3/3"}) {
+        CHECK(run_cli(folder.path(), {"batch", "in", "-o", "apart/" + std::string(shard), "--shard", shard}).status ==
+              5);
+        lines += read_summary(folder / "apart" / shard).size();
+        CHECK(run_cli(folder.path(), {"batch", "in", "-o", "together", "--shard", shard}).status == 5);
+    }
+    CHECK(lines == 7);
+    CHECK(read_summary(folder / "together").size() == 7);
+}
+
+TEST_CASE("a mesh that takes too long is given up, alone") {
+    const TemporaryFolder folder;
+    const EndlessMesh endless(folder / "endless.off");
+    write_file(folder / "in/bad.off", "");
+    const CliResult result =
+        run_cli(folder.path(), {"batch", "endless.off", "in", "-o", "out", "--timeout", "0.3", "--jobs", "1"});
+    CHECK(result.status == 5);
+    CHECK(statuses(folder / "out") ==
+          std::map<std::string, std::string>{{"endless.off", "timeout"}, {"bad.off", "bad_input"}});
+    CHECK(result.err.find("skelgen: error: endless.off: took longer than 0.3 s") != std::string::npos);
+}
+
+TEST_CASE("a worker that crashes costs the mesh it was at") {
+    const TemporaryFolder folder;
+    EndlessMesh endless(folder / "a.off");
+    write_file(folder / "b.off", "");
+    CliProcess batch(folder.path(), {"batch", "a.off", "b.off", "-o", "out", "--jobs", "1"});
+    REQUIRE(endless.wait_for_reader());
+    REQUIRE(batch.children().size() == 1);
+    ::kill(batch.children()[0], SIGSEGV);
+    const CliResult result = batch.wait();
+    CHECK(result.status == 5);
+    CHECK(statuses(folder / "out") == std::map<std::string, std::string>{{"a.off", "crash"}, {"b.off", "bad_input"}});
+    CHECK(read_summary(folder / "out").at("a.off").at("error").get<std::string>().find("signal 11") !=
+          std::string::npos);
+}
+
+TEST_CASE("an interrupt ends the workers and keeps what is done") {
+    const TemporaryFolder folder;
+    EndlessMesh endless(folder / "z.off");
+    write_file(folder / "a.off", "");
+    CliProcess batch(folder.path(), {"batch", "a.off", "z.off", "-o", "out", "--jobs", "1"});
+    REQUIRE(endless.wait_for_reader());
+    const auto workers = batch.children();
+    REQUIRE(workers.size() == 1);
+    batch.send(SIGINT);
+    CHECK(batch.wait().status == 130);
+    CHECK_FALSE(is_running(workers[0]));
+    CHECK(statuses(folder / "out") == std::map<std::string, std::string>{{"a.off", "bad_input"}});
+}
+
+TEST_CASE("workers die with a batch that is killed") {
+    const TemporaryFolder folder;
+    EndlessMesh endless(folder / "a.off");
+    CliProcess batch(folder.path(), {"batch", "a.off", "-o", "out"});
+    REQUIRE(endless.wait_for_reader());
+    const auto workers = batch.children();
+    REQUIRE(workers.size() == 1);
+    batch.send(SIGKILL);
+    CHECK(batch.wait().status == -SIGKILL);
+    CHECK(wait_until([&] { return !is_running(workers[0]); }));
+}
+
+TEST_CASE("resuming tries again what has failed, and repairs a summary cut off in the middle") {
+    const TemporaryFolder folder;
+    write_file(folder / "in/a.off", "");
+    write_file(folder / "in/b.off", "");
+    REQUIRE(run_cli(folder.path(), {"batch", "in", "-o", "out"}).status == 5);
+    const auto before = results(folder / "out");
+
+    const fs::path summary = folder / "out/summary.jsonl";
+    fs::resize_file(summary, fs::file_size(summary) - 20);
+    write_file(folder / "out/.skelgen-999999999-0.tmp", "half a file of a process that is no more");
+    CHECK(run_cli(folder.path(), {"batch", "in", "-o", "out", "--resume"}).status == 5);
+    CHECK(results(folder / "out") == before);
+
+    write_file(folder / "in/a.off", sphere_off());
+    CHECK(run_cli(folder.path(), {"batch", "in", "-o", "out", "--resume"}).status == 5);
+    CHECK(statuses(folder / "out") ==
+          std::map<std::string, std::string>{{"a.off", "no_skeleton"}, {"b.off", "bad_input"}});
+}
+
+TEST_CASE("a failing mesh leaves no result of an earlier run behind") {
+    const TemporaryFolder folder;
+    write_file(folder / "a.off", "");
+    write_file(folder / "out/a.json", "{}");
+    CHECK(run_cli(folder.path(), {"batch", "a.off", "-o", "out"}).status == 5);
+    CHECK(files_below(folder / "out") == std::vector<std::string>{"summary.jsonl"});
+}
+
+TEST_CASE("a batch gives the bytes that extract gives, beside a bad file") {
+    const auto meshes = real_meshes();
+    if (!meshes) SKELGEN_SKIP("SKELGEN_BODIES does not name the folder of real bodies");
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "in/set");
+    fs::copy_file(*meshes / "faust/tr_reg_000.off", folder / "in/set/body.off");
+    write_file(folder / "in/bad.off", "");
+    CHECK(run_cli(folder.path(), {"batch", "in", "-o", "out"}).status == 5);
+    CHECK(files_below(folder / "out") == std::vector<std::string>{"set/body.json", "summary.jsonl"});
+    CHECK(statuses(folder / "out") ==
+          std::map<std::string, std::string>{{"bad.off", "bad_input"}, {"set/body.off", "ok"}});
+    CHECK(read_summary(folder / "out").at("set/body.off").at("faces") == 13776);
+
+    fs::create_directory(folder / "single");
+    REQUIRE(run_cli(folder.path(), {"extract", "in/set/body.off", "-o", "single/body.json"}).status == 0);
+    CHECK(results(folder / "out").at("set/body.json") == results(folder / "single").at("body.json"));
+}
+
+TEST_CASE("a batch that is killed and resumed gives what an undisturbed one gives") {
+    const auto meshes = real_meshes();
+    if (!meshes) SKELGEN_SKIP("SKELGEN_BODIES does not name the folder of real bodies");
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "in");
+    for (int i = 0; i < 6; ++i)
+        fs::copy_file(*meshes / "faust" / ("tr_reg_00" + std::to_string(i) + ".off"),
+                      folder / ("in/" + std::to_string(i) + ".off"));
+    write_file(folder / "in/bad.off", "");
+    const int undisturbed = run_cli(folder.path(), {"batch", "in", "-o", "whole", "--jobs", "2"}).status;
+
+    CliProcess batch(folder.path(), {"batch", "in", "-o", "cut", "--jobs", "2"});
+    REQUIRE(wait_until([&] {
+        const std::string summary = read_file(folder / "cut/summary.jsonl");
+        return std::count(summary.begin(), summary.end(), '\n') >= 2;
+    }));
+    batch.send(SIGKILL);
+    CHECK(batch.wait().status == -SIGKILL);
+    // The kill may also have come between a result and its line.
+    for (const auto& entry : fs::directory_iterator(folder / "cut"))
+        if (entry.path().extension() == ".json") {
+            fs::remove(folder / "cut/summary.jsonl");
+            break;
+        }
+
+    CHECK(run_cli(folder.path(), {"batch", "in", "-o", "cut", "--jobs", "2", "--resume"}).status == undisturbed);
+    CHECK(results(folder / "cut") == results(folder / "whole"));
+    CHECK(read_summary(folder / "cut").size() == 7);
+}
+
+} // namespace

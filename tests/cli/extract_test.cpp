@@ -1,0 +1,191 @@
+#include <regex>
+
+#include <nlohmann/json.hpp>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "catch.hpp"
+#include "run_cli.hpp"
+
+namespace {
+
+using namespace skelgen::test;
+namespace fs = std::filesystem;
+
+/// Whether standard error is one line of the documented shape that begins with this file's name.
+bool is_error_line(const std::string& err, const std::string& file) {
+    return err.rfind("skelgen: error: " + file + ": ", 0) == 0 && err.find('\n') == err.size() - 1;
+}
+
+std::optional<fs::path> real_body() {
+    const auto bodies = bodies_folder();
+    return bodies ? std::optional(*bodies / "meshes/faust/tr_reg_000.off") : std::nullopt;
+}
+
+TEST_CASE("what is no mesh ends with status 3, one line, and no output") {
+    const TemporaryFolder folder;
+    const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+    std::string file = "mesh.off";
+    SECTION("missing file") {}
+    SECTION("a folder") { fs::create_directory(folder / file); }
+    SECTION("empty file") { write_file(folder / file, ""); }
+    SECTION("truncated text") {
+        const std::string sphere = sphere_off();
+        write_file(folder / file, sphere.substr(0, sphere.size() / 2));
+    }
+    SECTION("truncated binary") {
+        file = "mesh.ply";
+        write_file(folder / file, "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n"
+                                  "property float y\nproperty float z\nelement face 1\n"
+                                  "property list uchar int vertex_indices\nend_header\n\1\2\3");
+    }
+    SECTION("wrong magic") { write_file(folder / file, "GIF89a\1\2\3\4"); }
+    SECTION("coordinate that is no number") {
+        write_file(folder / file, "OFF\n4 2 0\n0 0 nan\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n");
+    }
+    SECTION("infinite coordinate") {
+        write_file(folder / file, "OFF\n4 2 0\n0 0 1e999\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n");
+    }
+    SECTION("index out of range") { write_file(folder / file, "OFF\n4 1 0\n" + vertices + "3 0 1 4\n"); }
+    SECTION("negative index") { write_file(folder / file, "OFF\n4 1 0\n" + vertices + "3 0 1 -1\n"); }
+    SECTION("no faces") { write_file(folder / file, "OFF\n4 0 0\n" + vertices); }
+    SECTION("counts that lie") { write_file(folder / file, "OFF\n2000000000 2000000000 0\n" + vertices); }
+
+    const CliResult result = run_cli(folder.path(), {"extract", file, "-o", "out.json"});
+    CHECK(result.status == 3);
+    CHECK(is_error_line(result.err, file));
+    CHECK(result.out.empty());
+    CHECK_FALSE(fs::exists(folder / "out.json"));
+    CHECK(files_below(folder.path()).size() <= 1); // nothing but the mesh
+}
+
+TEST_CASE("a surface that is no body ends with status 3 or 4, one line, and no output") {
+    const TemporaryFolder folder;
+    int expected = 4;
+    SECTION("sphere") { write_file(folder / "mesh.off", sphere_off()); }
+    SECTION("torus") { write_file(folder / "mesh.off", torus_off()); }
+    SECTION("cube") { write_file(folder / "mesh.off", cube_off()); }
+    SECTION("single triangle") {
+        write_file(folder / "mesh.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+        expected = 0;
+    }
+    const CliResult result = run_cli(folder.path(), {"extract", "mesh.off", "-o", "out.json"});
+    if (expected == 4)
+        CHECK(result.status == 4);
+    else
+        CHECK((result.status == 3 || result.status == 4)); // a sheet, or a mesh that is no surface: both are true
+    CHECK(is_error_line(result.err, "mesh.off"));
+    CHECK(files_below(folder.path()) == std::vector<std::string>{"mesh.off"});
+}
+
+TEST_CASE("wrong usage ends with status 2 and one line") {
+    const TemporaryFolder folder;
+    const auto arguments =
+        GENERATE(as<std::vector<std::string>>(), std::vector<std::string>{}, //
+                 std::vector<std::string>{"frobnicate"},                     //
+                 std::vector<std::string>{"--frobnicate"},                   //
+                 std::vector<std::string>{"extract"},                        //
+                 std::vector<std::string>{"extract", "a.off", "b.off"},
+                 std::vector<std::string>{"extract", "a.off", "--frobnicate"},
+                 std::vector<std::string>{"extract", "a.off", "-o"},
+                 std::vector<std::string>{"extract", "a.off", "--threads", "0"},
+                 std::vector<std::string>{"extract", "a.off", "--threads", "two"},
+                 std::vector<std::string>{"extract", "a.off", "-v", "-q"},
+                 std::vector<std::string>{"extract", "a.off", "--template", "horse"},
+                 std::vector<std::string>{"batch", "a.off"}, std::vector<std::string>{"batch", "-o", "out"},
+                 std::vector<std::string>{"batch", "a.off", "-o", "out", "--jobs", "0"},
+                 std::vector<std::string>{"batch", "a.off", "-o", "out", "--jobs", "-1"},
+                 std::vector<std::string>{"batch", "a.off", "-o", "out", "--timeout", "-1"},
+                 std::vector<std::string>{"batch", "a.off", "-o", "out", "--shard", "0/2"},
+                 std::vector<std::string>{"batch", "a.off", "-o", "out", "--shard", "3/2"},
+                 std::vector<std::string>{"batch", "a.off", "-o", "out", "--shard", "1/2x"},
+                 std::vector<std::string>{"evaluate", "truth"}, //
+                 std::vector<std::string>{"curve", "a.off"});
+    CAPTURE(arguments);
+    const CliResult result = run_cli(folder.path(), arguments);
+    CHECK(result.status == 2);
+    CHECK(std::regex_match(result.err, std::regex("skelgen: error: [^\n]+: [^\n]+\n")));
+    CHECK(result.out.empty());
+    CHECK(files_below(folder.path()).empty());
+}
+
+TEST_CASE("help comes with an example, on standard output, with status 0") {
+    const TemporaryFolder folder;
+    const std::string command = GENERATE("", "extract", "batch", "evaluate", "curve", "render", "synth");
+    std::vector<std::string> arguments{"--help"};
+    if (!command.empty()) arguments.insert(arguments.begin(), command);
+    const CliResult result = run_cli(folder.path(), arguments);
+    CAPTURE(command);
+    CHECK(result.status == 0);
+    CHECK(result.out.find("Example") != std::string::npos);
+    CHECK(result.out.find("skelgen " + (command.empty() ? "extract" : command) + " ") != std::string::npos);
+    CHECK(result.err.empty());
+}
+
+TEST_CASE("the version is told") {
+    const TemporaryFolder folder;
+    const CliResult result = run_cli(folder.path(), {"--version"});
+    CHECK(result.status == 0);
+    CHECK(std::regex_match(result.out, std::regex("skelgen \\d+\\.\\d+\\.\\d+\n")));
+}
+
+TEST_CASE("the mesh is never replaced by the result") {
+    const TemporaryFolder folder;
+    write_file(folder / "mesh.off", cube_off());
+    const std::string option = GENERATE("-o", "--curve");
+    const CliResult result = run_cli(folder.path(), {"extract", "mesh.off", option, "./mesh.off"});
+    CHECK(result.status == 2);
+    CHECK(is_error_line(result.err, "./mesh.off"));
+    CHECK(read_file(folder / "mesh.off") == cube_off());
+}
+
+TEST_CASE("file names may hold anything, and messages stay one line") {
+    const TemporaryFolder folder;
+    const CliResult result = run_cli(folder.path(), {"extract", "a\nb \xff.off"});
+    CHECK(result.status == 3);
+    CHECK(is_error_line(result.err, "a b \xff.off"));
+}
+
+TEST_CASE("a body's skeleton fits the schema and is the same bytes every time, timings aside") {
+    const auto body = real_body();
+    if (!body) SKELGEN_SKIP("SKELGEN_BODIES does not name the folder of real bodies");
+    const TemporaryFolder folder;
+    const CliResult to_file = run_cli(folder.path(), {"extract", body->string(), "-o", "out.json", "--curve", "c.obj"});
+    REQUIRE(to_file.status == 0);
+    CHECK(to_file.out.empty());
+    const CliResult to_stdout = run_cli(folder.path(), {"extract", body->string(), "-q", "--threads", "2"});
+    REQUIRE(to_stdout.status == 0);
+    CHECK(to_stdout.err.empty());
+    CHECK(files_below(folder.path()) == std::vector<std::string>{"c.obj", "out.json"});
+
+    const std::regex timings("\"timings_ms\": \\{[^}]*\\}");
+    const std::string text = read_file(folder / "out.json");
+    CHECK(std::regex_replace(text, timings, "") == std::regex_replace(to_stdout.out, timings, ""));
+
+    const nlohmann::json schema_json = nlohmann::json::parse(read_file(SKELGEN_DATA "/schema/skeleton.schema.json"));
+    const nlohmann::json document = nlohmann::json::parse(text);
+    valijson::Schema schema;
+    valijson::SchemaParser(valijson::SchemaParser::kDraft7)
+        .populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json), schema);
+    CHECK(valijson::Validator().validate(schema, valijson::adapters::NlohmannJsonAdapter(document), nullptr));
+    CHECK(document["joints"].size() == 21);
+    CHECK(document["mesh"]["file"] == "tr_reg_000.off");
+}
+
+TEST_CASE("an output that cannot be written ends with status 2 and one line") {
+    const auto body = real_body();
+    if (!body) SKELGEN_SKIP("SKELGEN_BODIES does not name the folder of real bodies");
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "folder");
+    const std::string output = GENERATE("missing/out.json", "folder", "/dev/full");
+    const CliResult result = run_cli(folder.path(), {"extract", body->string(), "-q", "-o", output});
+    CHECK(result.status == 2);
+    CHECK(is_error_line(result.err, output));
+    CHECK(files_below(folder.path()).empty());
+}
+
+} // namespace

@@ -1,0 +1,161 @@
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <skelgen/io/curve_formats.hpp>
+#include <skelgen/io/write_mesh.hpp>
+
+#include "mesh_expectations.hpp"
+
+using namespace skelgen;
+using namespace skelgen::test;
+
+namespace {
+
+struct Sample {
+    std::string name;
+    std::string bytes;
+    std::optional<MeshFormat> extension;
+};
+
+std::vector<Sample> samples() {
+    const std::string rows = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n",
+                      ply = "element vertex 4\nproperty float x\n"
+                            "property float y\nproperty list uchar int more\nproperty float z\nelement face 2\n"
+                            "property list uchar int vertex_indices\nend_header\n";
+    std::string binary_off = "OFF BINARY\n";
+    binary_off += std::string("\0\0\0\3\0\0\0\1\0\0\0\0", 12) + std::string(36, '\0'); // counts, three points
+    binary_off += std::string("\0\0\0\3\0\0\0\0\0\0\0\1\0\0\0\2\0\0\0\0", 20);         // one triangle
+    return {
+        {"OFF", "COFF # c\n4 3 6\n" + rows + "3 0 2 1 255 0 0\n4 0 1 3 2\n3 1 2 3", std::nullopt},
+        {"OFF without keyword", "4 2 6\n" + rows + "3 0 2 1\n4 0 1 3 2\n", MeshFormat::off},
+        {"binary OFF", binary_off, std::nullopt},
+        {"OBJ", "v 0 0 0\nv 1 0 0\nvn 0 0 1\nv 0 1 \\\n 0\nv 0 0 1 # c\nf 1/1/1 -2 2\nf 1 2// 4 3\n", MeshFormat::obj},
+        {"text PLY",
+         "ply\nformat ascii 1.0\ncomment c\n" + ply + "0 0 0 0\n1 0 1 5 0\n0 1 0 0\n0 0 0 1\n3 0 1 2\n4 0 1 2 3\n",
+         std::nullopt},
+        {"binary PLY", format_mesh(tetrahedron(), MeshFormat::ply), std::nullopt},
+        {"text STL",
+         "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+         "0\nendloop\nendfacet\nendsolid s\n",
+         std::nullopt},
+        {"binary STL", format_mesh(tetrahedron(), MeshFormat::stl), MeshFormat::stl},
+    };
+}
+
+/// Whether a mesh came out; then it must be a sound one.
+bool parses(const std::string& bytes, std::optional<MeshFormat> extension) {
+    try {
+        const TriangleMesh<double> mesh = parse_mesh(bytes, extension);
+        REQUIRE(mesh.faces.rows() > 0);
+        REQUIRE(mesh.vertices.allFinite());
+        REQUIRE(mesh.faces.minCoeff() >= 0);
+        REQUIRE(mesh.faces.maxCoeff() < mesh.vertices.rows());
+        return true;
+    } catch (const Error& error) {
+        REQUIRE(error.code() == ErrorCode::bad_input);
+        REQUIRE(std::string(error.what()).size() > 10);
+        return false;
+    }
+}
+
+/// One to three bytes changed, removed, doubled or swapped for ones that mean something to a parser.
+std::string mutated(std::string bytes, std::mt19937& random) {
+    static const std::string meaningful("-+.0129eE/# \n\r\t\\\"[]{},\0\x7f\x80\xff", 27);
+    const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+    for (std::size_t changes = 1 + below(3); changes > 0 && !bytes.empty(); --changes) {
+        const std::size_t at = below(bytes.size());
+        switch (below(5)) {
+        case 0:
+            bytes[at] = static_cast<char>(below(256));
+            break;
+        case 1:
+            bytes[at] = meaningful[below(meaningful.size())];
+            break;
+        case 2:
+            bytes.erase(at, 1 + below(4));
+            break;
+        case 3:
+            bytes.insert(at, bytes.substr(at, 1 + below(20)));
+            break;
+        default:
+            bytes[at] = static_cast<char>(bytes[at] ^ static_cast<char>(1U << below(8)));
+            break;
+        }
+    }
+    return bytes;
+}
+
+} // namespace
+
+TEST_CASE("mesh parsers: files cut short at every byte", "[io][fuzz]") {
+    for (const Sample& sample : samples()) {
+        INFO(sample.name);
+        REQUIRE(parses(sample.bytes, sample.extension));
+        for (std::size_t size = 0; size < sample.bytes.size(); ++size)
+            static_cast<void>(parses(sample.bytes.substr(0, size), sample.extension));
+    }
+}
+
+TEST_CASE("mesh parsers: every byte of a file changed", "[io][fuzz]") {
+    for (const Sample& sample : samples()) {
+        INFO(sample.name);
+        for (std::size_t i = 0; i < sample.bytes.size(); ++i)
+            for (const char byte : {'\0', '-', '9', ' ', '\n', '\x7f', '\xff'}) {
+                std::string changed = sample.bytes;
+                changed[i] = byte;
+                static_cast<void>(parses(changed, sample.extension));
+            }
+    }
+}
+
+TEST_CASE("mesh parsers: random changes", "[io][fuzz]") {
+    std::mt19937 random(2020);
+    for (const Sample& sample : samples()) {
+        INFO(sample.name);
+        int refused = 0;
+        for (int trial = 0; trial < 3000; ++trial) refused += !parses(mutated(sample.bytes, random), sample.extension);
+        CHECK(refused > 100);
+    }
+}
+
+TEST_CASE("mesh parsers: random bytes", "[io][fuzz]") {
+    std::mt19937 random(2021);
+    for (int trial = 0; trial < 500; ++trial) {
+        std::string bytes(random() % 300, '\0');
+        for (char& byte : bytes) byte = static_cast<char>(random() % 256);
+        for (const auto format : {MeshFormat::off, MeshFormat::obj, MeshFormat::ply, MeshFormat::stl})
+            static_cast<void>(parses(bytes, format));
+    }
+}
+
+TEST_CASE("curve_from_json: cut short and changed", "[io][fuzz]") {
+    CurveSkeleton<double> curve;
+    curve.nodes.resize(3, 3);
+    curve.nodes << 0, 0, 0, 1, 1e5, 0.25, 2, -1, 0;
+    curve.edges = {{0, 1}, {1, 2}};
+    curve.radii = {1, 2, 3.5};
+    curve.regions = {{0, 1}, {}, {2}};
+    const std::string text = curve_to_json(curve);
+    const auto parses_curve = [](const std::string& changed) {
+        try {
+            const CurveSkeleton<double> read = curve_from_json(changed);
+            REQUIRE(read.nodes.allFinite());
+            for (const auto& edge : read.edges) REQUIRE((edge[0] < read.nodes.rows() && edge[1] < read.nodes.rows()));
+            return true;
+        } catch (const Error& error) {
+            REQUIRE(error.code() == ErrorCode::bad_input);
+            return false;
+        }
+    };
+    REQUIRE(parses_curve(text));
+    for (std::size_t size = 0; size + 2 < text.size(); ++size) CHECK_FALSE(parses_curve(text.substr(0, size)));
+    std::mt19937 random(2022);
+    int refused = 0;
+    for (int trial = 0; trial < 2000; ++trial) refused += !parses_curve(mutated(text, random));
+    CHECK(refused > 100);
+    CHECK_FALSE(parses_curve(R"({"format": "skelgen-curve", "version": 1, "nodes": [[1e999, 0, 0]], "edges": []})"));
+    CHECK_FALSE(parses_curve(R"({"format": "skelgen-curve\xff", "version": 1})"));
+}

@@ -1,0 +1,221 @@
+#include "catch.hpp"
+#include "json_schema.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include <skelgen/core/error.hpp>
+#include <skelgen/core/template_rules.hpp>
+#include <skelgen/io/template_json.hpp>
+
+namespace {
+
+using namespace skelgen;
+using nlohmann::json;
+using Path = std::filesystem::path;
+
+const Path data_folder = SKELGEN_DATA;
+
+json load_json(const Path& file) {
+    std::ifstream stream(file);
+    REQUIRE(stream);
+    return json::parse(stream);
+}
+
+json human21() { return load_json(data_folder / "templates/human21.json"); }
+
+json& joint(json& document, const std::string& name) {
+    const auto found = std::find_if(document["joints"].begin(), document["joints"].end(),
+                                    [&](const json& j) { return j["name"] == name; });
+    REQUIRE(found != document["joints"].end());
+    return *found;
+}
+
+/// The message with which `text` is refused as bad input; empty when it is not.
+std::string refusal(const std::string& text) {
+    try {
+        (void)parse_template(text);
+    } catch (const Error& error) {
+        CHECK(error.code() == ErrorCode::bad_input);
+        return error.what();
+    }
+    return {};
+}
+
+std::string refusal(const json& document) { return refusal(document.dump()); }
+
+bool matches_schema(const json& document) {
+    return test::schema_faults(document, data_folder / "schema/template.schema.json").empty();
+}
+
+} // namespace
+
+TEST_CASE("the built-in templates are those in the data folder") {
+    const std::vector<std::string> names = builtin_template_names();
+    CHECK(names == std::vector<std::string>{"human21", "pinocchio18"});
+    for (const std::string& name : names) {
+        const Path file = data_folder / "templates" / (name + ".json");
+        CHECK(matches_schema(load_json(file)));
+        const SkeletonTemplate read = read_template(file);
+        const SkeletonTemplate& builtin = builtin_template(name);
+        CHECK(builtin.name == name);
+        REQUIRE(read.joints.size() == builtin.joints.size());
+        for (std::size_t i = 0; i < read.joints.size(); ++i) {
+            CHECK(read.joints[i].name == builtin.joints[i].name);
+            CHECK(read.joints[i].parent == builtin.joints[i].parent);
+            CHECK(read.joints[i].position == builtin.joints[i].position);
+            CHECK(read.joints[i].tip == builtin.joints[i].tip);
+        }
+    }
+}
+
+TEST_CASE("human21 has the joints of the interface") {
+    const SkeletonTemplate& t = builtin_template("human21");
+    REQUIRE(t.joints.size() == 21);
+    CHECK(t.joints[0].name == "crotch");
+    const auto parent_of = [&](const std::string& name) -> std::string {
+        for (const TemplateJoint& j : t.joints)
+            if (j.name == name) return t.joints.at(static_cast<std::size_t>(j.parent)).name;
+        return "no such joint";
+    };
+    CHECK(parent_of("waist") == "crotch");
+    CHECK(parent_of("chest") == "waist");
+    CHECK(parent_of("neck") == "chest");
+    CHECK(parent_of("head") == "neck");
+    for (const std::string side : {"left_", "right_"}) {
+        CHECK(parent_of(side + "shoulder") == "chest");
+        CHECK(parent_of(side + "elbow") == side + "shoulder");
+        CHECK(parent_of(side + "wrist") == side + "elbow");
+        CHECK(parent_of(side + "hand") == side + "wrist");
+        CHECK(parent_of(side + "hip") == "crotch");
+        CHECK(parent_of(side + "knee") == side + "hip");
+        CHECK(parent_of(side + "ankle") == side + "knee");
+        CHECK(parent_of(side + "foot") == side + "ankle");
+    }
+}
+
+TEST_CASE("pinocchio18 has human21's proportions") {
+    const SkeletonTemplate& human = builtin_template("human21");
+    const SkeletonTemplate& pinocchio = builtin_template("pinocchio18");
+    REQUIRE(pinocchio.joints.size() == 18);
+    for (const TemplateJoint& j : pinocchio.joints) {
+        const auto same = std::find_if(human.joints.begin(), human.joints.end(), [&](const TemplateJoint& other) {
+            return other.role == j.role && other.side == j.side;
+        });
+        REQUIRE(same != human.joints.end());
+        CHECK(j.position == same->position);
+        CHECK(j.tip == same->tip);
+    }
+}
+
+TEST_CASE("a template is looked up by name or by file") {
+    CHECK(load_template("pinocchio18").joints.size() == 18);
+    CHECK(load_template((data_folder / "templates/human21.json").string()).joints.size() == 21);
+    CHECK_THROWS_WITH(load_template("human22"), Catch::Matchers::Contains("neither a built-in template"));
+    CHECK_THROWS_WITH(builtin_template("human22"), Catch::Matchers::Contains("human21, pinocchio18"));
+    CHECK_THROWS_WITH(load_template(data_folder.string()), Catch::Matchers::Contains("cannot read the template file"));
+    CHECK_THROWS_AS(read_template(data_folder / "templates/none.json"), Error);
+    try {
+        (void)builtin_template("human22");
+    } catch (const Error& error) {
+        CHECK(error.code() == ErrorCode::usage);
+    }
+}
+
+TEST_CASE("text that is no template is refused") {
+    CHECK(refusal(std::string()).find("no valid JSON: parse error at line 1") != std::string::npos);
+    CHECK(refusal(std::string("{\"format\": ")).find("no valid JSON") != std::string::npos);
+    CHECK(refusal(std::string("[]")) == "the template must be a JSON object");
+    CHECK(refusal(std::string("{}")) == "the template has no \"format\"");
+    CHECK(refusal(std::string("{\"format\": \"\xff\"}")).find("no valid JSON") != std::string::npos);
+
+    json wrong = human21();
+    wrong["format"] = "skelgen-skeleton";
+    CHECK(refusal(wrong).find("\"format\" must be") != std::string::npos);
+    wrong = human21();
+    wrong["version"] = 2;
+    CHECK(refusal(wrong).find("\"version\" must be 1") != std::string::npos);
+    wrong = human21();
+    wrong["joints"] = 3;
+    CHECK(refusal(wrong).find("must be a list") != std::string::npos);
+    wrong = human21();
+    wrong["jionts"] = json::array();
+    CHECK(refusal(wrong).find("unknown key \"jionts\"") != std::string::npos);
+}
+
+TEST_CASE("every half of a template file is refused or read, and nothing else happens") {
+    const std::string text = human21().dump();
+    for (std::size_t length = 0; length < text.size(); length += 7) CHECK(!refusal(text.substr(0, length)).empty());
+    CHECK(refusal(text).empty());
+}
+
+TEST_CASE("joints that are written wrongly are refused by name") {
+    json t = human21();
+    joint(t, "neck").erase("role");
+    CHECK(refusal(t) == "joint 'neck' has no \"role\"");
+    CHECK_FALSE(matches_schema(t));
+
+    t = human21();
+    joint(t, "neck").erase("name");
+    CHECK(refusal(t) == "joint number 4 has no \"name\"");
+
+    t = human21();
+    joint(t, "neck")["role"] = "tail";
+    CHECK(refusal(t).find("joint 'neck' has the unknown role 'tail': use one of pelvis, waist,") == 0);
+    CHECK_FALSE(matches_schema(t));
+
+    t = human21();
+    joint(t, "left_knee")["side"] = "links";
+    CHECK(refusal(t) == "joint 'left_knee' has the unknown side 'links': use one of none, left, right");
+    CHECK_FALSE(matches_schema(t));
+
+    for (const json& position : {json(1.0), json({1, 2}), json({1, 2, "3"}), json({1, 2, nullptr})}) {
+        t = human21();
+        joint(t, "neck")["position"] = position;
+        CHECK(refusal(t) == "joint 'neck': \"position\" must be three numbers");
+        CHECK_FALSE(matches_schema(t));
+    }
+
+    t = human21();
+    joint(t, "head")["tip"] = "up";
+    CHECK(refusal(t) == "joint 'head': \"tip\" must be three numbers");
+    CHECK_FALSE(matches_schema(t));
+
+    t = human21();
+    joint(t, "neck")["weight"] = 1;
+    CHECK(refusal(t) == "joint 'neck' has an unknown key \"weight\": remove it");
+    CHECK_FALSE(matches_schema(t));
+
+    std::string overflow = human21().dump();
+    overflow.replace(overflow.find("1.06"), 4, "1e999");
+    CHECK(refusal(overflow).find("number overflow") != std::string::npos);
+}
+
+TEST_CASE("parents that form no tree are refused by name") {
+    json t = human21();
+    joint(t, "neck")["parent"] = "nape";
+    CHECK(refusal(t) == "joint 'neck' has the unknown parent 'nape'");
+
+    t = human21();
+    joint(t, "neck")["parent"] = "left_hand";
+    CHECK(refusal(t) == "joint 'neck' comes before its parent 'left_hand': list parents before children");
+
+    t = human21();
+    joint(t, "neck")["parent"] = "head";
+    CHECK(refusal(t) == "joint 'neck' is its own ancestor: parents must form a tree");
+
+    t = human21();
+    joint(t, "neck")["parent"] = "neck";
+    CHECK(refusal(t) == "joint 'neck' is its own ancestor: parents must form a tree");
+
+    t = human21();
+    joint(t, "neck")["parent"] = 2;
+    CHECK(refusal(t) == "joint 'neck': \"parent\" must be a joint's name, or null for the root");
+
+    t = human21();
+    joint(t, "neck")["parent"] = nullptr;
+    CHECK(refusal(t) == "joint 'neck' has no parent: only the first joint, the root, may have none");
+}
