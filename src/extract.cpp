@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <string>
+#include <unordered_set>
 
 #include <skelgen/core/canonical_form.hpp>
 #include <skelgen/core/error.hpp>
@@ -63,15 +64,21 @@ public:
         return out;
     }
 
+    /// `source`: the caller's vertex behind each vertex of the regions. Where fans of faces touch, several stand for one
+    /// of the caller's; it goes to the first region that has it.
     [[nodiscard]] CurveSkeleton<Scalar> curve(const CurveSkeleton<double>& c, const std::vector<int>& source) const {
         CurveSkeleton<Scalar> out;
         out.nodes.resize(c.nodes.rows(), 3);
         for (Eigen::Index v = 0; v < c.nodes.rows(); ++v) out.nodes.row(v) = point(c.nodes.row(v).transpose()).transpose();
         out.edges = c.edges;
         for (const double radius : c.radii) out.radii.push_back(length(radius));
+        std::unordered_set<int> taken;
         for (const std::vector<int>& region : c.regions) {
-            out.regions.emplace_back();
-            for (const int v : region) out.regions.back().push_back(source[static_cast<std::size_t>(v)]);
+            std::vector<int>& vertices = out.regions.emplace_back();
+            for (const int v : region) {
+                const int vertex = source[static_cast<std::size_t>(v)];
+                if (taken.insert(vertex).second) vertices.push_back(vertex);
+            }
         }
         return out;
     }
@@ -80,28 +87,50 @@ private:
     const Similarity& similarity_;
 };
 
+/// The first half of the pipeline: the largest piece of the mesh in canonical coordinates, and the curve within.
+struct BodyCurve {
+    Similarity similarity;
+    ManifoldParts<double> body; ///< `source` indexes the caller's vertices
+    CurveGraph<double> surface; ///< of `body`
+    CurveSkeleton<double> curve;
+};
+
+template <typename Scalar>
+BodyCurve find_body_curve(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options) {
+    check_surface(mesh);
+    const CanonicalMesh canonical = canonical_form(mesh);
+    BodyCurve out{canonical.similarity, largest_manifold_part(canonical.mesh), {}, {}};
+    out.surface = surface_graph(out.body.mesh);
+    const TriangleMesh<double> proxy = build_proxy(out.body.mesh, options.proxy);
+    out.curve = extract_curve(out.body.mesh, out.surface, proxy, options.curve);
+    for (int& v : out.body.source) v = canonical.input_vertex[static_cast<std::size_t>(v)];
+    return out;
+}
+
 } // namespace
+
+template <typename Scalar>
+CurveSkeleton<Scalar> find_curve_skeleton(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options) {
+    const BodyCurve found = find_body_curve(mesh, options);
+    return BackToInput<Scalar>(found.similarity).curve(found.curve, found.body.source);
+}
 
 template <typename Scalar>
 Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options) {
     Stopwatch total, stage;
-    check_surface(mesh);
     const SkeletonTemplate& wanted =
         options.skeleton_template.joints.empty() ? builtin_template("human21") : options.skeleton_template;
     validate_template(wanted);
 
-    const CanonicalMesh canonical = canonical_form(mesh);
-    const ManifoldParts<double> body = largest_manifold_part(canonical.mesh);
-    const TriangleMesh<double> proxy = build_proxy(body.mesh, options.proxy);
-    const CurveSkeleton<double> curve = extract_curve(body.mesh, proxy, options.curve);
-    const double diameter = geodesic_diameter(proxy);
+    const auto [similarity, body, surface, curve] = find_body_curve(mesh, options);
+    const double diameter = geodesic_diameter(surface);
     Extraction<Scalar> out;
     out.timings.curve = stage.lap();
 
     const Embedding embedding = embed(curve, wanted, options.matching);
     out.timings.embed = stage.lap();
 
-    const RefinedJoints joints = refine(body.mesh, curve, embedding, wanted, diameter, options.refinement);
+    const RefinedJoints joints = refine(body.mesh, surface, curve, embedding, wanted, diameter, options.refinement);
     out.timings.refine = stage.lap();
 
     const SidesDecision sides = decide_sides(joints, wanted, options.sides);
@@ -112,16 +141,16 @@ Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const Extr
                                             " pieces not connected to the body were left out");
     out.timings.sides = stage.lap();
 
-    std::vector<int> source;
-    for (const int v : body.source) source.push_back(canonical.input_vertex[static_cast<std::size_t>(v)]);
-    const BackToInput<Scalar> back(canonical.similarity);
+    const BackToInput<Scalar> back(similarity);
     out.skeleton = back.skeleton(skeleton);
-    out.curve = back.curve(curve, source);
-    out.geodesic_diameter = canonical.similarity.scale * diameter;
+    out.curve = back.curve(curve, body.source);
+    out.geodesic_diameter = similarity.scale * diameter;
     out.timings.total = total.lap();
     return out;
 }
 
+template CurveSkeleton<float> find_curve_skeleton(const TriangleMesh<float>&, const ExtractOptions&);
+template CurveSkeleton<double> find_curve_skeleton(const TriangleMesh<double>&, const ExtractOptions&);
 template Extraction<float> extract_skeleton(const TriangleMesh<float>&, const ExtractOptions&);
 template Extraction<double> extract_skeleton(const TriangleMesh<double>&, const ExtractOptions&);
 

@@ -41,10 +41,17 @@ struct ExtractOptions {
     SidesOptions sides;
 };
 
-/// Finds the kinematic skeleton of one human body: any pose, orientation and unit. Computes in double precision whatever
-/// the scalar. Floating pieces and holes are survived; the largest piece is used.
-/// \throws Error bad_input when `mesh` is no usable surface, no_skeleton when no body can be found in it.
+/// Finds the kinematic skeleton of one human body: any pose, orientation and unit. Computes in double precision
+/// whatever the scalar. Floating pieces and holes are survived; the largest piece is used. \throws Error bad_input when
+/// `mesh` is no usable surface, no_skeleton when no body can be found in it.
 template <typename Scalar>
 [[nodiscard]] Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options = {});
+
+/// The curve skeleton alone, of a body or anything else: the first half of `extract_skeleton`, in the input's
+/// coordinates. The regions hold every vertex of the largest piece exactly once. Of `options`, `proxy` and `curve`
+/// count. \throws Error bad_input when `mesh` is no usable surface.
+template <typename Scalar>
+[[nodiscard]] CurveSkeleton<Scalar> find_curve_skeleton(const TriangleMesh<Scalar>& mesh,
+                                                        const ExtractOptions& options = {});
 
 } // namespace skelgen

@@ -3,10 +3,12 @@
 // The whole public API. Adaptors to other mesh libraries (io/openmesh_adaptor.hpp, io/cgal_adaptor.hpp) are not part of
 // it: they need these libraries' headers.
 
+#include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/canonical_form.hpp>
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/core/error.hpp>
+#include <skelgen/core/geodesics.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
@@ -17,6 +19,7 @@
 #include <skelgen/curve/contraction.hpp>
 #include <skelgen/curve/extract_curve.hpp>
 #include <skelgen/curve/laplacian.hpp>
+#include <skelgen/curve/leaf_extension.hpp>
 #include <skelgen/curve/manifold_parts.hpp>
 #include <skelgen/curve/medial_balls.hpp>
 #include <skelgen/curve/proxy.hpp>
@@ -28,7 +31,6 @@
 #include <skelgen/evaluation/evaluate.hpp>
 #include <skelgen/evaluation/report.hpp>
 #include <skelgen/evaluation/statistics.hpp>
-#include <skelgen/evaluation/winding_number.hpp>
 #include <skelgen/extract.hpp>
 #include <skelgen/io/atomic_file.hpp>
 #include <skelgen/io/curve_formats.hpp>
@@ -40,13 +42,19 @@
 #include <skelgen/io/write_mesh.hpp>
 #include <skelgen/refinement/centreline.hpp>
 #include <skelgen/refinement/cross_section.hpp>
+#include <skelgen/refinement/limbs.hpp>
+#include <skelgen/refinement/refine.hpp>
 #include <skelgen/render/contact_sheet.hpp>
 #include <skelgen/render/image.hpp>
 #include <skelgen/render/png.hpp>
 #include <skelgen/render/render_scene.hpp>
 #include <skelgen/render/scene.hpp>
 #include <skelgen/render/view.hpp>
+#include <skelgen/symmetry/sides.hpp>
+#include <skelgen/symmetry/standing_pose.hpp>
 #include <skelgen/synth/body.hpp>
 #include <skelgen/synth/pose.hpp>
+#include <skelgen/synth/scan_faults.hpp>
+#include <skelgen/synth/sets.hpp>
 #include <skelgen/synth/shape.hpp>
 #include <skelgen/version.hpp>

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <skelgen/core/adjacency.hpp>
-#include <skelgen/core/curve_graph.hpp>
 
 namespace skelgen {
 namespace {
@@ -21,6 +20,8 @@ double unfolded_distance(const Vector3<double>& a, const Vector3<double>& b, con
     if (crossing < 0 || crossing > (b - a).norm()) return std::numeric_limits<double>::infinity();
     return std::hypot(dx - cx, cy + dy);
 }
+
+} // namespace
 
 CurveGraph<double> surface_graph(const TriangleMesh<double>& mesh) {
     CurveGraph<double> graph;
@@ -47,15 +48,12 @@ CurveGraph<double> surface_graph(const TriangleMesh<double>& mesh) {
     return graph;
 }
 
-} // namespace
-
-double geodesic_diameter(const TriangleMesh<double>& mesh) {
+double geodesic_diameter(const CurveGraph<double>& surface) {
     constexpr int sweeps = 4; // from any vertex to the end farthest from it, to the end farthest from that one, ...
-    const CurveGraph<double> graph = surface_graph(mesh);
     double diameter = 0;
     int source = 0;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
-        std::vector<double> distance = shortest_paths(graph, source).distance;
+        std::vector<double> distance = shortest_paths(surface, source).distance;
         for (double& d : distance)
             if (!std::isfinite(d)) d = -1;
         const auto farthest = std::max_element(distance.begin(), distance.end());

@@ -38,6 +38,8 @@ double distortion(const ReducedGraph& curve, const ReducedGraph& skeleton_templa
     for (std::size_t j = 0; j < partner.size(); ++j) {
         const int degree_difference = curve.degree[static_cast<std::size_t>(partner[j])] - skeleton_template.degree[j];
         total += std::pow(options.degree_cost * degree_difference, 2);
+        const double radius = curve.radius[static_cast<std::size_t>(partner[j])], rest_radius = skeleton_template.radius[j];
+        if (radius > 0 && rest_radius > 0) total += std::pow(options.radius_cost * (radius - rest_radius), 2);
         for (std::size_t l = 0; l < j; ++l) {
             const double difference = curve.distances(partner[j], partner[l]) -
                                       skeleton_template.distances(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(l));

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <skelgen/core/error.hpp>
-#include <skelgen/evaluation/winding_number.hpp>
+#include <skelgen/core/geometry.hpp>
 
 namespace skelgen {
 namespace {

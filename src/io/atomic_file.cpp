@@ -1,6 +1,5 @@
 #include <skelgen/io/atomic_file.hpp>
 
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
@@ -12,6 +11,8 @@
 #include <utility>
 
 #include <skelgen/core/error.hpp>
+
+#include "temporary_name.hpp"
 
 namespace skelgen {
 namespace {
@@ -61,15 +62,6 @@ private:
     int number_;
 };
 
-/// A name in the folder of `target` that no other thread, process or earlier call of this one uses.
-fs::path temporary_name(const fs::path& target) {
-    static std::atomic<unsigned> calls{0};
-    fs::path name = target;
-    // A fixed, short stem: a suffix to the target's own name could exceed the longest name the file system takes.
-    name.replace_filename(".skelgen-" + std::to_string(::getpid()) + "-" + std::to_string(calls++) + ".tmp");
-    return name;
-}
-
 /// Devices and pipes can be written to but not replaced by a rename. Appending matters when standard output was sent to
 /// a regular file: what is in there stays.
 void write_directly(const fs::path& path, std::string_view content) {
@@ -99,7 +91,7 @@ std::pair<int, fs::path> write_temporary(const fs::path& target, std::string_vie
     constexpr int most_tries = 1000;
     std::pair<int, fs::path> result{EEXIST, {}};
     for (int i = 0; i < most_tries && result.first == EEXIST; ++i) {
-        result.second = temporary_name(target);
+        result.second = detail::make_temporary_name(target);
         result.first = write_new_file(result.second, content, replaced);
     }
     return result;

@@ -40,14 +40,15 @@ std::string describe(const json& joint, std::size_t index) {
     return "joint number " + std::to_string(index + 1);
 }
 
-/// Throws unless `object` is an object with all `required` keys and no key beside those and the `optional` one.
+/// Throws unless `object` is an object with all `required` keys and no key beside those and the `optional` ones.
 void check_keys(const json& object, const std::string& what, std::initializer_list<std::string_view> required,
-                std::string_view optional = {}) {
+                std::initializer_list<std::string_view> optional = {}) {
     if (!object.is_object()) refuse(what + " must be a JSON object");
     for (const std::string_view key : required)
         if (!object.contains(key)) refuse(what + " has no \"" + std::string(key) + "\"");
     for (const auto& item : object.items())
-        if (item.key() != optional && std::find(required.begin(), required.end(), item.key()) == required.end())
+        if (std::find(optional.begin(), optional.end(), item.key()) == optional.end() &&
+            std::find(required.begin(), required.end(), item.key()) == required.end())
             refuse(what + " has an unknown key \"" + item.key() + "\": remove it");
 }
 
@@ -81,6 +82,12 @@ Vector3<double> read_point(const json& object, const std::string& key, const std
                           std::all_of(position.begin(), position.end(), [](const json& x) { return x.is_number(); });
     if (!is_point) refuse(what + ": \"" + key + "\" must be three numbers");
     return {position[0].get<double>(), position[1].get<double>(), position[2].get<double>()};
+}
+
+double read_radius(const json& object, const std::string& what) {
+    const json& radius = object["radius"];
+    if (!radius.is_number() || !(radius.get<double>() > 0)) refuse(what + ": \"radius\" must be a number above 0");
+    return radius.get<double>();
 }
 
 /// Throws when following the parents' names from `joint` leads back to it.
@@ -119,7 +126,7 @@ int read_parent(const json& joints, const json& joint, const std::string& what,
 TemplateJoint read_joint(const json& joints, std::size_t index, const std::vector<TemplateJoint>& before) {
     const json& object = joints[index];
     const std::string what = describe(object, index);
-    check_keys(object, what, {"name", "parent", "role", "side", "position"}, {"tip"});
+    check_keys(object, what, {"name", "parent", "role", "side", "position"}, {"tip", "radius"});
     TemplateJoint joint;
     joint.name = read_string(object, "name", what);
     joint.parent = read_parent(joints, object, what, before);
@@ -127,6 +134,7 @@ TemplateJoint read_joint(const json& joints, std::size_t index, const std::vecto
     joint.side = read_enum(object, "side", what, std::array{Side::none, Side::left, Side::right});
     joint.position = read_point(object, "position", what);
     if (object.contains("tip")) joint.tip = read_point(object, "tip", what);
+    if (object.contains("radius")) joint.radius = read_radius(object, what);
     return joint;
 }
 
@@ -160,7 +168,7 @@ const SkeletonTemplate* find_builtin(std::string_view name) {
 SkeletonTemplate parse_template(std::string_view json_text) {
     const json document = parse_json(json_text);
     const std::string what = "the template";
-    check_keys(document, what, {"format", "version", "name", "joints"}, "description");
+    check_keys(document, what, {"format", "version", "name", "joints"}, {"description"});
     if (document["format"] != "skelgen-template") refuse(what + "'s \"format\" must be \"skelgen-template\"");
     if (document["version"] != 1) refuse(what + "'s \"version\" must be 1");
     if (!document["joints"].is_array()) refuse(what + "'s \"joints\" must be a list");

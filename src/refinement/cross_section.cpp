@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 
@@ -20,10 +21,9 @@ struct Contour {
 
 class Tracer {
 public:
-    Tracer(const TriangleMesh<double>& mesh, const Triangles& adjacency, const Vector3<double>& point,
-           const Vector3<double>& normal)
-        : mesh_(mesh), adjacency_(adjacency), height_((mesh.vertices * normal).array() - point.dot(normal)),
-          visited_(static_cast<std::size_t>(mesh.faces.rows()), false) {}
+    /// Contours where the field `height`, linear on each face, is zero.
+    Tracer(const TriangleMesh<double>& mesh, const Triangles& adjacency, Eigen::VectorXd height)
+        : mesh_(mesh), adjacency_(adjacency), height_(std::move(height)), visited_(static_cast<std::size_t>(mesh.faces.rows()), false) {}
 
     std::vector<Contour> contours() {
         std::vector<Contour> out;
@@ -141,7 +141,8 @@ CrossSection measure(const Contour& contour, const TriangleMesh<double>& mesh, c
 
 std::optional<CrossSection> Slicer::around(const Vector3<double>& point, const Vector3<double>& normal,
                                            double reach) const {
-    const std::vector<Contour> contours = Tracer(mesh_, adjacency_, point, normal).contours();
+    const std::vector<Contour> contours = 
+        Tracer(mesh_, adjacency_, (mesh_.vertices * normal).array() - point.dot(normal)).contours();
     const Contour* chosen = nullptr;
     PlanarRelation best;
     for (const Contour& contour : contours) {
@@ -158,6 +159,31 @@ std::optional<CrossSection> Slicer::around(const Vector3<double>& point, const V
     }
     if (chosen == nullptr) return std::nullopt;
     return measure(*chosen, mesh_, normal);
+}
+
+int Slicer::nearest_vertex(const Vector3<double>& point) const {
+    Eigen::Index nearest = 0;
+    (mesh_.vertices.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+    return static_cast<int>(nearest);
+}
+
+std::optional<Vector3<double>> Slicer::level_set_centre(const Eigen::VectorXd& field, double level) const {
+    const std::vector<Contour> contours = Tracer(mesh_, adjacency_, field.array() - level).contours();
+    std::optional<Vector3<double>> centre;
+    double longest = 0;
+    for (const Contour& contour : contours) {
+        Vector3<double> mean = Vector3<double>::Zero();
+        double length = 0;
+        for (std::size_t i = 0; i < contour.points.size(); ++i) {
+            const Vector3<double>&p = contour.points[i], q = contour.points[(i + 1) % contour.points.size()];
+            mean += (q - p).norm() * (p + q) / 2;
+            length += (q - p).norm();
+        }
+        if (!(length > longest)) continue;
+        longest = length;
+        centre = mean / length;
+    }
+    return centre;
 }
 
 double gauss_map_flatness(const CrossSection& section) {

@@ -10,23 +10,50 @@ namespace {
 
 /// The geodesic diameter of a body (toe to fingertip over the surface) as a part of the longest path along the bones of
 /// its skeleton. Calibrated: mean over 50 adults in 10 poses each.
-constexpr double diameter_of_longest_path = 0.95;
+constexpr double diameter_of_longest_path = 0.92;
 
-/// A section that grows by this factor within a few steps is no longer the limb's own: it has run into the trunk, or into
-/// the other leg.
-constexpr double attachment_growth = 1.5;
-constexpr Eigen::Index attachment_steps = 4;
+/// A section this much larger than the limb's own is no longer the limb's: it has run into the trunk, or into the other
+/// leg (a thigh or an upper arm widens by half at most from its middle to its top).
+constexpr double attachment_growth = 1.7;
 
-double find_attachment(const Centreline& line, double outer_part) {
-    const Eigen::Index n = line.points.rows();
-    for (Eigen::Index i = n - 2; i >= 1; --i) {
-        if (line.arc[n - 1] - line.arc[i] < outer_part) continue;
-        double largest = 0;
-        for (Eigen::Index k = i + 1; k <= std::min(i + attachment_steps, n - 2); ++k)
-            largest = std::max(largest, line.area[k]);
-        if (largest > 0 && (line.area[i] == 0 || line.area[i] > attachment_growth * largest)) return line.arc[i + 1];
+/// Arc length where the limb leaves the trunk, looking inwards from `own` away from the tip; the reference is the mean
+/// section over the `stretch` before that.
+double find_attachment(const Centreline& line, double own, double stretch) {
+    const Eigen::Index last = line.arc.size() - 1;
+    double sum = 0, count = 0;
+    for (Eigen::Index i = last; i >= 1; --i) {
+        const double from_tip = line.arc[last] - line.arc[i];
+        if (line.area[i] <= 0 || from_tip < own - stretch) continue;
+        if (from_tip <= own) {
+            sum += line.area[i];
+            count += 1;
+        } else if (count > 0 && line.area[i] > attachment_growth * sum / count) {
+            return line.arc[i + 1];
+        }
     }
     return line.arc[0];
+}
+
+/// Centres of the rings around a limb, from `length` away from the tip down to the tip itself.
+Points<double> ring_centres(const Slicer& slicer, const CurveGraph<double>& surface, int tip, const Vector3<double>& end,
+                            double length, double step) {
+    std::vector<double> distance = shortest_paths(surface, tip).distance;
+    const Eigen::VectorXd field =
+        Eigen::Map<Eigen::VectorXd>(distance.data(), static_cast<Eigen::Index>(distance.size())).cwiseMin(2 * length + 1);
+    std::vector<Vector3<double>> centres;
+    for (double level = length; level > step / 2; level -= step)
+        if (const auto centre = slicer.level_set_centre(field, level)) centres.push_back(*centre);
+    Points<double> out(static_cast<Eigen::Index>(centres.size()) + 1, 3);
+    for (std::size_t i = 0; i < centres.size(); ++i) out.row(static_cast<Eigen::Index>(i)) = centres[i].transpose();
+    out.bottomRows<1>() = end.transpose();
+    return out;
+}
+
+/// The limb's first bone is surely the limb's own up to its middle; nearer its outer joint, a folded elbow or knee widens
+/// the sections.
+double attachment_of(const Limb& limb) {
+    const double top = limb.from_tip.front(), next = limb.from_tip.size() > 1 ? limb.from_tip[1] : 0;
+    return find_attachment(limb.line, next + 0.5 * (top - next), 0.3 * (top - next));
 }
 
 } // namespace
@@ -35,7 +62,8 @@ double template_scale(const SkeletonTemplate& skeleton_template, double geodesic
     return geodesic_diameter / (diameter_of_longest_path * longest_path(skeleton_template));
 }
 
-std::vector<Limb> trace_limbs(const Slicer& slicer, const CurveSkeleton<double>& curve, const Embedding& embedding,
+std::vector<Limb> trace_limbs(const Slicer& slicer, const CurveGraph<double>& surface,
+                              const CurveSkeleton<double>& curve, const Embedding& embedding,
                               const SkeletonTemplate& skeleton_template, double scale,
                               const CentrelineOptions& options) {
     std::vector<Limb> limbs;
@@ -52,11 +80,12 @@ std::vector<Limb> trace_limbs(const Slicer& slicer, const CurveSkeleton<double>&
             const TemplateJoint& parent = skeleton_template.joints[static_cast<std::size_t>(joint.parent)];
             distance += (joint.position - parent.position).norm();
         }
-        Points<double> path(static_cast<Eigen::Index>(chain.nodes.size()), 3);
-        for (std::size_t i = 0; i < chain.nodes.size(); ++i)
-            path.row(static_cast<Eigen::Index>(i)) = curve.nodes.row(chain.nodes[i]);
-        limb.line = draw_centreline(slicer, path, options);
-        limb.attachment = find_attachment(limb.line, 0.6 * limb.from_tip.front());
+        const int tip_node = chain.nodes.back();
+        const int tip = slicer.nearest_vertex(curve.nodes.row(tip_node).transpose());
+        const Points<double> rings = ring_centres(slicer, surface, tip, curve.nodes.row(tip_node).transpose(),
+                                                  1.05 * limb.from_tip.front(), options.step);
+        limb.line = draw_centreline(slicer, rings, options);
+        limb.attachment = attachment_of(limb);
         limbs.push_back(std::move(limb));
     }
     return limbs;

@@ -26,12 +26,13 @@ double smooth_step(double from, double to, double x) {
 
 class Refiner {
 public:
-    Refiner(const TriangleMesh<double>& mesh, const CurveSkeleton<double>& curve, const Embedding& embedding,
-            const SkeletonTemplate& skeleton_template, double geodesic_diameter, const RefinementOptions& options)
+    Refiner(const TriangleMesh<double>& mesh, const CurveGraph<double>& surface, const CurveSkeleton<double>& curve,
+            const Embedding& embedding, const SkeletonTemplate& skeleton_template, double geodesic_diameter,
+            const RefinementOptions& options)
         : mesh_(mesh), adjacency_(face_adjacency(mesh.faces)), slicer_(mesh, adjacency_), curve_(curve),
           embedding_(embedding), template_(skeleton_template), options_(options),
           scale_(template_scale(skeleton_template, geodesic_diameter)),
-          limbs_(trace_limbs(slicer_, curve, embedding, skeleton_template, scale_, options.centreline)) {
+          limbs_(trace_limbs(slicer_, surface, curve, embedding, skeleton_template, scale_, options.centreline)) {
         const auto joints = static_cast<Eigen::Index>(template_.joints.size());
         out_.positions = Points<double>::Zero(joints, 3);
         out_.radii = Eigen::VectorXd::Zero(joints);
@@ -219,10 +220,11 @@ private:
 
 } // namespace
 
-RefinedJoints refine(const TriangleMesh<double>& mesh, const CurveSkeleton<double>& curve, const Embedding& embedding,
+RefinedJoints refine(const TriangleMesh<double>& mesh, const CurveGraph<double>& surface,
+                     const CurveSkeleton<double>& curve, const Embedding& embedding,
                      const SkeletonTemplate& skeleton_template, double geodesic_diameter,
                      const RefinementOptions& options) {
-    return Refiner(mesh, curve, embedding, skeleton_template, geodesic_diameter, options).run();
+    return Refiner(mesh, surface, curve, embedding, skeleton_template, geodesic_diameter, options).run();
 }
 
 } // namespace skelgen

@@ -247,7 +247,7 @@ double ImplicitBody::operator()(const Vec3& p) const {
         field = smooth_union(field, part_value(PartName::head, p), blend_around(p, joining_[index(PartName::head)]));
     for (std::size_t i = 0; i < limbs.size(); ++i)
         field = smooth_union(field, limbs[i], blend_around(p, joining_[index(limb_roots[i])]));
-    if (field < far_away) return field;
+    if (field < far_away / 2) return field; // not that: blending two far values lowers them
     for (const Part& part : parts_) bound = std::min(bound, part.distance_bound(p));
     return std::max(bound, limit / 2);
 }

@@ -119,11 +119,12 @@ std::vector<Point> crossing_points(const ImplicitSurface& surface, double spacin
     const int width = 2 * n + 1;
     std::vector<double> below(static_cast<std::size_t>(width * width), 1.0), layer(below.size());
     for (int k = -n; k <= n; ++k) {
-        for (int j = -n; j <= n; ++j)
+        for (int j = -n; j <= n; ++j) {
+            int outside = 0; // nodes ahead that the last field value, close to a distance, tells to be outside
             for (int i = -n; i <= n; ++i) {
                 const auto at = static_cast<std::size_t>((j + n) * width + i + n);
-                // Far from the surface the field tells how many nodes can be passed over.
-                const double value = layer[at] = surface.field(node(i, j, k));
+                const double value = layer[at] = outside > 0 ? 1.0 : surface.field(node(i, j, k));
+                outside = outside > 0 ? outside - 1 : static_cast<int>(std::max(0.0, 0.5 * value / spacing));
                 const auto join = [&](double other, const Vec3& there) {
                     if ((value < 0) != (other < 0))
                         points.push_back(value < 0 ? cross(node(i, j, k), there) : cross(there, node(i, j, k)));
@@ -132,6 +133,7 @@ std::vector<Point> crossing_points(const ImplicitSurface& surface, double spacin
                 if (j > -n) join(layer[at - static_cast<std::size_t>(width)], node(i, j - 1, k));
                 if (k > -n) join(below[at], node(i, j, k - 1));
             }
+        }
         std::swap(below, layer);
     }
     return points;
@@ -287,6 +289,7 @@ TriangleMesh<double> mesh_surface(const ImplicitSurface& surface, int faces, boo
 
     const double spacing = surface.radius / 50;
     const std::vector<Point> samples = crossing_points(surface, spacing);
+    if (samples.empty()) throw Error(ErrorCode::internal, "the surface to be meshed is empty");
     double edge = spacing;
     edge *=
         std::sqrt(expected_faces(surface, samples, spacing, edge) / std::max(1.06 * wanted, 1.0 * coarsest_refinement));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -69,6 +70,25 @@ template <typename Scalar>
         }
     }
     return out;
+}
+
+/// Per node the index of the source nearest along the graph (the lowest one among equals), -1 where none can be reached.
+/// O((k + edges) log k).
+template <typename Scalar>
+[[nodiscard]] std::vector<int> nearest_source(const CurveGraph<Scalar>& graph, const std::vector<int>& sources) {
+    using Claim = std::tuple<Scalar, int, int>; // distance, source, node
+    std::vector<int> owner(graph.neighbours.size(), -1);
+    std::priority_queue<Claim, std::vector<Claim>, std::greater<>> queue;
+    for (std::size_t s = 0; s < sources.size(); ++s) queue.emplace(Scalar(0), static_cast<int>(s), sources[s]);
+    while (!queue.empty()) {
+        const auto [distance, source, v] = queue.top();
+        queue.pop();
+        if (owner[static_cast<std::size_t>(v)] >= 0) continue;
+        owner[static_cast<std::size_t>(v)] = source;
+        for (const auto& [w, length] : graph.neighbours[static_cast<std::size_t>(v)])
+            if (owner[static_cast<std::size_t>(w)] < 0) queue.emplace(distance + length, source, w);
+    }
+    return owner;
 }
 
 /// Largest distance along the curve between any two of its nodes. O(k^2 log k).

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 #include <skelgen/core/mesh.hpp>
 
@@ -48,7 +49,7 @@ template <typename Scalar>
 }
 
 /// Generalized winding number of the surface around a point: 1 inside, 0 outside a closed outward surface, in between
-/// near holes (Jacobson et al. 2013). O(faces).
+/// near holes (Jacobson et al. 2013): the sum of the faces' solid angles (van Oosterom & Strackee 1983). O(faces).
 template <typename Scalar>
 [[nodiscard]] Scalar winding_number(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& point) {
     Scalar angle = 0;
@@ -60,7 +61,7 @@ template <typename Scalar>
         const Scalar denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
         angle += std::atan2(a.dot(b.cross(c)), denominator);
     }
-    return angle / Scalar(2 * EIGEN_PI);
+    return angle / (2 * std::numbers::pi_v<Scalar>);
 }
 
 } // namespace skelgen

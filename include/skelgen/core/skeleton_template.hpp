@@ -20,6 +20,7 @@ struct TemplateJoint {
     JointRole role = JointRole::pelvis;
     Side side = Side::none;
     Vector3<double> position = Vector3<double>::Zero(); ///< rest pose, any unit: x to the body's left, y forward, z up
+    double radius = 0; ///< of an end joint: mean distance to the surface around it, same unit; 0: not known
     std::optional<Vector3<double>> tip; ///< of an end joint: the limb's end on the surface, same coordinates
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/curve/contraction.hpp>
@@ -19,8 +20,9 @@ struct CurveOptions {
 
 /// The curve skeleton of a manifold surface of unit area: contraction, surgery, centring, leaf extension, pruning. `proxy`
 /// stands in for `mesh` (see build_proxy) in all but the regions, which index the vertices of `mesh`, and the leaves, which
-/// end on it. \throws Error as its steps do.
-[[nodiscard]] CurveSkeleton<double> extract_curve(const TriangleMesh<double>& mesh, const TriangleMesh<double>& proxy,
+/// end on it; `surface` as from surface_graph(mesh). \throws Error as its steps do.
+[[nodiscard]] CurveSkeleton<double> extract_curve(const TriangleMesh<double>& mesh, const CurveGraph<double>& surface,
+                                                  const TriangleMesh<double>& proxy,
                                                   const CurveOptions& options = {});
 
 } // namespace skelgen

@@ -14,6 +14,7 @@ namespace skelgen {
 struct ReducedGraph {
     std::vector<int> origin;   ///< per node, its index in the curve skeleton or the template
     std::vector<int> degree;   ///< number of branches at each node
+    std::vector<double> radius; ///< of each end the limb's thickness there, 0 where unknown, same unit as the distances
     Eigen::MatrixXd distances; ///< geodesic distances between the nodes along the full graph, largest scaled to 1
 };
 

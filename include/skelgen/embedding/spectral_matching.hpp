@@ -13,6 +13,7 @@ struct MatchingOptions {
     double degree_weight = 5.0;   ///< of exp(-difference of degrees)
     double distance_weight = 5.0; ///< of exp(-difference of geodesic distances / distance_scale) (LF20: 1)
     double distance_scale = 0.1;  ///< LF20: 1, at which lengths, all below 1, hardly tell a head from a hand
+    double radius_cost = 5.0;     ///< of a limb's thickness, relative to distances, in descend(): heads are thick, hands thin
     double degree_cost = 0.1;     ///< of one branch too many or too few, as a difference of distances, in descend()
 };
 

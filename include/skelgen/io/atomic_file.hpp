@@ -13,4 +13,8 @@ namespace skelgen {
 /// was there is untouched.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
+/// Removes the temporary files that `write_file_atomically` could not clean up in `folder` because its process was
+/// killed; those of processes that still run stay. Does nothing if the folder cannot be read.
+void remove_leftovers(const std::filesystem::path& folder);
+
 } // namespace skelgen

@@ -19,9 +19,12 @@ struct Limb {
 /// Rest-pose length to body length, from the geodesic diameter of the body (all in the body's unit).
 [[nodiscard]] double template_scale(const SkeletonTemplate& skeleton_template, double geodesic_diameter);
 
-/// Centrelines of all limbs of an embedded template.
-[[nodiscard]] std::vector<Limb> trace_limbs(const Slicer& slicer, const CurveSkeleton<double>& curve,
-                                            const Embedding& embedding, const SkeletonTemplate& skeleton_template,
-                                            double scale, const CentrelineOptions& options = {});
+/// Centrelines of all limbs of an embedded template: through the centres of the rings at equal geodesic distance from the
+/// limb's tip, which follow any bend and never stray to another part of the body, then recentred by perpendicular sections.
+/// `surface` as from surface_graph.
+[[nodiscard]] std::vector<Limb> trace_limbs(const Slicer& slicer, const CurveGraph<double>& surface,
+                                            const CurveSkeleton<double>& curve, const Embedding& embedding,
+                                            const SkeletonTemplate& skeleton_template, double scale,
+                                            const CentrelineOptions& options = {});
 
 } // namespace skelgen

@@ -30,9 +30,10 @@ struct RefinedJoints {
 };
 
 /// Places all joints of an embedded template by cross-sections of the original mesh and prior knowledge. Left and right
-/// are still those of the embedding. `geodesic_diameter` in the mesh's unit.
-[[nodiscard]] RefinedJoints refine(const TriangleMesh<double>& mesh, const CurveSkeleton<double>& curve,
-                                   const Embedding& embedding, const SkeletonTemplate& skeleton_template,
+/// are still those of the embedding. `surface` as from surface_graph(mesh); `geodesic_diameter` in the mesh's unit.
+[[nodiscard]] RefinedJoints refine(const TriangleMesh<double>& mesh, const CurveGraph<double>& surface,
+                                   const CurveSkeleton<double>& curve, const Embedding& embedding,
+                                   const SkeletonTemplate& skeleton_template,
                                    double geodesic_diameter, const RefinementOptions& options = {});
 
 } // namespace skelgen
