@@ -101,7 +101,7 @@ BodyCurve find_body_curve(const TriangleMesh<Scalar>& mesh, const ExtractOptions
     const CanonicalMesh canonical = canonical_form(mesh);
     BodyCurve out{canonical.similarity, largest_manifold_part(canonical.mesh), {}, {}};
     out.surface = surface_graph(out.body.mesh);
-    const TriangleMesh<double> proxy = build_proxy(out.body.mesh, options.proxy);
+    const Proxy proxy = build_proxy(out.body.mesh, options.proxy);
     out.curve = extract_curve(out.body.mesh, out.surface, proxy, options.curve);
     for (int& v : out.body.source) v = canonical.input_vertex[static_cast<std::size_t>(v)];
     return out;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Utils/PropertyManager.hh>
 
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
@@ -21,34 +22,37 @@ struct MeshTraits : OpenMesh::DefaultTraits {
 };
 using HalfedgeMesh = OpenMesh::TriMesh_ArrayKernelT<MeshTraits>;
 using OpenMesh::Vec3d;
+using Source = OpenMesh::VProp<int>; ///< the original vertex that a vertex stems from, -1 for those made by a split
 
-HalfedgeMesh to_halfedges(const TriangleMesh<double>& mesh) {
-    HalfedgeMesh out;
+/// Fills `out`, whose vertices then have the same numbers as those of `mesh`.
+void to_halfedges(const TriangleMesh<double>& mesh, HalfedgeMesh& out, Source& source) {
     const auto n = static_cast<std::size_t>(mesh.vertices.rows()), m = static_cast<std::size_t>(mesh.faces.rows());
     out.reserve(n, n + m, m);
     std::vector<HalfedgeMesh::VertexHandle> handles;
     handles.reserve(n);
-    for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v)
+    for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v) {
         handles.push_back(out.add_vertex({mesh.vertices(v, 0), mesh.vertices(v, 1), mesh.vertices(v, 2)}));
+        source[handles.back()] = static_cast<int>(v);
+    }
     for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
         const auto at = [&](Eigen::Index k) { return handles[static_cast<std::size_t>(mesh.faces(f, k))]; };
         if (!out.add_face(at(0), at(1), at(2)).is_valid())
             throw Error(ErrorCode::bad_input, "the surface is not manifold; cut it into manifold parts first");
     }
-    return out;
 }
 
-TriangleMesh<double> to_matrices(const HalfedgeMesh& mesh) {
-    TriangleMesh<double> out;
-    out.vertices.resize(static_cast<Eigen::Index>(mesh.n_vertices()), 3);
-    out.faces.resize(static_cast<Eigen::Index>(mesh.n_faces()), 3);
+Proxy to_matrices(const HalfedgeMesh& mesh, const Source& source) {
+    Proxy out;
+    out.mesh.vertices.resize(static_cast<Eigen::Index>(mesh.n_vertices()), 3);
+    out.mesh.faces.resize(static_cast<Eigen::Index>(mesh.n_faces()), 3);
     for (const auto v : mesh.vertices()) {
         const Vec3d& p = mesh.point(v);
-        out.vertices.row(v.idx()) << p[0], p[1], p[2];
+        out.mesh.vertices.row(v.idx()) << p[0], p[1], p[2];
+        out.source.push_back(source[v]);
     }
     for (const auto f : mesh.faces()) {
         Eigen::Index k = 0;
-        for (const auto v : f.vertices()) out.faces(f.idx(), k++) = v.idx();
+        for (const auto v : f.vertices()) out.mesh.faces(f.idx(), k++) = v.idx();
     }
     return out;
 }
@@ -57,14 +61,16 @@ double squared_length(const HalfedgeMesh& mesh, HalfedgeMesh::EdgeHandle e) {
     return mesh.calc_edge_sqr_length(e);
 }
 
-void split_long_edges(HalfedgeMesh& mesh, double longest) {
+void split_long_edges(HalfedgeMesh& mesh, Source& source, double longest) {
     const std::size_t edges = mesh.n_edges(); // edges made by a split are looked at in the next round
     for (std::size_t i = 0; i < edges; ++i) {
         const auto e = mesh.edge_handle(static_cast<unsigned>(i));
         if (squared_length(mesh, e) <= longest * longest) continue;
         const auto h = mesh.halfedge_handle(e, 0);
         const Vec3d middle = 0.5 * (mesh.point(mesh.from_vertex_handle(h)) + mesh.point(mesh.to_vertex_handle(h)));
-        mesh.split(e, mesh.add_vertex(middle));
+        const auto v = mesh.add_vertex(middle);
+        source[v] = -1;
+        mesh.split(e, v);
     }
 }
 
@@ -88,7 +94,7 @@ bool makes_a_long_edge(const HalfedgeMesh& mesh, HalfedgeMesh::VertexHandle v, c
     return false;
 }
 
-void collapse_short_edges(HalfedgeMesh& mesh, double shortest, double longest) {
+void collapse_short_edges(HalfedgeMesh& mesh, Source& source, double shortest, double longest) {
     for (const auto e : mesh.edges()) {
         if (mesh.status(e).deleted() || squared_length(mesh, e) >= shortest * shortest) continue;
         auto h = mesh.halfedge_handle(e, 0);
@@ -99,19 +105,20 @@ void collapse_short_edges(HalfedgeMesh& mesh, double shortest, double longest) {
         if (makes_a_long_edge(mesh, from, target, longest) || makes_a_long_edge(mesh, to, target, longest)) continue;
         if (flips_a_face(mesh, from, to, target) || flips_a_face(mesh, to, from, target)) continue;
         mesh.set_point(to, target);
+        if (source[to] < 0) source[to] = source[from];
         mesh.collapse(h);
     }
     mesh.garbage_collection();
 }
 
 /// Collapses with a threshold that doubles up to the target, so that a fine input shrinks evenly.
-void coarsen(HalfedgeMesh& mesh, double shortest, double longest) {
+void coarsen(HalfedgeMesh& mesh, Source& source, double shortest, double longest) {
     double mean = 0;
     for (const auto e : mesh.edges()) mean += mesh.calc_edge_length(e);
     mean /= static_cast<double>(std::max<std::size_t>(mesh.n_edges(), 1));
     for (double threshold = mean; threshold < 0.7 * shortest; threshold *= 1.5)
-        collapse_short_edges(mesh, threshold, longest);
-    collapse_short_edges(mesh, shortest, longest);
+        collapse_short_edges(mesh, source, threshold, longest);
+    collapse_short_edges(mesh, source, shortest, longest);
 }
 
 int valence_error(const HalfedgeMesh& mesh, HalfedgeMesh::VertexHandle v, int change) {
@@ -172,18 +179,20 @@ void relax_tangentially(HalfedgeMesh& mesh) {
 
 } // namespace
 
-TriangleMesh<double> build_proxy(const TriangleMesh<double>& mesh, const ProxyOptions& options) {
-    HalfedgeMesh work = to_halfedges(mesh);
+Proxy build_proxy(const TriangleMesh<double>& mesh, const ProxyOptions& options) {
+    HalfedgeMesh work;
+    Source source(work);
+    to_halfedges(mesh, work, source);
     // n vertices in equilateral triangles of edge l cover the area n * l^2 * sqrt(3) / 2.
     const double edge = std::sqrt(2 * surface_area(mesh) / (std::sqrt(3.0) * options.vertices));
     const double longest = 4.0 / 3 * edge, shortest = 4.0 / 5 * edge;
     for (int round = 0; round < options.rounds; ++round) {
-        coarsen(work, shortest, longest);
-        split_long_edges(work, longest);
+        coarsen(work, source, shortest, longest);
+        split_long_edges(work, source, longest);
         flip_towards_valence_six(work);
         relax_tangentially(work);
     }
-    return to_matrices(work);
+    return to_matrices(work, source);
 }
 
 } // namespace skelgen

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/geometry.hpp>
@@ -43,9 +44,10 @@ public:
             place_by_ratio(limb);
             thin_wrist(limb);
             bend(limb);
-            extend_to_girdle(limb);
             out_.tips.emplace_back(limb.joints.back(), limb.line.points.row(limb.line.points.rows() - 1).transpose());
         }
+        for (const Limb& limb : limbs_) extend_to_girdle(limb);
+        narrow_hips();
         place_trunk();
         keep_inside();
         measure_radii();
@@ -113,20 +115,47 @@ private:
         }
     }
 
-    /// Shoulder, hip: the limb's own sections end short of them; the line of the bone goes on to its length.
+    /// Shoulder, hip: the limb's own sections end short of them; the line of the bone goes on to its length. Where the
+    /// bone shows too little of itself, in a deep crouch or behind crossed arms, that line points anywhere: then of all the
+    /// ways to go on the one that keeps the rest-pose distance from the trunk best.
     void extend_to_girdle(const Limb& limb) {
         if (limb.joints.size() < 2) return;
-        const JointRole role = joint(limb.joints.front()).role;
+        const int top = limb.joints[0], next = limb.joints[1];
+        const JointRole role = joint(top).role;
         if (role != shoulder && role != hip) return;
         const double inner = arc_of(limb, 0), outer = arc_of(limb, 1);
         const auto line = detail::fit_bone(limb.line, std::max(limb.attachment, inner + 0.15 * (outer - inner)),
                                            outer - 0.15 * (outer - inner), options_.flatness);
-        const double length = rest_distance(limb.joints[0], limb.joints[1]);
-        const Vector3<double> next = at(limb.joints[1]);
-        if (line)
-            put(limb.joints[0], next - length * line->direction);
-        else if (inner < limb.attachment)
-            put(limb.joints[0], next + length * (on(limb, limb.attachment) - next).normalized());
+        const double length = rest_distance(top, next);
+        const auto towards = [&](const Vector3<double>& p) -> Vector3<double> {
+            return at(next) + length * (p - at(next)).normalized();
+        };
+        std::vector<Vector3<double>> ways;
+        if (line) ways.push_back(at(next) - length * line->direction);
+        if (limb.attachment < outer - 0.3 * (outer - inner)) ways.push_back(towards(on(limb, limb.attachment)));
+        ways.push_back(towards(on(limb, inner)));
+        put(top, ways.front());
+        const int anchor = role == shoulder ? find(JointRole::neck) : -1;
+        if (anchor < 0) return;
+        const double rest = rest_distance(top, anchor);
+        const auto misfit = [&](const Vector3<double>& p) { return std::abs((p - at(anchor)).norm() - rest); };
+        if (misfit(ways.front()) > options_.girdle_tolerance * rest)
+            put(top, *std::min_element(ways.begin(), ways.end(),
+                                       [&](const auto& p, const auto& q) { return misfit(p) < misfit(q); }));
+    }
+
+    /// Hips: on the line between them (LF20 3.2.2), at their rest-pose distance. The line of a thigh passes its hip on the
+    /// outside, since a thigh bone runs inwards from the hip's neck.
+    void narrow_hips() {
+        std::vector<int> hips;
+        for (std::size_t j = 0; j < template_.joints.size(); ++j)
+            if (template_.joints[j].role == hip) hips.push_back(static_cast<int>(j));
+        if (hips.size() != 2) return;
+        const Vector3<double> centre = 0.5 * (at(hips[0]) + at(hips[1])), across = at(hips[0]) - at(hips[1]);
+        const double rest = rest_distance(hips[0], hips[1]);
+        if (across.norm() <= rest) return;
+        put(hips[0], centre + 0.5 * rest * across.normalized());
+        put(hips[1], centre - 0.5 * rest * across.normalized());
     }
 
     /// Mean position of both joints of a role; none when the template has none.

@@ -101,15 +101,15 @@ SidesDecision decide_sides(const RefinedJoints& joints, const SkeletonTemplate& 
     out.swap_legs = sum(out.votes) < 0;
     out.confidence = confidence_of(out.votes);
 
+    // Where the feet say nothing, the hips decide; where they speak, they know better than hips that a deep crouch hides.
     Vector3<double> left = up.cross(forward);
-    const Vector3<double> hips_left = out.swap_legs ? Vector3<double>(-across) : across;
-    if (!(left.norm() > 0.1) || left.dot(hips_left) < 0) left = hips_left; // the feet alone do not decide
+    if (!(left.norm() > 0.5)) left = out.swap_legs ? Vector3<double>(-across) : across;
     out.frame.origin = root;
     out.frame.up = up;
     out.frame.left = detail::without_component(left, up).normalized();
     out.frame.forward = out.frame.left.cross(up);
     const auto left_shoulder = anatomy.find(shoulder, Side::left), right_shoulder = anatomy.find(shoulder, Side::right);
-    if (left_shoulder && right_shoulder) out.swap_arms = (*left_shoulder - *right_shoulder).dot(hips_left) < 0;
+    if (left_shoulder && right_shoulder) out.swap_arms = (*left_shoulder - *right_shoulder).dot(left) < 0;
     return out;
 }
 

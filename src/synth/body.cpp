@@ -8,6 +8,7 @@
 
 #include <skelgen/core/error.hpp>
 
+#include "clothing.hpp"
 #include "geodesic.hpp"
 #include "implicit_body.hpp"
 #include "surface_mesher.hpp"
@@ -87,6 +88,7 @@ SynthBody synthesize_body(const BodyPlan& plan) {
     if (!plan.may_touch && field.clearance() < least_gap / 2 * proportions.scale)
         throw Error(ErrorCode::usage, "parts of the body touch or sink into each other in this pose: spread the limbs");
     for (const BodyJoint joint : plan.missing) field.leave_out(joint);
+    for (const Garment garment : plan.clothes) put_on(field, proportions, garment);
 
     SynthBody body;
     body.mesh = synth::mesh_surface(surface_of(field, proportions), plan.faces, !plan.may_touch);

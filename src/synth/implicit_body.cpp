@@ -18,6 +18,8 @@ constexpr double far_away = 1e3;
 constexpr double pi = std::numbers::pi;
 constexpr double widest_blend = 0.06; ///< of all joinings, for a body of 1.75 m
 
+constexpr double cloth_blend = 0.006; ///< of clothes with what is below
+
 double radians(double degrees) { return degrees * pi / 180; }
 
 constexpr std::array<PartName, 4> limb_roots{PartName::left_upper_arm, PartName::right_upper_arm, PartName::left_thigh,
@@ -217,9 +219,47 @@ void ImplicitBody::leave_out(BodyJoint joint) {
                                       " on: give a shoulder, elbow, wrist, knee or ankle");
 }
 
+void ImplicitBody::wear(PartName name, std::vector<Blob> layer, double thickness) {
+    Part& part = parts_[index(name)];
+    set_bounds(layer);
+    part.clothes.push_back(std::move(layer));
+    for (Capsule& capsule : part.hull) capsule = capsule.grown(thickness);
+}
+
+void ImplicitBody::carry(const Eigen::Isometry3d& frame, std::vector<Blob> blobs) {
+    set_bounds(blobs);
+    Part& thing = carried_.emplace_back();
+    thing.frame = frame;
+    for (const Blob& blob : blobs)
+        if (blob.use == Use::add) {
+            const Vec3 centre = frame * blob.bound.centre;
+            thing.hull.emplace_back(centre, centre, blob.bound.radius);
+        }
+    thing.blobs = std::move(blobs);
+}
+
+Vec3 ImplicitBody::onto_trunk(Vec3 p) const {
+    constexpr double step = 1e-4;
+    for (int i = 0; i < 20; ++i) {
+        const double value = part_value(PartName::trunk, p);
+        Vec3 gradient;
+        for (int axis = 0; axis < 3; ++axis) {
+            const Vec3 h = step * Vec3::Unit(axis);
+            gradient[axis] = (part_value(PartName::trunk, p + h) - part_value(PartName::trunk, p - h)) / (2 * step);
+        }
+        if (gradient.squaredNorm() < 1e-6) break;
+        p -= 0.7 * value / gradient.squaredNorm() * gradient;
+    }
+    return p;
+}
+
 double ImplicitBody::part_value(PartName name, const Vec3& p) const {
     const Part& part = parts_[index(name)];
-    return evaluate(part.blobs, name == PartName::trunk ? spine_.to_rest(p) : part.to_local(p), far_away);
+    const Vec3 local = name == PartName::trunk ? spine_.to_rest(p) : part.to_local(p);
+    double field = evaluate(part.blobs, local, far_away);
+    for (const std::vector<Blob>& layer : part.clothes)
+        field = smooth_union(field, evaluate(layer, local, far_away), cloth_blend);
+    return field;
 }
 
 double ImplicitBody::limb_value(PartName first, const Vec3& p, double limit) const {
@@ -247,8 +287,12 @@ double ImplicitBody::operator()(const Vec3& p) const {
         field = smooth_union(field, part_value(PartName::head, p), blend_around(p, joining_[index(PartName::head)]));
     for (std::size_t i = 0; i < limbs.size(); ++i)
         field = smooth_union(field, limbs[i], blend_around(p, joining_[index(limb_roots[i])]));
+    for (const Part& thing : carried_)
+        if (thing.distance_bound(p) < std::min(limit, field + cloth_blend))
+            field = smooth_union(field, evaluate(thing.blobs, thing.to_local(p), far_away), cloth_blend);
     if (field < far_away / 2) return field; // not that: blending two far values lowers them
     for (const Part& part : parts_) bound = std::min(bound, part.distance_bound(p));
+    for (const Part& thing : carried_) bound = std::min(bound, thing.distance_bound(p));
     return std::max(bound, limit / 2);
 }
 

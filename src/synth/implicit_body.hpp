@@ -21,7 +21,8 @@ struct Part {
     double twist = 0;  ///< radians about z per metre: the forearm between elbow and wrist
     double length = 0; ///< where the twist ends
     std::vector<Blob> blobs;
-    std::vector<Capsule> hull; ///< the part lies inside their union, world coordinates
+    std::vector<std::vector<Blob>> clothes; ///< layers over the blobs, in the same coordinates
+    std::vector<Capsule> hull;              ///< the part lies inside their union, world coordinates
     bool absent = false;
     std::vector<Vec3> probes; ///< points on or near its surface in world coordinates, to find parts that touch
 
@@ -70,6 +71,18 @@ public:
     /// \throws Error usage for other joints.
     void leave_out(BodyJoint joint);
 
+    /// Puts a layer of blobs, in the part's coordinates, over a part; it reaches out `thickness` at most.
+    void wear(PartName name, std::vector<Blob> layer, double thickness);
+
+    /// Hangs a thing on the body that moves with none of its parts: blobs in a frame of their own.
+    void carry(const Eigen::Isometry3d& frame, std::vector<Blob> blobs);
+
+    /// Where a point of the rest pose's trunk is.
+    [[nodiscard]] Vec3 trunk_to_world(const Vec3& rest) const { return spine_.to_world(rest); }
+
+    /// The point on the surface of the trunk nearest to one close to it, in world coordinates.
+    [[nodiscard]] Vec3 onto_trunk(Vec3 p) const;
+
     /// How fine the surface is around p: 1 on the trunk, smaller (the ratio of edge lengths) on hands, feet and face.
     [[nodiscard]] double grain(const Vec3& p) const;
 
@@ -96,6 +109,7 @@ private:
     double scale_;
     std::array<Part, part_count> parts_;
     std::array<Joining, part_count> joining_{};
+    std::vector<Part> carried_;
     std::array<Vec3, 5> extremities_;
 };
 

@@ -49,6 +49,23 @@ Ball bound_of(const RoundCone& c) {
 
 Ball bound_of(const HalfSpace&) { return {Vec3::Zero(), std::numeric_limits<double>::infinity()}; }
 
+Tube grown_form(const Tube& tube, double distance) { return tube.grown(distance); }
+
+Ellipsoid grown_form(Ellipsoid e, double distance) {
+    e.radii.array() += distance;
+    return e;
+}
+
+RoundCone grown_form(RoundCone c, double distance) {
+    c.from_radius += distance, c.to_radius += distance;
+    return c;
+}
+
+HalfSpace grown_form(HalfSpace h, double distance) {
+    h.offset += distance;
+    return h;
+}
+
 } // namespace
 
 Tube::Tube(std::vector<Ring> rings, double exponent, double low_cap, double high_cap)
@@ -75,6 +92,12 @@ Ball Tube::bound() const {
     double wide = 0;
     for (const Ring& r : rings_) wide = std::max(wide, std::hypot(r.side, std::max(r.front, r.back)));
     return {{0, 0, (low + high) / 2}, std::hypot((high - low) / 2, wide)};
+}
+
+Tube Tube::grown(double distance) const {
+    std::vector<Ring> rings = rings_;
+    for (Ring& ring : rings) ring.side += distance, ring.front += distance, ring.back += distance;
+    return {std::move(rings), exponent_, low_cap_ + distance, high_cap_ + distance};
 }
 
 double Tube::operator()(const Vec3& p) const {
@@ -122,6 +145,12 @@ double smooth_union(double a, double b, double blend) {
 }
 
 double smooth_intersection(double a, double b, double blend) { return -smooth_union(-a, -b, blend); }
+
+Blob grown(const Blob& blob, double distance) {
+    Blob result = blob;
+    std::visit([&](const auto& form) { result.form = grown_form(form, distance); }, blob.form);
+    return result;
+}
 
 void set_bounds(std::vector<Blob>& blobs) {
     for (Blob& blob : blobs) blob.bound = std::visit([](const auto& form) { return bound_of(form); }, blob.form);

@@ -40,6 +40,9 @@ public:
 
     [[nodiscard]] Ball bound() const;
 
+    /// The tube with its surface moved outwards by `distance`.
+    [[nodiscard]] Tube grown(double distance) const;
+
 private:
     std::vector<Ring> rings_;
     std::vector<Ring> slopes_; ///< d(ring)/d(at) at each ring; `at` unused
@@ -72,6 +75,8 @@ public:
     Capsule(const Vec3& from, const Vec3& to, double radius)
         : from_(from), axis_(to - from), radius_(radius),
           over_length2_(axis_.squaredNorm() > 0 ? 1 / axis_.squaredNorm() : 0.0) {}
+
+    [[nodiscard]] Capsule grown(double distance) const { return {from_, from_ + axis_, radius_ + distance}; }
 
     [[nodiscard]] double operator()(const Vec3& p) const {
         const Vec3 off = p - from_;
@@ -108,6 +113,9 @@ struct Blob {
     Use use = Use::add;
     Ball bound{}; ///< the form lies inside; set by `set_bounds`
 };
+
+/// The blob with its surface moved outwards by `distance`.
+[[nodiscard]] Blob grown(const Blob& blob, double distance);
 
 /// Fills in where each blob is, which `evaluate` needs. Unbounded forms get an infinite radius.
 void set_bounds(std::vector<Blob>& blobs);

@@ -160,17 +160,46 @@ Plans scan(std::uint64_t seed) {
     return plans;
 }
 
+/// Arms and legs further apart than a naked body needs.
+BodyPose dressed_pose(const BodyShape& shape, const char* name) {
+    BodyPose pose = spread_limbs(shape, named_pose(name));
+    for (const J joint : {J::left_shoulder, J::right_shoulder}) pose.at(joint).side += 12;
+    for (const J joint : {J::left_hip, J::right_hip}) pose.at(joint).side += 4;
+    return pose;
+}
+
+Plans dressed(std::uint64_t) {
+    using G = Garment;
+    const std::vector<std::pair<std::string, std::vector<Garment>>> outfits{
+        {"trousers-and-boots", {G::trousers, G::boots}},
+        {"skirt", {G::skirt, G::boots}},
+        {"coat", {G::coat, G::trousers, G::boots}},
+        {"hat", {G::hat}},
+        {"long-hair", {G::long_hair}},
+        {"rucksack", {G::rucksack, G::trousers}},
+        {"winter", {G::trousers, G::boots, G::coat, G::hat, G::rucksack}}};
+    Plans plans;
+    for (const auto& [name, clothes] : outfits)
+        for (const char* pose : {"a", "walk"}) {
+            const BodyShape shape = person(30, name == "skirt" || name == "long-hair" ? 0 : 1);
+            plans.push_back(plan(name + "-" + pose, shape, dressed_pose(shape, pose)));
+            plans.back().clothes = clothes;
+        }
+    return plans;
+}
+
 struct NamedSet {
     const char* name;
     Plans (*plans)(std::uint64_t seed);
 };
 
-constexpr std::array<NamedSet, 6> sets{{{"scape", scape},
+constexpr std::array<NamedSet, 7> sets{{{"scape", scape},
                                         {"faust", faust},
                                         {"proportions", proportions},
                                         {"partial", partial},
                                         {"joined", joined},
-                                        {"scan", scan}}};
+                                        {"scan", scan},
+                                        {"dressed", dressed}}};
 
 } // namespace
 

@@ -5,6 +5,7 @@
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/curve/contraction.hpp>
 #include <skelgen/curve/leaf_extension.hpp>
+#include <skelgen/curve/proxy.hpp>
 #include <skelgen/curve/pruning.hpp>
 #include <skelgen/curve/surgery.hpp>
 
@@ -22,7 +23,7 @@ struct CurveOptions {
 /// stands in for `mesh` (see build_proxy) in all but the regions, which index the vertices of `mesh`, and the leaves, which
 /// end on it; `surface` as from surface_graph(mesh). \throws Error as its steps do.
 [[nodiscard]] CurveSkeleton<double> extract_curve(const TriangleMesh<double>& mesh, const CurveGraph<double>& surface,
-                                                  const TriangleMesh<double>& proxy,
+                                                  const Proxy& proxy,
                                                   const CurveOptions& options = {});
 
 } // namespace skelgen

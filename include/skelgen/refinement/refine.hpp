@@ -18,6 +18,7 @@ struct RefinementOptions {
     double flatness = 0.1;        ///< a section counts as cylindrical below this flatness of its Gauss map (LF20)
     double bend_from = 25;        ///< degrees; below, an elbow or knee is straight and placed by length ratio
     double bend_full = 45;        ///< degrees; above, it is placed where its bones' lines meet; between, blended
+    double girdle_tolerance = 0.4; ///< of the rest-pose distance between shoulder and neck: how far a shoulder may be off
     double wrist_window = 0.2;    ///< of the forearm: how far from its place the thinnest section is looked for
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <skelgen/core/mesh.hpp>
+#include <skelgen/synth/garment.hpp>
 #include <skelgen/synth/pose.hpp>
 #include <skelgen/synth/scan_faults.hpp>
 #include <skelgen/synth/shape.hpp>
@@ -31,7 +32,7 @@ struct SynthBody {
 inline constexpr int least_faces = 5000;
 inline constexpr int most_faces = 3000000;
 
-/// A body that is less than perfect.
+/// A body that is dressed or less than perfect.
 struct BodyPlan {
     std::string name; ///< of its files
     BodyShape shape;
@@ -39,6 +40,7 @@ struct BodyPlan {
     int faces = 13776;
     bool may_touch = false;         ///< parts that touch grow together: handles, genus above 0
     std::vector<BodyJoint> missing; ///< wrists, elbows, shoulders, ankles, knees from which on a limb is left out
+    std::vector<Garment> clothes;   ///< put on in this order; the joints stay those of the body
     ScanFaults faults;
 };
 

@@ -11,7 +11,8 @@ namespace skelgen {
 
 /// The sets that `body_set` knows: scape (one person, 71 poses), faust (10 people, 10 poses), proportions (children,
 /// very heavy, long and short limbs), partial (feet, hands or an arm missing), joined (arms, hands and thighs grown
-/// together), scan (noise, holes, floating pieces, flipped patches, pinched vertices).
+/// together), scan (noise, holes, floating pieces, flipped patches, pinched vertices), dressed (skirt, coat, trousers,
+/// boots, hat, long hair, rucksack).
 [[nodiscard]] std::vector<std::string> set_names();
 
 /// What to synthesize for a set, in order. The same seed gives the same plans.

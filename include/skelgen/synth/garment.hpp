@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace skelgen {
+
+/// What a synthetic body can wear or carry.
+enum class Garment {
+    boots,
+    coat, ///< loose, from the neck to the knees, with sleeves
+    hat,
+    long_hair, ///< down to the shoulder blades
+    rucksack,
+    skirt, ///< to the knees; thighs disappear in it
+    trousers
+};
+
+/// The spellings in files and on the command line, in alphabetical order: "boots", "coat", ... "long-hair", ...
+[[nodiscard]] std::vector<std::string> garment_names();
+
+/// \throws Error usage naming the known garments.
+[[nodiscard]] Garment named_garment(std::string_view name);
+
+} // namespace skelgen

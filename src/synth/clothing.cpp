@@ -1,0 +1,229 @@
+#include "clothing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <skelgen/core/error.hpp>
+
+#include "anatomy.hpp"
+
+namespace skelgen {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Garment>, 7> garments{{{"boots", Garment::boots},
+                                                                        {"coat", Garment::coat},
+                                                                        {"hat", Garment::hat},
+                                                                        {"long-hair", Garment::long_hair},
+                                                                        {"rucksack", Garment::rucksack},
+                                                                        {"skirt", Garment::skirt},
+                                                                        {"trousers", Garment::trousers}}};
+
+} // namespace
+
+std::vector<std::string> garment_names() {
+    std::vector<std::string> names;
+    for (const auto& [name, garment] : garments) names.emplace_back(name);
+    return names;
+}
+
+Garment named_garment(std::string_view name) {
+    for (const auto& [known, garment] : garments)
+        if (name == known) return garment;
+    std::string what = "there is no garment " + std::string(name) + ": give one of";
+    for (const std::string& known : garment_names()) what += " " + known;
+    throw Error(ErrorCode::usage, what);
+}
+
+} // namespace skelgen
+
+namespace skelgen::synth {
+namespace {
+
+constexpr std::array<PartName, 2> upper_arms{PartName::left_upper_arm, PartName::right_upper_arm};
+constexpr std::array<PartName, 2> thighs{PartName::left_thigh, PartName::right_thigh};
+
+PartName next(PartName name, int step) { return static_cast<PartName>(static_cast<int>(name) + step); }
+
+Blob cut_above(double z) { return {HalfSpace{Vec3::UnitZ(), z}, 0.004, Use::keep}; }
+Blob cut_below(double z) { return {HalfSpace{-Vec3::UnitZ(), -z}, 0.004, Use::keep}; }
+
+/// A cover of all that bulges out of the blobs, `ease` away from it.
+std::vector<Blob> cover(const std::vector<Blob>& blobs, double ease) {
+    std::vector<Blob> result;
+    for (const Blob& blob : blobs)
+        if (blob.use == Use::add) result.push_back(grown(blob, ease));
+    return result;
+}
+
+/// A round sleeve or leg around a limb from one fraction of its bone to another, as wide as given (metres over the
+/// limb's mean radius) at either end.
+Blob sleeve(const Part& limb, double from, double to, double wide_from, double wide_to) {
+    const Tube& body = outline(limb.blobs);
+    std::vector<Ring> rings;
+    constexpr int pieces = 6;
+    for (int i = 0; i <= pieces; ++i) {
+        const double u = static_cast<double>(i) / pieces;
+        Ring ring = body.ring(limb.length * std::lerp(from, to, u));
+        ring.at = limb.length * std::lerp(from, to, u);
+        ring.side = ring.front = ring.back = (ring.side + ring.front) / 2 + std::lerp(wide_from, wide_to, u);
+        rings.push_back(ring);
+    }
+    return {Tube(std::move(rings), 2, 0.03, 0.012), 0};
+}
+
+/// Around the hips, from below up to the waist.
+void cover_hips(ImplicitBody& body, double ease) {
+    std::vector<Blob> layer = cover(body.part(PartName::trunk).blobs, ease);
+    layer.push_back(cut_above(body.skeleton().rest_position(BodyJoint::waist).z()));
+    body.wear(PartName::trunk, std::move(layer), ease);
+}
+
+void put_on_trousers(ImplicitBody& body, double k) {
+    cover_hips(body, 0.012 * k);
+    for (const PartName thigh : thighs) {
+        body.wear(thigh, {sleeve(body.part(thigh), 0, 1, 0.012 * k, 0.020 * k)}, 0.03 * k);
+        const PartName calf = next(thigh, 1);
+        body.wear(calf, {sleeve(body.part(calf), 0, 0.97, 0.020 * k, 0.042 * k)}, 0.05 * k);
+    }
+}
+
+void put_on_boots(ImplicitBody& body, const Proportions& p) {
+    const double k = p.foot_scale, sole = -p.ankle_height;
+    for (const PartName thigh : thighs) {
+        const PartName calf = next(thigh, 1), foot = next(thigh, 2);
+        body.wear(calf, {sleeve(body.part(calf), 0.42, 1, 0.016 * k, 0.016 * k)}, 0.03 * k);
+        std::vector<Blob> boot = cover(body.part(foot).blobs, 0.010 * k);
+        boot.push_back({RoundCone{Vec3(-0.018 * k, -0.148 * k, sole + 0.022 * k),
+                                  Vec3(0.022 * k, -0.132 * k, sole + 0.020 * k), 0.030 * k, 0.028 * k},
+                        0.02 * k});
+        boot.push_back(
+            {RoundCone{Vec3(0, 0.022 * k, sole), Vec3(0, 0.026 * k, sole + 0.05 * k), 0.040 * k, 0.042 * k}, 0.02 * k});
+        boot.push_back(cut_below(sole - 0.022 * k));
+        body.wear(foot, std::move(boot), 0.04 * k);
+    }
+}
+
+/// What hangs from the hips around both legs, down to a fraction of the thighs, `ease` wider than they.
+void add_skirt(ImplicitBody& body, double length, double ease, double flare) {
+    const PosedSkeleton& s = body.skeleton();
+    const auto at = [&s](BodyJoint joint) { return s.position(joint); };
+    const Part& thigh = body.part(PartName::left_thigh);
+    const Tube& leg = outline(thigh.blobs);
+    const double top = leg.ring(0.1 * thigh.length).side + ease, bottom = leg.ring(length * thigh.length).side + flare;
+    const Vec3 left = at(BodyJoint::left_hip) + length * (at(BodyJoint::left_knee) - at(BodyJoint::left_hip));
+    const Vec3 right = at(BodyJoint::right_hip) + length * (at(BodyJoint::right_knee) - at(BodyJoint::right_hip));
+    std::vector<Blob> cloth;
+    constexpr int folds = 8;
+    for (int i = 0; i <= folds; ++i) {
+        const double u = static_cast<double>(i) / folds;
+        const Vec3 from = at(BodyJoint::left_hip) + u * (at(BodyJoint::right_hip) - at(BodyJoint::left_hip));
+        cloth.push_back({RoundCone{from, left + u * (right - left), top, bottom}, 0.02});
+    }
+    const Vec3 down = ((left + right) / 2 - (at(BodyJoint::left_hip) + at(BodyJoint::right_hip)) / 2).normalized();
+    const double lowest = std::max(down.dot(left), down.dot(right));
+    cloth.push_back({HalfSpace{down, lowest}, 0.008, Use::keep});
+    body.carry(Eigen::Isometry3d::Identity(), std::move(cloth));
+}
+
+void put_on_coat(ImplicitBody& body, double k) {
+    for (const PartName upper : upper_arms) {
+        body.wear(upper, cover(body.part(upper).blobs, 0.016 * k), 0.016 * k);
+        const PartName fore = next(upper, 1);
+        body.wear(fore, {sleeve(body.part(fore), 0, 0.93, 0.016 * k, 0.022 * k)}, 0.03 * k);
+    }
+    std::vector<Blob> layer = cover(body.part(PartName::trunk).blobs, 0.020 * k);
+    layer.push_back(cut_above(body.skeleton().rest_position(BodyJoint::neck).z() + 0.02 * k));
+    body.wear(PartName::trunk, std::move(layer), 0.020 * k);
+    add_skirt(body, 0.95, 0.026 * k, 0.050 * k);
+}
+
+void put_on_hat(ImplicitBody& body, const Proportions& p) {
+    const double h = p.head_scale;
+    const auto ring = [h](double at, double side, double front, double back) {
+        return Ring{at * h, side * h, front * h, back * h};
+    };
+    std::vector<Blob> hat{
+        {Tube({ring(0.085, 0.086, 0.112, 0.096), ring(0.140, 0.083, 0.108, 0.090), ring(0.195, 0.072, 0.092, 0.078)}, 2,
+              0.01 * h, 0.018 * h),
+         0}};
+    hat.push_back({Ellipsoid{Vec3(0, -0.008 * h, 0.090 * h), h * Vec3(0.165, 0.185, 0.013)}, 0.008 * h});
+    body.wear(PartName::head, std::move(hat), 0.09 * h);
+}
+
+void put_on_long_hair(ImplicitBody& body, const Proportions& p) {
+    const double h = p.head_scale, k = p.scale;
+    std::vector<Blob> hair{{Ellipsoid{Vec3(0, -0.004 * h, 0.078 * h), h * Vec3(0.090, 0.108, 0.100)}, 0}};
+    hair.push_back({Ellipsoid{Vec3(0, 0.03 * h, 0.01 * h), h * Vec3(0.086, 0.080, 0.090)}, 0.02 * h});
+    hair.push_back({Ellipsoid{Vec3(0, -0.125 * h, 0.0), h * Vec3(0.075, 0.085, 0.110)}, 0.02 * h, Use::carve});
+    body.wear(PartName::head, std::move(hair), 0.03 * h);
+
+    // Strands from the back of the head down to the shoulder blades.
+    const PosedSkeleton& s = body.skeleton();
+    const double blades = s.rest_position(BodyJoint::chest).z() - 0.06 * k, nape = s.rest_position(BodyJoint::neck).z();
+    std::vector<Blob> strands;
+    for (const double side : {-1.0, -0.33, 0.33, 1.0}) {
+        const Vec3 top = s.frame(BodyJoint::head) * Vec3(side * 0.05 * h, 0.05 * h, 0.03 * h);
+        const Vec3 neck = body.trunk_to_world({side * 0.055 * k, (0.075 + 0.02 * p.fat) * k, nape + 0.01 * k});
+        const Vec3 end = body.trunk_to_world({side * 0.060 * k, (0.125 + 0.06 * p.fat) * k, blades});
+        strands.push_back({RoundCone{top, neck, 0.046 * h, 0.040 * k}, 0.02 * k});
+        strands.push_back({RoundCone{neck, end, 0.040 * k, 0.028 * k}, 0.02 * k});
+    }
+    body.carry(Eigen::Isometry3d::Identity(), std::move(strands));
+}
+
+void put_on_rucksack(ImplicitBody& body, const Proportions& p) {
+    const double k = p.scale, back = (0.165 + 0.07 * std::max(0.0, p.fat)) * k;
+    const auto ring = [k](double at, double side, double depth) {
+        return Ring{at * k, side * k, depth * k, depth * k};
+    };
+    const Eigen::Isometry3d chest = body.skeleton().frame(BodyJoint::chest);
+    const Eigen::Isometry3d bag = chest * Eigen::Translation3d(0, back, 0);
+    body.carry(bag, {{Tube({ring(-0.30, 0.145, 0.080), ring(-0.18, 0.160, 0.095), ring(0.04, 0.140, 0.080)}, 5,
+                           0.02 * k, 0.03 * k),
+                      0}});
+
+    // Straps: over the shoulder, down the chest and back below the arm, close to the body.
+    const Vec3 chest_at_rest = body.skeleton().rest_position(BodyJoint::chest);
+    constexpr std::array<std::array<double, 3>, 7> path{{{.085, .130, .040},
+                                                         {.088, .080, .120},
+                                                         {.090, .000, .135},
+                                                         {.092, -.080, .080},
+                                                         {.105, -.130, .000},
+                                                         {.140, -.080, -.130},
+                                                         {.130, .100, -.240}}};
+    std::vector<Blob> straps;
+    for (const double side : {1.0, -1.0}) {
+        std::vector<Vec3> points;
+        for (const auto& [x, y, z] : path)
+            points.push_back(body.onto_trunk(body.trunk_to_world(chest_at_rest + k * Vec3(side * x, y, z))));
+        for (std::size_t i = 1; i < points.size(); ++i)
+            straps.push_back({RoundCone{points[i - 1], points[i], 0.018 * k, 0.018 * k}, 0.006 * k});
+    }
+    body.carry(Eigen::Isometry3d::Identity(), std::move(straps));
+}
+
+} // namespace
+
+void put_on(ImplicitBody& body, const Proportions& p, Garment garment) {
+    switch (garment) {
+    case Garment::boots:
+        return put_on_boots(body, p);
+    case Garment::coat:
+        return put_on_coat(body, p.scale);
+    case Garment::hat:
+        return put_on_hat(body, p);
+    case Garment::long_hair:
+        return put_on_long_hair(body, p);
+    case Garment::rucksack:
+        return put_on_rucksack(body, p);
+    case Garment::skirt:
+        cover_hips(body, 0.010 * p.scale);
+        return add_skirt(body, 0.92, 0.016 * p.scale, 0.045 * p.scale);
+    case Garment::trousers:
+        return put_on_trousers(body, p.scale);
+    }
+}
+
+} // namespace skelgen::synth
