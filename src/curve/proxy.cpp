@@ -1,5 +1,6 @@
 #include <skelgen/curve/proxy.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -74,6 +75,15 @@ void split_long_edges(HalfedgeMesh& mesh, Source& source, double longest) {
     }
 }
 
+/// Twice a face's area below this part of its squared longest edge: the face is a segment.
+constexpr double degenerate = 1e-6;
+
+double squared_size(const HalfedgeMesh& mesh, HalfedgeMesh::VertexHandle a, HalfedgeMesh::VertexHandle b,
+                    HalfedgeMesh::VertexHandle c) {
+    return std::max({(mesh.point(a) - mesh.point(b)).sqrnorm(), (mesh.point(b) - mesh.point(c)).sqrnorm(),
+                     (mesh.point(c) - mesh.point(a)).sqrnorm()});
+}
+
 /// Would moving vertex `v` to `target` turn over one of its faces (other than those that vanish)?
 bool flips_a_face(const HalfedgeMesh& mesh, HalfedgeMesh::VertexHandle v, HalfedgeMesh::VertexHandle other,
                   const Vec3d& target) {
@@ -83,6 +93,8 @@ bool flips_a_face(const HalfedgeMesh& mesh, HalfedgeMesh::VertexHandle v, Halfed
         if (a == other || b == other) continue;
         const Vec3d before = (mesh.point(a) - mesh.point(v)) % (mesh.point(b) - mesh.point(v));
         const Vec3d after = (mesh.point(a) - target) % (mesh.point(b) - target);
+        // A face without area, as a split leaves behind, has a normal of rounding errors: it must not decide anything.
+        if (before.sqrnorm() < degenerate * degenerate * squared_size(mesh, v, a, b) * squared_size(mesh, v, a, b)) continue;
         if ((before | after) <= 0.2 * before.norm() * after.norm()) return true;
     }
     return false;
@@ -136,6 +148,8 @@ bool flip_keeps_orientation(const HalfedgeMesh& mesh, HalfedgeMesh::HalfedgeHand
     const Vec3d before = (b - a) % (c - a) + (d - a) % (b - a);
     const Vec3d first = (d - a) % (c - a), second = (c - b) % (d - b);
     const double bar = 0.5 * before.norm();
+    const double least = degenerate * (b - a).sqrnorm(); // a new face without area would have a normal of rounding errors
+    if (first.norm() < least || second.norm() < least) return false;
     return (first | before) > bar * first.norm() && (second | before) > bar * second.norm();
 }
 

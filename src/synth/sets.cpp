@@ -115,27 +115,40 @@ Plans partial(std::uint64_t seed) {
     return plans;
 }
 
+/// The pose with these joints moved towards the body until something sinks in a few millimetres.
+BodyPose closed_in(const BodyShape& shape, BodyPose pose, const std::vector<BodyJoint>& joints) {
+    constexpr double deep_enough = -0.004;
+    for (int step = 0; step < 160 && limb_clearance(shape, pose) > deep_enough; ++step)
+        for (const BodyJoint joint : joints) pose.at(joint).side -= 0.5;
+    return pose;
+}
+
 Plans joined(std::uint64_t) {
-    const auto pose_of = [](JointAngles shoulder, JointAngles elbow, JointAngles hip) {
-        BodyPose pose;
-        for (const auto& [joint, angles] :
-             {std::pair{J::left_shoulder, shoulder}, {J::left_elbow, elbow}, {J::left_hip, hip}})
-            pose.at(joint) = pose.at(mirrored_joint(joint)) = angles;
-        return pose;
+    struct Contact {
+        const char* name;
+        JointAngles shoulder, elbow, hip; ///< on both sides
+        std::vector<BodyJoint> closing;
     };
-    BodyPose one_hand = named_pose("a");
-    one_hand.at(J::left_shoulder) = {6, 0, 0};
-    const std::vector<std::pair<std::string, BodyPose>> poses{
-        {"hands-on-thighs", pose_of({6, 8, 0}, {8, 0, 0}, {0, 8, 4})},
-        {"one-hand-on-thigh", one_hand},
-        {"arms-on-torso", pose_of({0, -1, 0}, {6, 0, 0}, {0, 8, 4})},
-        {"thighs-together", pose_of({0, 35, 0}, {8, 0, 0}, {0, -3, 2})},
-        {"hands-clasped", pose_of({42, 2, -36}, {52, 0, 0}, {0, 5, 4})},
-        {"hands-on-waist", pose_of({-18, 42, -66}, {102, 0, 0}, {0, 6, 4})}};
+    const std::vector<BodyJoint> arms{J::left_shoulder, J::right_shoulder}, legs{J::left_hip, J::right_hip};
+    const std::vector<Contact> contacts{
+        {"hands-on-thighs", {4, 30, 0}, {10, -10, 0}, {0, 18, 4}, arms},
+        {"one-hand-on-thigh", {4, 30, 0}, {10, -10, 0}, {0, 18, 4}, {J::left_shoulder}},
+        {"forearms-on-torso", {-14, 30, -20}, {32, -6, 0}, {0, 8, 4}, arms},
+        {"ankles-together", {0, 35, 0}, {8, 0, 0}, {0, 6, 2}, legs},
+        {"thighs-together", {0, 35, 0}, {8, 0, 0}, {0, -3, 2}, {}}, // no handle: no gap below the crotch
+        {"hands-clasped", {42, 2, -36}, {52, 0, 0}, {0, 5, 4}, {}},
+        {"hands-on-waist", {-18, 42, -66}, {102, 0, 0}, {0, 6, 4}, {}}};
     Plans plans;
-    for (const auto& [name, pose] : poses)
+    for (const Contact& contact : contacts)
         for (const double masculinity : {1.0, 0.0}) {
-            plans.push_back(plan(name + (masculinity > 0 ? "-man" : "-woman"), person(30, masculinity), pose));
+            const BodyShape shape = person(30, masculinity);
+            BodyPose pose;
+            for (const auto& [joint, angles] : {std::pair{J::left_shoulder, contact.shoulder},
+                                                {J::left_elbow, contact.elbow},
+                                                {J::left_hip, contact.hip}})
+                pose.at(joint) = pose.at(mirrored_joint(joint)) = angles;
+            plans.push_back(plan(contact.name + std::string(masculinity > 0 ? "-man" : "-woman"), shape,
+                                 closed_in(shape, pose, contact.closing)));
             plans.back().may_touch = true;
         }
     return plans;
