@@ -123,14 +123,14 @@ Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const Extr
     validate_template(wanted);
 
     const auto [similarity, body, surface, curve] = find_body_curve(mesh, options);
-    const double diameter = geodesic_diameter(surface);
     Extraction<Scalar> out;
     out.timings.curve = stage.lap();
 
     const Embedding embedding = embed(curve, wanted, options.matching);
     out.timings.embed = stage.lap();
 
-    const RefinedJoints joints = refine(body.mesh, surface, curve, embedding, wanted, diameter, options.refinement);
+    const std::vector<EndPoint> ends = find_end_points(body.mesh, surface, curve, embedding, wanted);
+    const RefinedJoints joints = refine(body.mesh, ends, curve, embedding, wanted, options.refinement);
     out.timings.refine = stage.lap();
 
     const SidesDecision sides = decide_sides(joints, wanted, options.sides);
@@ -144,7 +144,7 @@ Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const Extr
     const BackToInput<Scalar> back(similarity);
     out.skeleton = back.skeleton(skeleton);
     out.curve = back.curve(curve, body.source);
-    out.geodesic_diameter = similarity.scale * diameter;
+    out.geodesic_diameter = similarity.scale * geodesic_diameter(ends);
     out.timings.total = total.lap();
     return out;
 }

@@ -53,6 +53,8 @@
 #include <skelgen/symmetry/sides.hpp>
 #include <skelgen/symmetry/standing_pose.hpp>
 #include <skelgen/synth/body.hpp>
+#include <skelgen/synth/garment.hpp>
+#include <skelgen/synth/objects.hpp>
 #include <skelgen/synth/pose.hpp>
 #include <skelgen/synth/scan_faults.hpp>
 #include <skelgen/synth/sets.hpp>

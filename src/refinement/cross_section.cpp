@@ -161,12 +161,6 @@ std::optional<CrossSection> Slicer::around(const Vector3<double>& point, const V
     return measure(*chosen, mesh_, normal);
 }
 
-int Slicer::nearest_vertex(const Vector3<double>& point) const {
-    Eigen::Index nearest = 0;
-    (mesh_.vertices.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
-    return static_cast<int>(nearest);
-}
-
 std::optional<Vector3<double>> Slicer::level_set_centre(const Eigen::VectorXd& field, double level) const {
     const std::vector<Contour> contours = Tracer(mesh_, adjacency_, field.array() - level).contours();
     std::optional<Vector3<double>> centre;

@@ -34,18 +34,15 @@ double find_attachment(const Centreline& line, double own, double stretch) {
     return line.arc[0];
 }
 
-/// Centres of the rings around a limb, from `length` away from the tip down to the tip itself.
-Points<double> ring_centres(const Slicer& slicer, const CurveGraph<double>& surface, int tip, const Vector3<double>& end,
-                            double length, double step) {
-    std::vector<double> distance = shortest_paths(surface, tip).distance;
-    const Eigen::VectorXd field =
-        Eigen::Map<Eigen::VectorXd>(distance.data(), static_cast<Eigen::Index>(distance.size())).cwiseMin(2 * length + 1);
+/// Centres of the rings around a limb, from `length` away from its end down to the end itself.
+Points<double> ring_centres(const Slicer& slicer, const EndPoint& end, double length, double step) {
+    const Eigen::VectorXd field = end.distance.cwiseMin(2 * length + 1);
     std::vector<Vector3<double>> centres;
     for (double level = length; level > step / 2; level -= step)
         if (const auto centre = slicer.level_set_centre(field, level)) centres.push_back(*centre);
     Points<double> out(static_cast<Eigen::Index>(centres.size()) + 1, 3);
     for (std::size_t i = 0; i < centres.size(); ++i) out.row(static_cast<Eigen::Index>(i)) = centres[i].transpose();
-    out.bottomRows<1>() = end.transpose();
+    out.bottomRows<1>() = slicer.mesh().vertices.row(end.vertex);
     return out;
 }
 
@@ -56,22 +53,32 @@ double attachment_of(const Limb& limb) {
     return find_attachment(limb.line, next + 0.5 * (top - next), 0.3 * (top - next));
 }
 
+/// The joints of the limb that `end` ends, outwards, without the one it branches off from.
+std::vector<int> limb_joints(const SkeletonTemplate& skeleton_template, int end) {
+    std::vector<int> children(skeleton_template.joints.size(), 0);
+    for (const TemplateJoint& joint : skeleton_template.joints)
+        if (joint.parent >= 0) ++children[static_cast<std::size_t>(joint.parent)];
+    std::vector<int> joints;
+    for (int j = end; j >= 0 && (j == end || children[static_cast<std::size_t>(j)] == 1);
+         j = skeleton_template.joints[static_cast<std::size_t>(j)].parent)
+        joints.insert(joints.begin(), j);
+    return joints;
+}
+
 } // namespace
 
 double template_scale(const SkeletonTemplate& skeleton_template, double geodesic_diameter) {
     return geodesic_diameter / (diameter_of_longest_path * longest_path(skeleton_template));
 }
 
-std::vector<Limb> trace_limbs(const Slicer& slicer, const CurveGraph<double>& surface,
-                              const CurveSkeleton<double>& curve, const Embedding& embedding,
+std::vector<Limb> trace_limbs(const Slicer& slicer, const std::vector<EndPoint>& ends,
                               const SkeletonTemplate& skeleton_template, double scale,
                               const CentrelineOptions& options) {
     std::vector<Limb> limbs;
-    for (const Chain& chain : embedding.chains) {
-        const TemplateJoint& end = skeleton_template.joints[static_cast<std::size_t>(chain.joints.back())];
-        if (end.role != JointRole::head && end.role != JointRole::hand && end.role != JointRole::foot) continue;
+    for (const EndPoint& end_point : ends) {
+        const TemplateJoint& end = skeleton_template.joints[static_cast<std::size_t>(end_point.joint)];
         Limb limb;
-        limb.joints.assign(chain.joints.begin() + 1, chain.joints.end());
+        limb.joints = limb_joints(skeleton_template, end_point.joint);
         limb.from_tip.resize(limb.joints.size());
         double distance = end.tip ? (*end.tip - end.position).norm() : 0;
         for (std::size_t i = limb.joints.size(); i-- > 0;) {
@@ -80,10 +87,8 @@ std::vector<Limb> trace_limbs(const Slicer& slicer, const CurveGraph<double>& su
             const TemplateJoint& parent = skeleton_template.joints[static_cast<std::size_t>(joint.parent)];
             distance += (joint.position - parent.position).norm();
         }
-        const int tip_node = chain.nodes.back();
-        const int tip = slicer.nearest_vertex(curve.nodes.row(tip_node).transpose());
-        const Points<double> rings = ring_centres(slicer, surface, tip, curve.nodes.row(tip_node).transpose(),
-                                                  1.05 * limb.from_tip.front(), options.step);
+        const Points<double> rings =
+            ring_centres(slicer, end_point, 1.05 * limb.from_tip.front(), options.step);
         limb.line = draw_centreline(slicer, rings, options);
         limb.attachment = attachment_of(limb);
         limbs.push_back(std::move(limb));

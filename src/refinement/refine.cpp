@@ -27,13 +27,12 @@ double smooth_step(double from, double to, double x) {
 
 class Refiner {
 public:
-    Refiner(const TriangleMesh<double>& mesh, const CurveGraph<double>& surface, const CurveSkeleton<double>& curve,
-            const Embedding& embedding, const SkeletonTemplate& skeleton_template, double geodesic_diameter,
-            const RefinementOptions& options)
+    Refiner(const TriangleMesh<double>& mesh, const std::vector<EndPoint>& ends, const CurveSkeleton<double>& curve,
+            const Embedding& embedding, const SkeletonTemplate& skeleton_template, const RefinementOptions& options)
         : mesh_(mesh), adjacency_(face_adjacency(mesh.faces)), slicer_(mesh, adjacency_), curve_(curve),
           embedding_(embedding), template_(skeleton_template), options_(options),
-          scale_(template_scale(skeleton_template, geodesic_diameter)),
-          limbs_(trace_limbs(slicer_, surface, curve, embedding, skeleton_template, scale_, options.centreline)) {
+          scale_(template_scale(skeleton_template, geodesic_diameter(ends))),
+          limbs_(trace_limbs(slicer_, ends, skeleton_template, scale_, options.centreline)) {
         const auto joints = static_cast<Eigen::Index>(template_.joints.size());
         out_.positions = Points<double>::Zero(joints, 3);
         out_.radii = Eigen::VectorXd::Zero(joints);
@@ -144,6 +143,13 @@ private:
                                        [&](const auto& p, const auto& q) { return misfit(p) < misfit(q); }));
     }
 
+    /// Centre of the limb's last own section, for the limb that begins with joint `j`.
+    [[nodiscard]] Vector3<double> attachment_point(int j) const {
+        for (const Limb& limb : limbs_)
+            if (limb.joints.front() == j) return on(limb, std::max(limb.attachment, arc_of(limb, 0)));
+        return at(j);
+    }
+
     /// Hips: on the line between them (LF20 3.2.2), at their rest-pose distance. The line of a thigh passes its hip on the
     /// outside, since a thigh bone runs inwards from the hip's neck.
     void narrow_hips() {
@@ -151,9 +157,13 @@ private:
         for (std::size_t j = 0; j < template_.joints.size(); ++j)
             if (template_.joints[j].role == hip) hips.push_back(static_cast<int>(j));
         if (hips.size() != 2) return;
-        const Vector3<double> centre = 0.5 * (at(hips[0]) + at(hips[1])), across = at(hips[0]) - at(hips[1]);
+        const Vector3<double> centre = 0.5 * (at(hips[0]) + at(hips[1]));
+        Vector3<double> across = at(hips[0]) - at(hips[1]);
         const double rest = rest_distance(hips[0], hips[1]);
-        if (across.norm() <= rest) return;
+        const Vector3<double> thighs = attachment_point(hips[0]) - attachment_point(hips[1]);
+        const bool crossed = across.dot(thighs) < 0.3 * rest * thighs.norm(); // thigh lines that met before the hips
+        if (crossed) across = thighs;
+        if (!crossed && across.norm() <= rest) return;
         put(hips[0], centre + 0.5 * rest * across.normalized());
         put(hips[1], centre - 0.5 * rest * across.normalized());
     }
@@ -249,11 +259,10 @@ private:
 
 } // namespace
 
-RefinedJoints refine(const TriangleMesh<double>& mesh, const CurveGraph<double>& surface,
+RefinedJoints refine(const TriangleMesh<double>& mesh, const std::vector<EndPoint>& ends,
                      const CurveSkeleton<double>& curve, const Embedding& embedding,
-                     const SkeletonTemplate& skeleton_template, double geodesic_diameter,
-                     const RefinementOptions& options) {
-    return Refiner(mesh, surface, curve, embedding, skeleton_template, geodesic_diameter, options).run();
+                     const SkeletonTemplate& skeleton_template, const RefinementOptions& options) {
+    return Refiner(mesh, ends, curve, embedding, skeleton_template, options).run();
 }
 
 } // namespace skelgen

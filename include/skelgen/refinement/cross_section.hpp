@@ -29,8 +29,7 @@ public:
     [[nodiscard]] std::optional<CrossSection> around(const Vector3<double>& point, const Vector3<double>& normal,
                                                      double reach) const;
 
-    /// Index of the mesh vertex nearest to a point. O(n).
-    [[nodiscard]] int nearest_vertex(const Vector3<double>& point) const;
+    [[nodiscard]] const TriangleMesh<double>& mesh() const { return mesh_; }
 
     /// Length-weighted centre of the longest contour on which a field given at the vertices has the value `level`; none
     /// when there is no such contour. O(n + m).

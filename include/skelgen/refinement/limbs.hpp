@@ -3,8 +3,8 @@
 #include <vector>
 
 #include <skelgen/core/skeleton_template.hpp>
-#include <skelgen/embedding/embed.hpp>
 #include <skelgen/refinement/centreline.hpp>
+#include <skelgen/refinement/end_points.hpp>
 
 namespace skelgen {
 
@@ -20,10 +20,8 @@ struct Limb {
 [[nodiscard]] double template_scale(const SkeletonTemplate& skeleton_template, double geodesic_diameter);
 
 /// Centrelines of all limbs of an embedded template: through the centres of the rings at equal geodesic distance from the
-/// limb's tip, which follow any bend and never stray to another part of the body, then recentred by perpendicular sections.
-/// `surface` as from surface_graph.
-[[nodiscard]] std::vector<Limb> trace_limbs(const Slicer& slicer, const CurveGraph<double>& surface,
-                                            const CurveSkeleton<double>& curve, const Embedding& embedding,
+/// limb's end, which follow any bend and never stray to another part of the body, then recentred by perpendicular sections.
+[[nodiscard]] std::vector<Limb> trace_limbs(const Slicer& slicer, const std::vector<EndPoint>& ends,
                                             const SkeletonTemplate& skeleton_template, double scale,
                                             const CentrelineOptions& options = {});
 

@@ -9,6 +9,7 @@
 #include <skelgen/core/skeleton_template.hpp>
 #include <skelgen/embedding/embed.hpp>
 #include <skelgen/refinement/centreline.hpp>
+#include <skelgen/refinement/end_points.hpp>
 
 namespace skelgen {
 
@@ -31,10 +32,9 @@ struct RefinedJoints {
 };
 
 /// Places all joints of an embedded template by cross-sections of the original mesh and prior knowledge. Left and right
-/// are still those of the embedding. `surface` as from surface_graph(mesh); `geodesic_diameter` in the mesh's unit.
-[[nodiscard]] RefinedJoints refine(const TriangleMesh<double>& mesh, const CurveGraph<double>& surface,
+/// are still those of the embedding.
+[[nodiscard]] RefinedJoints refine(const TriangleMesh<double>& mesh, const std::vector<EndPoint>& ends,
                                    const CurveSkeleton<double>& curve, const Embedding& embedding,
-                                   const SkeletonTemplate& skeleton_template,
-                                   double geodesic_diameter, const RefinementOptions& options = {});
+                                   const SkeletonTemplate& skeleton_template, const RefinementOptions& options = {});
 
 } // namespace skelgen
