@@ -48,6 +48,7 @@ public:
         for (const Limb& limb : limbs_) extend_to_girdle(limb);
         narrow_hips();
         place_trunk();
+        raise_crotch();
         keep_inside();
         measure_radii();
         return std::move(out_);
@@ -93,7 +94,7 @@ private:
             if (std::abs(limb.line.arc[i] - centre) > window || limb.line.area[i] <= 0) continue;
             if (thinnest < 0 || limb.line.thickness[i] < limb.line.thickness[thinnest]) thinnest = i;
         }
-        (void)thinnest;
+        if (thinnest >= 0) put(limb.joints[*wrist], limb.line.points.row(thinnest).transpose());
     }
 
     /// Elbow, knee: where the lines of its two bones meet when bent, at its length ratio when straight.
@@ -211,6 +212,32 @@ private:
         if (!centre) return p;
         const auto section = slicer_.around(p, direction, 0.1 * scale_);
         return section && (section->centroid - p).norm() < section->thickness ? section->centroid : p;
+    }
+
+    /// Crotch: nearer to the surface than a thigh is thick, it lies too low and moves towards the waist (LF20 3.2.2).
+    void raise_crotch() {
+        const int low = find(pelvis), above = find(waist) >= 0 ? find(waist) : find(chest);
+        double thickness = 0, count = 0;
+        for (const Limb& limb : limbs_) {
+            if (joint(limb.joints.front()).role != hip || limb.joints.size() < 2) continue;
+            for (Eigen::Index i = 0; i < limb.line.arc.size(); ++i) {
+                if (limb.line.arc[i] < limb.attachment || limb.line.arc[i] > arc_of(limb, 1)) continue;
+                thickness += limb.line.thickness[i];
+                count += 1;
+            }
+        }
+        if (count == 0) return;
+        const Vector3<double> start = at(low), end = at(above);
+        constexpr int steps = 10;
+        for (int step = 0; step <= steps; ++step) {
+            put(low, start + step * 0.5 / steps * (end - start)); // never past the middle of the bone
+            if (depth(at(low)) >= options_.crotch_depth * thickness / count) return;
+        }
+    }
+
+    /// Distance to the nearest vertex of the surface.
+    [[nodiscard]] double depth(const Vector3<double>& p) const {
+        return (mesh_.vertices.rowwise() - p.transpose()).rowwise().norm().minCoeff();
     }
 
     /// A joint that landed outside goes to the nearest place on the curve skeleton's own centre that is inside.

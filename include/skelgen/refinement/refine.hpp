@@ -20,7 +20,8 @@ struct RefinementOptions {
     double bend_from = 25;        ///< degrees; below, an elbow or knee is straight and placed by length ratio
     double bend_full = 45;        ///< degrees; above, it is placed where its bones' lines meet; between, blended
     double girdle_tolerance = 0.4; ///< of the rest-pose distance between shoulder and neck: how far a shoulder may be off
-    double wrist_window = 0.2;    ///< of the forearm: how far from its place the thinnest section is looked for
+    double crotch_depth = 0.75;   ///< in mean thigh thicknesses: a root nearer to the surface is raised (LF20: 1)
+    double wrist_window = 0.03;   ///< of the forearm: how far from its place the thinnest section is looked for
 };
 
 /// Joints in template order with their thickness, and the limbs' ends on the surface.
