@@ -23,5 +23,5 @@ if(SKELGEN_BUILD_CLI)
 endif()
 
 # Header-only, used in our sources alone: an installed skelgen does not ask for them.
-set(skelgen_build_only skelgen_flags CGAL::Eigen3_support nlohmann_json::nlohmann_json Spectra::Spectra
-                       nanoflann::nanoflann FastFloat::fast_float)
+set(skelgen_build_only skelgen_flags nlohmann_json::nlohmann_json Spectra::Spectra nanoflann::nanoflann
+                       FastFloat::fast_float)

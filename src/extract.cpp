@@ -39,6 +39,14 @@ void check_surface(const TriangleMesh<Scalar>& mesh) {
         throw Error(ErrorCode::bad_input, "a face refers to a vertex that does not exist; repair the mesh");
 }
 
+/// A body reaches far for its surface: toe to fingertip takes 1.5 to 1.8 times the square root of its area, from thin to
+/// very heavy; a ball 0.9. `diameter` is geodesic, for unit area.
+void check_slender(double diameter) {
+    constexpr double least = 1.2;
+    if (diameter < least)
+        throw Error(ErrorCode::no_skeleton, "no human body: too compact a shape for one with arms and legs");
+}
+
 /// From the pipeline's canonical coordinates back to the caller's.
 template <typename Scalar>
 class BackToInput {
@@ -130,6 +138,7 @@ Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const Extr
     out.timings.embed = stage.lap();
 
     const std::vector<EndPoint> ends = find_end_points(body.mesh, surface, curve, embedding, wanted);
+    check_slender(geodesic_diameter(ends));
     const RefinedJoints joints = refine(body.mesh, ends, curve, embedding, wanted, options.refinement);
     out.timings.refine = stage.lap();
 

@@ -14,7 +14,6 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "extract_file.hpp"
-#include "leftovers.hpp"
 #include "progress_bar.hpp"
 #include "worker_pool.hpp"
 
@@ -179,7 +178,7 @@ private:
         ++failed_;
         std::error_code error;
         fs::remove(item.output, error); // a worker may have been killed just after it wrote the file
-        cli::remove_leftovers(item.output.parent_path());
+        remove_leftovers(item.output.parent_path());
         bar_.clear();
         cli::print_error(line.error);
     }
@@ -193,14 +192,14 @@ private:
 };
 
 void clean_up(const std::vector<BatchItem>& items, const fs::path& output_folder) {
-    cli::remove_leftovers(output_folder);
-    for (const fs::path& folder : output_folders(items)) cli::remove_leftovers(folder);
+    remove_leftovers(output_folder);
+    for (const fs::path& folder : output_folders(items)) remove_leftovers(folder);
 }
 
 /// Returns the exit status.
 int run(const BatchCommand& command) {
-    const ExtractOptions options{cli::in_file("--template", [&] { return load_template(command.skeleton_template); }),
-                                 1};
+    ExtractOptions options;
+    options.skeleton_template = cli::in_file("--template", [&] { return load_template(command.skeleton_template); });
     const fs::path folder = command.output_folder;
     const auto all = cli::find_batch_items(command.inputs, folder);
     const auto items = cli::take_shard(all, cli::parse_shard(command.shard));

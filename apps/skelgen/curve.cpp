@@ -1,11 +1,11 @@
 #include <memory>
 
+#include <skelgen/extract.hpp>
 #include <skelgen/io/curve_formats.hpp>
 #include <skelgen/io/read_mesh.hpp>
 
 #include "commands.hpp"
 #include "console.hpp"
-#include "find_curve.hpp"
 
 namespace skelgen {
 namespace {
@@ -18,7 +18,7 @@ struct CurveCommand {
 void run(const CurveCommand& command) {
     cli::require_different_files(command.mesh, command.output);
     const CurveSkeleton<double> curve =
-        cli::in_file(command.mesh, [&] { return cli::find_curve(read_mesh<double>(command.mesh)); });
+        cli::in_file(command.mesh, [&] { return find_curve_skeleton(read_mesh<double>(command.mesh)); });
     if (command.output == "-") return cli::write_result("-", curve_to_json(curve));
     cli::in_file(command.output, [&] { write_curve(command.output, curve); });
 }

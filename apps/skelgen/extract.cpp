@@ -37,8 +37,9 @@ void print_details(const cli::FileExtraction& result) {
 void run(const ExtractCommand& command) {
     cli::require_different_files(command.mesh, command.output);
     cli::require_different_files(command.mesh, command.curve);
-    const ExtractOptions options{cli::in_file("--template", [&] { return load_template(command.skeleton_template); }),
-                                 command.threads};
+    ExtractOptions options;
+    options.skeleton_template = cli::in_file("--template", [&] { return load_template(command.skeleton_template); });
+    options.threads = command.threads;
     const auto result = cli::in_file(command.mesh, [&] { return cli::extract_file(command.mesh, options); });
 
     if (!command.curve.empty())

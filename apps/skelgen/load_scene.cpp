@@ -9,7 +9,6 @@
 #include <skelgen/io/skeleton_json.hpp>
 
 #include "console.hpp"
-#include "find_curve.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -43,7 +42,7 @@ void extract_into(Scene& scene, const ExtractOptions& options) {
         scene.failure = std::string("no skeleton: ") + error.what();
     }
     try {
-        scene.curve = find_curve(scene.mesh);
+        scene.curve = find_curve_skeleton(scene.mesh, options);
     } catch (const Error&) {
         // The failure that the picture names is the one that matters; without a curve it shows the mesh alone.
     }

@@ -80,11 +80,11 @@ fs::path companion(const std::string& named, const BatchItem& item) {
 }
 
 cli::SceneSources sources_of(const RenderCommand& command, const BatchItem& item) {
-    return {item.mesh,
-            companion(command.skeleton, item),
-            companion(command.curve, item),
-            companion(command.truth, item),
-            {load_template(command.skeleton_template), command.threads}};
+    ExtractOptions options;
+    options.skeleton_template = load_template(command.skeleton_template);
+    options.threads = command.threads;
+    return {item.mesh, companion(command.skeleton, item), companion(command.curve, item),
+            companion(command.truth, item), options};
 }
 
 // ---- one mesh ----

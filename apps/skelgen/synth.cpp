@@ -7,6 +7,8 @@
 #include <skelgen/io/atomic_file.hpp>
 #include <skelgen/io/write_mesh.hpp>
 #include <skelgen/synth/body.hpp>
+#include <skelgen/synth/garment.hpp>
+#include <skelgen/synth/objects.hpp>
 #include <skelgen/synth/sets.hpp>
 
 #include "commands.hpp"
@@ -15,12 +17,15 @@
 namespace skelgen {
 namespace {
 
+constexpr const char* object_set = "not-a-body";
+
 struct SynthCommand {
     std::string output;
     std::string truth;
     std::string pose = "a";
     std::string sex;
     std::string set;
+    std::vector<std::string> clothes;
     BodyShape shape;
     std::uint64_t seed = 0;
     int faces = 13776;
@@ -48,21 +53,41 @@ BodyPose find_pose(const SynthCommand& command) {
     return spread_limbs(command.shape, named_pose(command.pose));
 }
 
-/// DIR/meshes/<set>/<name>.off and DIR/truth/<set>/<name>.json of every body of the set.
+/// Where a set goes: DIR/meshes/<set>/<name>.off and DIR/truth/<set>/<name>.json.
+class SetWriter {
+public:
+    SetWriter(const std::filesystem::path& folder, std::string set)
+        : meshes_(folder / "meshes" / set), truths_(folder / "truth" / set), set_(std::move(set)) {
+        std::error_code error;
+        std::filesystem::create_directories(meshes_, error);
+        if (!error) std::filesystem::create_directories(truths_, error);
+        if (error) throw Error(ErrorCode::usage, folder.string() + ": cannot make this folder: " + error.message());
+    }
+
+    /// `to_truth` makes the truth's JSON from the name of the mesh's file.
+    template <typename ToTruth>
+    void write(const std::string& name, const TriangleMesh<double>& mesh, const ToTruth& to_truth) const {
+        write_mesh(meshes_ / (name + ".off"), mesh);
+        write_file_atomically(truths_ / (name + ".json"), to_truth(set_ + "/" + name + ".off"));
+    }
+
+private:
+    std::filesystem::path meshes_, truths_;
+    std::string set_;
+};
+
 void run_set(const SynthCommand& command) {
-    namespace fs = std::filesystem;
+    if (command.set == object_set) {
+        const SetWriter writer(command.output, command.set);
+        for (const std::string& name : object_names())
+            writer.write(name, synthesize_object(name, command.faces), object_truth_to_json);
+        return;
+    }
     const std::vector<BodyPlan> plans = body_set(command.set, command.seed);
-    const fs::path meshes = fs::path(command.output) / "meshes" / command.set;
-    const fs::path truths = fs::path(command.output) / "truth" / command.set;
-    std::error_code error;
-    fs::create_directories(meshes, error);
-    if (!error) fs::create_directories(truths, error);
-    if (error) throw Error(ErrorCode::usage, command.output + ": cannot make this folder: " + error.message());
+    const SetWriter writer(command.output, command.set);
     for (const BodyPlan& plan : plans) {
         const SynthBody body = cli::in_file(plan.name, [&] { return synthesize_body(plan); });
-        write_mesh(meshes / (plan.name + ".off"), body.mesh);
-        write_file_atomically(truths / (plan.name + ".json"),
-                              truth_to_json(body.truth, command.set + "/" + plan.name + ".off"));
+        writer.write(plan.name, body.mesh, [&](const std::string& file) { return truth_to_json(body.truth, file); });
     }
 }
 
@@ -70,7 +95,10 @@ void run(SynthCommand& command) {
     if (!command.set.empty()) return run_set(command);
     set_sex(command.shape, command.sex);
     check_shape(command.shape);
-    const SynthBody body = synthesize_body(command.shape, find_pose(command), command.faces);
+    BodyPlan plan;
+    plan.shape = command.shape, plan.pose = find_pose(command), plan.faces = command.faces;
+    for (const std::string& garment : command.clothes) plan.clothes.push_back(named_garment(garment));
+    const SynthBody body = synthesize_body(plan);
     cli::in_file(command.output, [&] { write_mesh(command.output, body.mesh); });
     if (!command.truth.empty())
         cli::in_file(command.truth, [&] {
@@ -104,7 +132,7 @@ void add_synth_command(CLI::App& app) {
     CLI::App* sub = app.add_subcommand("synth", "Make a posed human body of which every joint is known");
     sub->add_option("-o,--output", command->output, "Mesh to write: .off, .obj, .ply or .stl; a folder for --set")
         ->required();
-    std::string sets = "Make a whole set of bodies with their truth into a folder:";
+    std::string sets = std::string("Make a whole set of meshes with their truth into a folder: ") + object_set;
     for (const std::string& name : set_names()) sets += " " + name;
     sub->add_option("--set", command->set, sets);
     sub->add_option("--truth", command->truth, "JSON to write with joints, end points and the geodesic diameter");
@@ -114,9 +142,13 @@ void add_synth_command(CLI::App& app) {
     sub->add_option("--seed", command->seed, "Of the random poses and faults")->capture_default_str();
     sub->add_option("--faces", command->faces, "Number of triangles, 5000 to 3000000, kept within 2 %")
         ->capture_default_str();
+    std::string clothes = "What the body wears, one or more of";
+    for (const std::string& name : garment_names()) clothes += " " + name;
+    sub->add_option("--wear", command->clothes, clothes);
     add_shape_options(*sub, *command);
     sub->footer("Examples:\n  skelgen synth -o body.off --truth body.json --pose walk\n"
                 "  skelgen synth -o child.ply --age 7 --sex female --pose random --seed 3 --faces 50000\n"
+                "  skelgen synth -o rider.off --pose t --wear trousers boots hat\n"
                 "  skelgen synth --set faust -o bodies");
     sub->callback([command] { run(*command); });
 }

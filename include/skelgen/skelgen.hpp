@@ -42,6 +42,7 @@
 #include <skelgen/io/write_mesh.hpp>
 #include <skelgen/refinement/centreline.hpp>
 #include <skelgen/refinement/cross_section.hpp>
+#include <skelgen/refinement/end_points.hpp>
 #include <skelgen/refinement/limbs.hpp>
 #include <skelgen/refinement/refine.hpp>
 #include <skelgen/render/contact_sheet.hpp>

@@ -78,6 +78,8 @@ Embedding embed(const CurveSkeleton<double>& curve, const SkeletonTemplate& skel
         throw Error(ErrorCode::no_skeleton, "no human body: its curve skeleton has " + std::to_string(found) +
                                                 " ends and junctions, the template needs " + std::to_string(wanted) +
                                                 "; check that head, hands and feet are there and stand free");
+    if (!reduced_curve.distances.allFinite())
+        throw Error(ErrorCode::no_skeleton, "no human body: its curve skeleton is in several pieces");
     const Eigen::MatrixXd affinities = affinity_matrix(reduced_curve, reduced_template, options);
     const std::vector<int> partner = 
         descend(reduced_curve, reduced_template, spectral_assignment(affinities, wanted), options);

@@ -74,7 +74,7 @@ SidesDecision decide_sides(const RefinedJoints& joints, const SkeletonTemplate& 
     const Vector3<double> up = spine.normalized();
     const Vector3<double> hips = anatomy.get(hip, Side::left) - anatomy.get(hip, Side::right);
     const Vector3<double> across = detail::without_component(hips, up).normalized();
-    if (!(spine.norm() > 0) || !across.allFinite())
+    if (!(spine.norm() > 0) || !(across.norm() > 0.5))
         throw Error(ErrorCode::no_skeleton, "no human body: its trunk or its hips have no extent");
 
     SidesDecision out;

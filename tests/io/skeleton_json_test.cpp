@@ -1,17 +1,13 @@
 #include <skelgen/io/skeleton_json.hpp>
 
-#include <fstream>
 #include <limits>
 
 #include <nlohmann/json.hpp>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
 
 #include <skelgen/core/error.hpp>
 
 #include "catch.hpp"
+#include "json_schema.hpp"
 
 namespace {
 
@@ -36,13 +32,7 @@ SkeletonProvenance small_provenance() {
 }
 
 bool is_valid(const std::string& text) {
-    std::ifstream file(SKELGEN_DATA "/schema/skeleton.schema.json");
-    const nlohmann::json schema_json = nlohmann::json::parse(file);
-    const nlohmann::json document = nlohmann::json::parse(text);
-    valijson::Schema schema;
-    valijson::SchemaParser(valijson::SchemaParser::kDraft7)
-        .populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json), schema);
-    return valijson::Validator().validate(schema, valijson::adapters::NlohmannJsonAdapter(document), nullptr);
+    return test::schema_faults(nlohmann::json::parse(text), SKELGEN_DATA "/schema/skeleton.schema.json").empty();
 }
 
 /// The message with which the reader refuses a document; fails the test if it does not.

@@ -68,23 +68,31 @@ inline SurfaceMoments surface_moments(const TriangleMesh<double>& mesh) {
     return moments;
 }
 
-/// Principal axes as the rows of a rotation, longest first; the senses of the first two follow the third moments.
+/// Third moment of the surface along a direction, over the faces' centres.
+inline double skewness(const TriangleMesh<double>& mesh, const Vector3<double>& centroid, const Vector3<double>& axis) {
+    double sum = 0;
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+        double along = 0;
+        for (int c = 0; c < 3; ++c) along += axis.dot(mesh.vertices.row(mesh.faces(f, c)).transpose() - centroid);
+        sum += face_area_vector(mesh, f).norm() * std::pow(along / 3, 3);
+    }
+    return sum;
+}
+
+/// Principal axes as the rows of a rotation, longest first. The senses of the two most skewed ones follow their third
+/// moments; the remaining one, across which a mirror-symmetric body has none, completes the right-handed triple.
 inline Eigen::Matrix3d principal_rotation(const TriangleMesh<double>& mesh, const SurfaceMoments& moments) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments.covariance);
     Eigen::Matrix3d rotation;
-    for (int k = 0; k < 2; ++k) {
+    Vector3<double> skew;
+    for (int k = 0; k < 3; ++k) {
         rotation.row(k) = solver.eigenvectors().col(2 - k).transpose();
-        double skewness = 0;
-        for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
-            const double area = face_area_vector(mesh, f).norm();
-            double along = 0;
-            for (int c = 0; c < 3; ++c)
-                along += rotation.row(k).dot(mesh.vertices.row(mesh.faces(f, c)) - moments.centroid.transpose());
-            skewness += area * std::pow(along / 3, 3);
-        }
-        if (skewness < 0) rotation.row(k) *= -1;
+        skew[k] = skewness(mesh, moments.centroid, rotation.row(k).transpose());
+        if (skew[k] < 0) rotation.row(k) *= -1;
     }
-    rotation.row(2) = rotation.row(0).cross(rotation.row(1));
+    Eigen::Index least = 0;
+    skew.cwiseAbs().minCoeff(&least);
+    rotation.row(least) = rotation.row((least + 1) % 3).cross(rotation.row((least + 2) % 3));
     return rotation;
 }
 

@@ -1,0 +1,165 @@
+# Every file that is built or installed, by name: a file more or less is then a change that CMake sees. The tests are found
+# by their folders (tests/CMakeLists.txt).
+
+set(skelgen_headers
+    include/skelgen/core/adjacency.hpp
+    include/skelgen/core/canonical_form.hpp
+    include/skelgen/core/curve_graph.hpp
+    include/skelgen/core/curve_skeleton.hpp
+    include/skelgen/core/error.hpp
+    include/skelgen/core/geodesics.hpp
+    include/skelgen/core/geometry.hpp
+    include/skelgen/core/kinematic_skeleton.hpp
+    include/skelgen/core/mesh.hpp
+    include/skelgen/core/polyline.hpp
+    include/skelgen/core/skeleton_template.hpp
+    include/skelgen/core/template_rules.hpp
+    include/skelgen/curve/centring.hpp
+    include/skelgen/curve/contraction.hpp
+    include/skelgen/curve/extract_curve.hpp
+    include/skelgen/curve/laplacian.hpp
+    include/skelgen/curve/leaf_extension.hpp
+    include/skelgen/curve/manifold_parts.hpp
+    include/skelgen/curve/medial_balls.hpp
+    include/skelgen/curve/proxy.hpp
+    include/skelgen/curve/pruning.hpp
+    include/skelgen/curve/surgery.hpp
+    include/skelgen/embedding/embed.hpp
+    include/skelgen/embedding/reduced_graph.hpp
+    include/skelgen/embedding/spectral_matching.hpp
+    include/skelgen/evaluation/evaluate.hpp
+    include/skelgen/evaluation/report.hpp
+    include/skelgen/evaluation/statistics.hpp
+    include/skelgen/extract.hpp
+    include/skelgen/io/atomic_file.hpp
+    include/skelgen/io/cgal_adaptor.hpp
+    include/skelgen/io/curve_formats.hpp
+    include/skelgen/io/mesh_format.hpp
+    include/skelgen/io/openmesh_adaptor.hpp
+    include/skelgen/io/polygon_mesh.hpp
+    include/skelgen/io/read_mesh.hpp
+    include/skelgen/io/skeleton_json.hpp
+    include/skelgen/io/template_json.hpp
+    include/skelgen/io/write_mesh.hpp
+    include/skelgen/refinement/centreline.hpp
+    include/skelgen/refinement/cross_section.hpp
+    include/skelgen/refinement/end_points.hpp
+    include/skelgen/refinement/limbs.hpp
+    include/skelgen/refinement/refine.hpp
+    include/skelgen/render/contact_sheet.hpp
+    include/skelgen/render/image.hpp
+    include/skelgen/render/png.hpp
+    include/skelgen/render/render_scene.hpp
+    include/skelgen/render/scene.hpp
+    include/skelgen/render/view.hpp
+    include/skelgen/skelgen.hpp
+    include/skelgen/symmetry/sides.hpp
+    include/skelgen/symmetry/standing_pose.hpp
+    include/skelgen/synth/body.hpp
+    include/skelgen/synth/garment.hpp
+    include/skelgen/synth/objects.hpp
+    include/skelgen/synth/pose.hpp
+    include/skelgen/synth/scan_faults.hpp
+    include/skelgen/synth/sets.hpp
+    include/skelgen/synth/shape.hpp
+    include/skelgen/version.hpp
+)
+
+set(skelgen_sources
+    src/core/geodesics.cpp
+    src/core/template_rules.cpp
+    src/curve/contraction.cpp
+    src/curve/extract_curve.cpp
+    src/curve/medial_balls.cpp
+    src/curve/proxy.cpp
+    src/curve/surgery.cpp
+    src/embedding/embed.cpp
+    src/embedding/reduced_graph.cpp
+    src/embedding/spectral_matching.cpp
+    src/evaluation/evaluate.cpp
+    src/evaluation/report.cpp
+    src/evaluation/score.cpp
+    src/evaluation/statistics.cpp
+    src/evaluation/summarise.cpp
+    src/evaluation/truth_file.cpp
+    src/extract.cpp
+    src/io/atomic_file.cpp
+    src/io/curve_formats.cpp
+    src/io/curve_json.cpp
+    src/io/json_file.cpp
+    src/io/leftovers.cpp
+    src/io/mesh_format.cpp
+    src/io/obj_parser.cpp
+    src/io/off_parser.cpp
+    src/io/ply_header.cpp
+    src/io/ply_parser.cpp
+    src/io/polygon_mesh.cpp
+    src/io/read_mesh.cpp
+    src/io/skeleton_json.cpp
+    src/io/stl_parser.cpp
+    src/io/template_json.cpp
+    src/io/temporary_name.cpp
+    src/io/write_mesh.cpp
+    src/refinement/bone_line.cpp
+    src/refinement/centreline.cpp
+    src/refinement/cross_section.cpp
+    src/refinement/end_points.cpp
+    src/refinement/limbs.cpp
+    src/refinement/refine.cpp
+    src/render/body.cpp
+    src/render/canvas.cpp
+    src/render/check.cpp
+    src/render/contact_sheet.cpp
+    src/render/layout.cpp
+    src/render/png.cpp
+    src/render/render_scene.cpp
+    src/render/shading.cpp
+    src/render/stroke_font.cpp
+    src/render/surface_light.cpp
+    src/render/svg.cpp
+    src/render/view.cpp
+    src/render/xml_text.cpp
+    src/symmetry/sides.cpp
+)
+
+set(skelgen_synth_sources
+    src/synth/anatomy_head.cpp
+    src/synth/anatomy_limbs.cpp
+    src/synth/anatomy_trunk.cpp
+    src/synth/body.cpp
+    src/synth/clothing.cpp
+    src/synth/geodesic.cpp
+    src/synth/implicit_body.cpp
+    src/synth/joints.cpp
+    src/synth/kinematics.cpp
+    src/synth/objects.cpp
+    src/synth/poses.cpp
+    src/synth/primitives.cpp
+    src/synth/proportions.cpp
+    src/synth/scan_faults.cpp
+    src/synth/sets.cpp
+    src/synth/spine.cpp
+    src/synth/surface_mesher.cpp
+)
+
+set(skelgen_cli_sources
+    apps/skelgen/batch.cpp
+    apps/skelgen/batch_inputs.cpp
+    apps/skelgen/batch_summary.cpp
+    apps/skelgen/console.cpp
+    apps/skelgen/curve.cpp
+    apps/skelgen/evaluate.cpp
+    apps/skelgen/extract.cpp
+    apps/skelgen/extract_file.cpp
+    apps/skelgen/load_scene.cpp
+    apps/skelgen/main.cpp
+    apps/skelgen/progress_bar.cpp
+    apps/skelgen/render.cpp
+    apps/skelgen/synth.cpp
+    apps/skelgen/worker_pool.cpp
+)
+
+set(skelgen_templates
+    data/templates/human21.json
+    data/templates/pinocchio18.json
+)

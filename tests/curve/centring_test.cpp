@@ -1,0 +1,41 @@
+#include <skelgen/curve/centring.hpp>
+#include <skelgen/curve/contraction.hpp>
+#include <skelgen/curve/surgery.hpp>
+
+#include "catch.hpp"
+#include "curve/proxy_mesh.hpp"
+#include "shapes.hpp"
+
+using namespace skelgen;
+using namespace skelgen::test;
+
+TEST_CASE("nodes that have drifted off the axis come back to it") {
+    const Mesh proxy = proxy_mesh(capsule(0.2, 4));
+    Points<double> contracted = contract(proxy).vertices;
+    contracted.col(0).array() += 0.1; // half a radius off
+    const CurveSkeleton<double> curve = connectivity_surgery(contracted, proxy.faces);
+    const CurveSkeleton<double> centred = centre_nodes(curve, proxy, contracted);
+    CHECK(centred.edges == curve.edges);
+    CHECK(centred.regions == curve.regions);
+    REQUIRE(centred.radii.size() == static_cast<std::size_t>(centred.nodes.rows()));
+    int along_the_tube = 0;
+    for (Eigen::Index k = 0; k < centred.nodes.rows(); ++k) {
+        if (centred.nodes(k, 2) < 0.3 || centred.nodes(k, 2) > 3.7) continue;
+        INFO("node at " << centred.nodes.row(k));
+        CHECK(centred.nodes.row(k).head<2>().norm() < 0.25 * 0.2);
+        CHECK(centred.radii[static_cast<std::size_t>(k)] == Approx(0.2).epsilon(0.25));
+        ++along_the_tube;
+    }
+    CHECK(along_the_tube >= 5);
+}
+
+TEST_CASE("the centred nodes of a torus lie on its circle, from which contraction has pulled them towards the hole") {
+    const Mesh proxy = proxy_mesh(torus(1, 0.25));
+    const Points<double> contracted = contract(proxy).vertices;
+    const CurveSkeleton<double> curve = centre_nodes(connectivity_surgery(contracted, proxy.faces), proxy, contracted);
+    for (Eigen::Index k = 0; k < curve.nodes.rows(); ++k) {
+        INFO("node at " << curve.nodes.row(k));
+        CHECK(curve.nodes.row(k).head<2>().norm() == Approx(1).margin(0.5 * 0.25));
+        CHECK(curve.nodes(k, 2) == Approx(0).margin(0.2 * 0.25));
+    }
+}

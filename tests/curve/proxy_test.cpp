@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <cmath>
+
+#include <skelgen/core/error.hpp>
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/curve/manifold_parts.hpp>
+#include <skelgen/curve/proxy.hpp>
+
+#include "catch.hpp"
+#include "curve/proxy_mesh.hpp"
+#include "mesh_changes.hpp"
+#include "shapes.hpp"
+
+using namespace skelgen;
+using namespace skelgen::test;
+
+namespace {
+
+struct Case {
+    const char* name;
+    Mesh mesh;
+    int euler;
+};
+
+std::vector<Case> cases() {
+    return {{"sphere, coarse", sphere(1, 2), 2},
+            {"sphere, fine", sphere(1, 6), 2},
+            {"torus", torus(1, 0.3), 0},
+            {"three tubes with slivers", three_tubes(), 2}};
+}
+
+/// Part of the edges between `low` and `high` times the edge of equilateral triangles.
+double part_of_edges_between(const Mesh& mesh, double low, double high, int vertices) {
+    const double edge = std::sqrt(2 * surface_area(mesh) / (std::sqrt(3.0) * vertices));
+    double good = 0;
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
+        for (int k = 0; k < 3; ++k) {
+            const double length =
+                (mesh.vertices.row(mesh.faces(f, k)) - mesh.vertices.row(mesh.faces(f, (k + 1) % 3))).norm();
+            good += length >= low * edge && length <= high * edge;
+        }
+    return good / (3.0 * static_cast<double>(mesh.faces.rows()));
+}
+
+} // namespace
+
+TEST_CASE("a proxy has the size asked for, whatever the input's, and its topology") {
+    constexpr int vertices = 1500;
+    for (const Case& c : cases()) {
+        INFO(c.name);
+        const Mesh proxy = proxy_mesh(c.mesh, vertices);
+        CHECK(proxy.vertices.rows() > vertices * 7 / 10);
+        CHECK(proxy.vertices.rows() < vertices * 14 / 10);
+        CHECK(is_closed(proxy.faces));
+        CHECK(euler_characteristic(proxy.faces) == c.euler);
+    }
+}
+
+TEST_CASE("a proxy's edges are about as long as equilateral triangles of its size have them") {
+    for (const Case& c : cases()) {
+        INFO(c.name);
+        CHECK(part_of_edges_between(proxy_mesh(c.mesh), 0.6, 1.5, 1500) > 0.97);
+    }
+}
+
+TEST_CASE("a proxy keeps the shape") {
+    for (const Case& c : cases()) {
+        INFO(c.name);
+        const Mesh proxy = proxy_mesh(c.mesh);
+        CHECK(enclosed_volume(proxy) == Approx(enclosed_volume(c.mesh)).epsilon(0.04));
+        CHECK(surface_area(proxy) == Approx(surface_area(c.mesh)).epsilon(0.04));
+    }
+}
+
+TEST_CASE("a hole stays a hole") {
+    const Mesh whole = sphere(1, 4);
+    Mesh open = whole; // without its north cap
+    Eigen::Index kept = 0;
+    for (Eigen::Index f = 0; f < whole.faces.rows(); ++f) {
+        const double lowest = std::min({whole.vertices(whole.faces(f, 0), 2), whole.vertices(whole.faces(f, 1), 2),
+                                        whole.vertices(whole.faces(f, 2), 2)});
+        if (lowest < 0.8) open.faces.row(kept++) = whole.faces.row(f);
+    }
+    open.faces.conservativeResize(kept, 3);
+    open = largest_manifold_part(open).mesh;
+    REQUIRE(euler_characteristic(open.faces) == 1);
+    const Mesh proxy = proxy_mesh(open);
+    CHECK(euler_characteristic(proxy.faces) == 1);
+    CHECK(surface_area(proxy) == Approx(surface_area(open)).epsilon(0.05));
+}
+
+TEST_CASE("the same mesh has the same proxy") {
+    const Mesh a = proxy_mesh(three_tubes()), b = proxy_mesh(three_tubes());
+    const bool same_vertices = a.vertices == b.vertices, same_faces = a.faces == b.faces;
+    CHECK(same_vertices);
+    CHECK(same_faces);
+}
+
+TEST_CASE("a proxy's vertices come from vertices nearby on the same sheet of surface") {
+    const Mesh plate = box({1, 1, 0.02}, 5); // two sheets much nearer to each other than vertices are
+    const Proxy proxy = build_proxy(plate);
+    const Points<double> normals = vertex_normals(plate), proxy_normals = vertex_normals(proxy.mesh);
+    REQUIRE(proxy.source.size() == static_cast<std::size_t>(proxy.mesh.vertices.rows()));
+    int known = 0;
+    for (Eigen::Index v = 0; v < proxy.mesh.vertices.rows(); ++v) {
+        const int source = proxy.source[static_cast<std::size_t>(v)];
+        if (source < 0) continue;
+        REQUIRE(source < plate.vertices.rows());
+        ++known;
+        CHECK((proxy.mesh.vertices.row(v) - plate.vertices.row(source)).norm() < 0.15);
+        if (std::abs(proxy_normals(v, 2)) > 0.9 && std::abs(normals(source, 2)) > 0.9)
+            CHECK(proxy_normals(v, 2) * normals(source, 2) > 0);
+    }
+    CHECK(known > proxy.mesh.vertices.rows() / 4);
+}
+
+TEST_CASE("a surface that is not manifold is bad input") {
+    Mesh fin = sphere(1, 2);
+    fin.faces.conservativeResize(fin.faces.rows() + 1, 3);
+    fin.faces.bottomRows<1>() << fin.faces(0, 0), fin.faces(0, 1), fin.faces(100, 2);
+    try {
+        static_cast<void>(proxy_mesh(fin));
+        FAIL("no error");
+    } catch (const Error& error) {
+        CHECK(error.code() == ErrorCode::bad_input);
+    }
+}

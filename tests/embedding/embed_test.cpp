@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include <skelgen/core/error.hpp>
+#include <skelgen/embedding/embed.hpp>
+#include <skelgen/io/template_json.hpp>
+
+#include "catch.hpp"
+#include "mesh_changes.hpp"
+
+using namespace skelgen;
+using namespace skelgen::test;
+
+namespace {
+
+CurveSkeleton<double> path_of(int nodes) {
+    CurveSkeleton<double> curve;
+    curve.nodes = Points<double>::Zero(nodes, 3);
+    for (int v = 0; v < nodes; ++v) {
+        curve.nodes(v, 0) = v;
+        if (v > 0) curve.edges.push_back({v - 1, v});
+    }
+    curve.regions.resize(static_cast<std::size_t>(nodes));
+    curve.radii.assign(static_cast<std::size_t>(nodes), 0.1);
+    return curve;
+}
+
+/// The bones of human21 as a curve: node j is joint j, the tips come after the joints; every bone cut in two by further
+/// nodes. The head's end is thick, as heads are.
+CurveSkeleton<double> human_curve() {
+    const SkeletonTemplate& human = builtin_template("human21");
+    CurveSkeleton<double> curve;
+    const auto add = [&](const Vector3<double>& p, double radius) {
+        const auto node = static_cast<int>(curve.nodes.rows());
+        curve.nodes.conservativeResize(node + 1, 3);
+        curve.nodes.row(node) = p.transpose();
+        curve.regions.push_back({node});
+        curve.radii.push_back(radius);
+        return node;
+    };
+    const auto thickness = [](const TemplateJoint& joint) {
+        return joint.role == JointRole::head ? 0.09 : joint.role == JointRole::hand ? 0.03 : 0.05;
+    };
+    for (const TemplateJoint& joint : human.joints) add(joint.position, thickness(joint));
+    for (std::size_t j = 0; j < human.joints.size(); ++j) {
+        const TemplateJoint& joint = human.joints[j];
+        if (joint.parent >= 0) {
+            const TemplateJoint& parent = human.joints[static_cast<std::size_t>(joint.parent)];
+            const int middle = add(0.5 * (parent.position + joint.position), thickness(joint));
+            curve.edges.push_back({joint.parent, middle});
+            curve.edges.push_back({static_cast<int>(j), middle});
+        }
+        if (joint.tip) curve.edges.push_back({static_cast<int>(j), add(*joint.tip, 0)});
+    }
+    return curve;
+}
+
+const std::string& joint_at(int node) {
+    return builtin_template("human21").joints[static_cast<std::size_t>(node)].name;
+}
+
+/// The joint at the inner end of the limb that the tip `node` of human_curve() ends.
+std::string limb_of(const CurveSkeleton<double>& curve, int node) {
+    for (const auto& [a, b] : curve.edges)
+        if (b == node) return joint_at(a);
+    return {};
+}
+
+std::string without_side(std::string name) {
+    for (const char* side : {"left_", "right_"})
+        if (name.rfind(side, 0) == 0) name.erase(0, std::string(side).size());
+    return name;
+}
+
+ErrorCode error_of(const CurveSkeleton<double>& curve) {
+    try {
+        static_cast<void>(embed(curve, builtin_template("human21")));
+    } catch (const Error& error) {
+        return error.code();
+    }
+    return ErrorCode::internal;
+}
+
+} // namespace
+
+TEST_CASE("human21 embeds in its own bones: each joint of the reduced template at its node, up to left and right") {
+    const CurveSkeleton<double> curve = human_curve();
+    const SkeletonTemplate& human = builtin_template("human21");
+    const Embedding embedding = embed(curve, human);
+    CHECK(embedding.matched_nodes == 7);
+    REQUIRE(embedding.node_of_joint.size() == human.joints.size());
+    std::set<int> used;
+    for (std::size_t j = 0; j < human.joints.size(); ++j) {
+        const std::string& name = human.joints[j].name;
+        const int node = embedding.node_of_joint[j];
+        INFO(name << " at node " << node);
+        const bool is_end = without_side(name) == "hand" || without_side(name) == "foot" || name == "head";
+        if (!is_end && name != "chest" && name != "crotch") {
+            CHECK(node == -1);
+            continue;
+        }
+        REQUIRE(node >= 0);
+        CHECK(used.insert(node).second);
+        if (is_end)
+            CHECK(without_side(limb_of(curve, node)) == without_side(name));
+        else
+            CHECK(joint_at(node) == name);
+    }
+}
+
+TEST_CASE("every bone of the template belongs to exactly one chain, which runs along connected nodes") {
+    const CurveSkeleton<double> curve = human_curve();
+    const SkeletonTemplate& human = builtin_template("human21");
+    const Embedding embedding = embed(curve, human);
+    CHECK(embedding.chains.size() == 6); // head, two arms, two legs, and the trunk between chest and crotch
+    std::multiset<int> lower_ends;
+    const std::set<std::array<int, 2>> edges(curve.edges.begin(), curve.edges.end());
+    for (const Chain& chain : embedding.chains) {
+        REQUIRE(chain.joints.size() >= 2);
+        for (std::size_t i = 1; i < chain.joints.size(); ++i) {
+            CHECK(human.joints[static_cast<std::size_t>(chain.joints[i])].parent == chain.joints[i - 1]);
+            lower_ends.insert(chain.joints[i]);
+        }
+        CHECK(chain.nodes.front() == embedding.node_of_joint[static_cast<std::size_t>(chain.joints.front())]);
+        CHECK(chain.nodes.back() == embedding.node_of_joint[static_cast<std::size_t>(chain.joints.back())]);
+        for (std::size_t i = 1; i < chain.nodes.size(); ++i) {
+            const auto [low, high] = std::minmax({chain.nodes[i - 1], chain.nodes[i]});
+            CHECK(edges.count({low, high}) == 1);
+        }
+    }
+    CHECK(lower_ends.size() == human.joints.size() - 1);
+    CHECK(std::set<int>(lower_ends.begin(), lower_ends.end()).size() == human.joints.size() - 1);
+}
+
+TEST_CASE("a curve with the arms leaving the spine at two junctions embeds all the same") {
+    CurveSkeleton<double> curve = human_curve();
+    const SkeletonTemplate& human = builtin_template("human21");
+    const auto index = [&](const std::string& name) {
+        return static_cast<int>(
+            std::find_if(human.joints.begin(), human.joints.end(), [&](const auto& j) { return j.name == name; }) -
+            human.joints.begin());
+    };
+    // The right arm hangs on the node half way between waist and chest instead of on the chest.
+    const auto halfway = [&](int a, int b) {
+        for (const auto& [c, d] : curve.edges)
+            for (const auto& [e, f] : curve.edges)
+                if (c == a && e == b && d == f) return d;
+        return -1;
+    };
+    const int below = halfway(index("waist"), index("chest")), arm = halfway(index("chest"), index("right_shoulder"));
+    for (auto& edge : curve.edges)
+        if (edge == std::array<int, 2>{index("chest"), arm}) edge = {std::min(below, arm), std::max(below, arm)};
+    const Embedding embedding = embed(curve, human);
+    CHECK(embedding.matched_nodes == 7);
+    for (const char* end : {"left_hand", "right_hand", "head", "left_foot", "right_foot"}) {
+        INFO(end);
+        const int node = embedding.node_of_joint[static_cast<std::size_t>(index(end))];
+        CHECK(without_side(limb_of(curve, node)) == without_side(end));
+    }
+}
+
+TEST_CASE("a curve with too few ends and junctions is no skeleton") {
+    CHECK(error_of(path_of(2)) == ErrorCode::no_skeleton);
+    CHECK(error_of(path_of(50)) == ErrorCode::no_skeleton);
+    CurveSkeleton<double> ring = path_of(12);
+    ring.edges.push_back({0, 11});
+    CHECK(error_of(ring) == ErrorCode::no_skeleton);
+    CurveSkeleton<double> nothing;
+    nothing.nodes.resize(0, 3);
+    CHECK(error_of(nothing) == ErrorCode::no_skeleton);
+}
+
+TEST_CASE("a curve in several pieces is no skeleton") {
+    CurveSkeleton<double> curve = human_curve();
+    const std::size_t edges = curve.edges.size();
+    // Without the waist's edges the legs are on their own.
+    std::erase_if(curve.edges, [](const auto& e) { return e[0] == 1; });
+    REQUIRE(curve.edges.size() < edges);
+    CHECK(error_of(curve) == ErrorCode::no_skeleton);
+}

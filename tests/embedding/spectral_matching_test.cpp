@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <numeric>
+
+#include <skelgen/embedding/spectral_matching.hpp>
+
+#include "catch.hpp"
+#include "embedding/random_trees.hpp"
+#include "mesh_changes.hpp"
+
+using namespace skelgen;
+using namespace skelgen::test;
+
+namespace {
+
+std::vector<int> in_order(const Tree& tree) {
+    std::vector<int> order(tree.parent.size());
+    std::iota(order.begin(), order.end(), 0);
+    return order;
+}
+
+std::vector<int> match(const ReducedGraph& curve, const ReducedGraph& wanted) {
+    const auto nodes = static_cast<int>(wanted.origin.size());
+    return descend(curve, wanted, spectral_assignment(affinity_matrix(curve, wanted), nodes));
+}
+
+void check_is_injective(std::vector<int> partner, std::size_t candidates) {
+    std::sort(partner.begin(), partner.end());
+    CHECK(std::adjacent_find(partner.begin(), partner.end()) == partner.end());
+    CHECK(partner.front() >= 0);
+    CHECK(partner.back() < static_cast<int>(candidates));
+}
+
+/// Of 60 random trees, how many are found again node by node after `change`, which may add leaves at the end.
+int recovered(void (*change)(Tree&, std::mt19937_64&)) {
+    int count = 0;
+    for (unsigned seed = 1; seed <= 60; ++seed) {
+        std::mt19937_64 random(seed);
+        const Tree tree = random_tree(2 + static_cast<int>(seed % 3), random);
+        Tree changed = tree;
+        change(changed, random);
+        const std::vector<int> place = random_permutation(static_cast<int>(changed.parent.size()), random);
+        const ReducedGraph curve = graph_of(changed, place);
+        const std::vector<int> partner = match(curve, graph_of(tree, in_order(tree)));
+        REQUIRE(partner.size() == tree.parent.size());
+        check_is_injective(partner, changed.parent.size());
+        count += std::equal(partner.begin(), partner.end(), place.begin());
+    }
+    return count;
+}
+
+} // namespace
+
+TEST_CASE("affinities are symmetric, not negative, and zero between pairs that exclude each other") {
+    std::mt19937_64 random(1);
+    const Tree a = random_tree(3, random), b = random_tree(2, random);
+    const Eigen::MatrixXd affinities = affinity_matrix(graph_of(a, in_order(a)), graph_of(b, in_order(b)));
+    const auto m = static_cast<Eigen::Index>(a.parent.size()), n = static_cast<Eigen::Index>(b.parent.size());
+    REQUIRE(affinities.rows() == m * n);
+    REQUIRE(affinities.cols() == m * n);
+    CHECK((affinities - affinities.transpose()).cwiseAbs().maxCoeff() == 0);
+    CHECK(affinities.minCoeff() >= 0);
+    for (Eigen::Index p = 0; p < m * n; ++p)
+        for (Eigen::Index q = 0; q < m * n; ++q) {
+            if (p == q) continue;
+            const bool conflict = p / n == q / n || p % n == q % n;
+            REQUIRE((affinities(p, q) == 0) == conflict);
+        }
+}
+
+TEST_CASE("no pair is better than one whose degrees and distances agree") {
+    std::mt19937_64 random(2);
+    const Tree tree = random_tree(3, random);
+    const ReducedGraph graph = graph_of(tree, in_order(tree));
+    const MatchingOptions options;
+    const Eigen::MatrixXd affinities = affinity_matrix(graph, graph, options);
+    const auto n = static_cast<Eigen::Index>(tree.parent.size());
+    const double best = options.degree_weight + options.distance_weight;
+    CHECK(affinities.maxCoeff() == Approx(best));
+    for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index k = 0; k < n; ++k) REQUIRE(affinities(i * n + i, k * n + k) == Approx(best));
+}
+
+TEST_CASE("a planted match with its nodes in another order is found") {
+    CHECK(recovered([](Tree&, std::mt19937_64&) {}) == 60);
+}
+
+TEST_CASE("a planted match is found although lengths are wrong by up to 2 %") {
+    CHECK(recovered([](Tree& tree, std::mt19937_64& random) {
+              for (double& length : tree.length) length *= uniform(random, 0.98, 1.02);
+          }) >= 55);
+}
+
+TEST_CASE("a planted match is found among short leaves that have no partner") {
+    CHECK(recovered([](Tree& tree, std::mt19937_64& random) {
+              const auto nodes = static_cast<unsigned>(tree.parent.size());
+              for (int leaf = 0; leaf < 2; ++leaf) {
+                  tree.parent.push_back(static_cast<int>(random() % (nodes / 3)));
+                  tree.length.push_back(uniform(random, 0.05, 0.12));
+              }
+          }) >= 50);
+}
+
+TEST_CASE("with fewer candidates than template nodes some stay without a partner") {
+    std::mt19937_64 random(3);
+    const Tree large = random_tree(3, random), small = random_tree(1, random);
+    const auto nodes = static_cast<int>(large.parent.size());
+    const std::vector<int> partner =
+        spectral_assignment(affinity_matrix(graph_of(small, in_order(small)), graph_of(large, in_order(large))), nodes);
+    REQUIRE(partner.size() == large.parent.size());
+    CHECK(std::count(partner.begin(), partner.end(), -1) ==
+          static_cast<long>(large.parent.size() - small.parent.size()));
+}
+
+TEST_CASE("descending repairs two partners that have been exchanged and leaves a right match alone") {
+    std::mt19937_64 random(4);
+    const Tree tree = random_tree(3, random);
+    const ReducedGraph graph = graph_of(tree, in_order(tree));
+    const std::vector<int> right = in_order(tree);
+    CHECK(descend(graph, graph, right) == right);
+    for (std::size_t a = 0; a < right.size(); ++a)
+        for (std::size_t b = a + 1; b < right.size(); ++b) {
+            std::vector<int> wrong = right;
+            std::swap(wrong[a], wrong[b]);
+            INFO(a << " and " << b);
+            CHECK(descend(graph, graph, wrong) == right);
+        }
+}

@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <vector>
+
+#include <skelgen/extract.hpp>
+
+#include "catch.hpp"
+#include "mesh_changes.hpp"
+#include "shapes.hpp"
+
+using namespace skelgen;
+using namespace skelgen::test;
+
+namespace {
+
+std::vector<int> vertices_in_regions(const CurveSkeleton<double>& curve) {
+    std::vector<int> vertices;
+    for (const auto& region : curve.regions) vertices.insert(vertices.end(), region.begin(), region.end());
+    std::sort(vertices.begin(), vertices.end());
+    return vertices;
+}
+
+std::vector<int> first_numbers(Eigen::Index count) {
+    std::vector<int> numbers(static_cast<std::size_t>(count));
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
+}
+
+std::set<int> one_ring(const Triangles& faces, int vertex) {
+    std::set<int> ring;
+    for (Eigen::Index f = 0; f < faces.rows(); ++f)
+        if ((faces.row(f).array() == vertex).any()) ring.insert({faces(f, 0), faces(f, 1), faces(f, 2)});
+    return ring;
+}
+
+/// A vertex near `vertex` that shares no neighbour with it.
+int nearest_apart(const Mesh& mesh, int vertex) {
+    const std::set<int> ring = one_ring(mesh.faces, vertex);
+    int nearest = -1;
+    double distance = std::numeric_limits<double>::infinity();
+    for (int v = 0; v < static_cast<int>(mesh.vertices.rows()); ++v) {
+        const double d = (mesh.vertices.row(v) - mesh.vertices.row(vertex)).norm();
+        if (d >= distance) continue;
+        const std::set<int> other = one_ring(mesh.faces, v);
+        if (std::none_of(other.begin(), other.end(), [&](int w) { return ring.count(w) > 0; })) {
+            nearest = v;
+            distance = d;
+        }
+    }
+    return nearest;
+}
+
+} // namespace
+
+TEST_CASE("the curve alone is found in the caller's coordinates, and ends where the limbs do") {
+    const Motion motion{random_rotation(3), 40, {100, -200, 300}};
+    const Mesh mesh = moved(three_tubes(), motion);
+    const CurveSkeleton<double> curve = find_curve_skeleton(mesh);
+    for (const Vec3& end : three_tube_ends()) {
+        const Vec3 expected = motion.apply(end);
+        const double nearest = (curve.nodes.rowwise() - expected.transpose()).rowwise().norm().minCoeff();
+        CHECK(nearest < 0.2 * motion.scale);
+    }
+}
+
+TEST_CASE("the regions of the curve hold every vertex of the largest piece exactly once") {
+    const Mesh body = three_tubes();
+    SECTION("one piece") {
+        CHECK(vertices_in_regions(find_curve_skeleton(body)) == first_numbers(body.vertices.rows()));
+    }
+    SECTION("a smaller piece beside it") {
+        const Mesh both = side_by_side(body, moved(sphere(0.05, 2), {Eigen::Matrix3d::Identity(), 1, {3, 3, 3}}));
+        CHECK(vertices_in_regions(find_curve_skeleton(both)) == first_numbers(body.vertices.rows()));
+    }
+    SECTION("two fans of faces touch in one vertex") {
+        Mesh touching = body;
+        const int kept = 0, fused = nearest_apart(body, kept);
+        REQUIRE(fused > 0);
+        touching.faces = touching.faces.unaryExpr([&](int v) { return v == fused ? kept : v; }).eval();
+        std::vector<int> expected = first_numbers(body.vertices.rows());
+        std::erase(expected, fused); // no face uses it any more
+        CHECK(vertices_in_regions(find_curve_skeleton(touching)) == expected);
+    }
+}

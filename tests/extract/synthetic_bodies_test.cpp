@@ -1,0 +1,220 @@
+// What must not change a skeleton, on bodies made by code.
+
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/extract.hpp>
+#include <skelgen/io/template_json.hpp>
+#include <skelgen/synth/body.hpp>
+
+#include "catch.hpp"
+#include "extract/same_skeleton.hpp"
+#include "mesh_changes.hpp"
+#include "shapes.hpp"
+
+using namespace skelgen;
+using namespace skelgen::test;
+
+namespace {
+
+constexpr int faces = 8000;
+
+SynthBody walking_woman() {
+    BodyShape shape;
+    shape.masculinity = 0;
+    return synthesize_body(shape, spread_limbs(shape, named_pose("walk")), faces);
+}
+
+/// Mirror-symmetric: its left and its right are told by the pipeline alone, not by chance.
+SynthBody standing_man() {
+    const BodyShape shape;
+    return synthesize_body(shape, spread_limbs(shape, named_pose("a")), faces);
+}
+
+SynthBody kneeling_boy() {
+    BodyShape shape;
+    shape.age = 10;
+    return synthesize_body(shape, spread_limbs(shape, named_pose("kneel")), faces);
+}
+
+struct Named {
+    const char* name;
+    SynthBody body;
+};
+
+std::vector<Named> bodies() {
+    return {{"walking woman", walking_woman()}, {"standing man", standing_man()}, {"kneeling boy", kneeling_boy()}};
+}
+
+void check_lies_in(const Mesh& mesh, const KinematicSkeleton<double>& skeleton) {
+    for (const Joint<double>& joint : skeleton.joints) {
+        INFO(joint.name);
+        CHECK(winding_number(mesh, joint.position) > 0.5);
+        CHECK(joint.radius >= 0);
+    }
+}
+
+} // namespace
+
+TEST_CASE("joints lie inside of the body, end points on it, and the frame is one") {
+    for (const auto& [name, body] : bodies()) {
+        INFO(name);
+        const Extraction<double> out = extract_skeleton(body.mesh);
+        check_lies_in(body.mesh, out.skeleton);
+        CHECK(out.skeleton.quality.matched_nodes == 7);
+        CHECK(out.geodesic_diameter == Approx(body.truth.geodesic_diameter).epsilon(0.05));
+        for (const auto& [end, point] : out.skeleton.end_points) {
+            INFO(end);
+            CHECK((body.mesh.vertices.rowwise() - point.transpose()).rowwise().norm().minCoeff() <
+                  0.02 * out.geodesic_diameter);
+        }
+        const BodyFrame<double>& frame = out.skeleton.frame;
+        CHECK((frame.left.cross(frame.forward) + frame.up).norm() < 1e-9);
+    }
+}
+
+TEST_CASE("joints are near the true ones, left and right as they are") {
+    for (const auto& [name, body] : bodies()) {
+        INFO(name);
+        const Extraction<double> out = extract_skeleton(body.mesh);
+        REQUIRE(out.skeleton.joints.size() == body.truth.joints.size());
+        double sum = 0;
+        for (std::size_t j = 0; j < out.skeleton.joints.size(); ++j) {
+            const double error =
+                (out.skeleton.joints[j].position - body.truth.joints[j]).norm() / body.truth.geodesic_diameter;
+            sum += error;
+            INFO(out.skeleton.joints[j].name);
+            CHECK(error < 0.1); // neither a limb on the wrong side nor a joint in the wrong place
+        }
+        CHECK(sum / static_cast<double>(out.skeleton.joints.size()) < 0.03);
+    }
+}
+
+TEST_CASE("place, size and direction of a body do not matter") {
+    for (const auto& [name, body] : bodies()) {
+        const Extraction<double> expected = extract_skeleton(body.mesh);
+        const double far = 100 * expected.geodesic_diameter;
+        unsigned seed = 1;
+        for (const Motion& motion :
+             {Motion{random_rotation(1), 1, Vec3::Zero()}, Motion{random_rotation(2), 0.001, Vec3::Zero()},
+              Motion{random_rotation(3), 1000, Vec3::Zero()},
+              Motion{Eigen::Matrix3d::Identity(), 1, far * Vec3(0.6, -0.64, 0.48)},
+              Motion{random_rotation(4), 1, far * Vec3(-1, 0, 0)}}) {
+            INFO(name << ", motion " << seed++);
+            const Extraction<double> out = extract_skeleton(moved(body.mesh, motion));
+            const Difference d = difference(out, expected, motion);
+            INFO("at " << d.where);
+            CHECK(d.joint < 1e-3);
+            CHECK(d.end < 1e-3);
+            CHECK(d.frame_angle < 1);
+            CHECK(out.geodesic_diameter == Approx(motion.scale * expected.geodesic_diameter).epsilon(1e-3));
+        }
+    }
+}
+
+TEST_CASE("the order of vertices and faces does not matter") {
+    for (const auto& [name, body] : bodies()) {
+        const Extraction<double> expected = extract_skeleton(body.mesh);
+        for (unsigned seed = 1; seed <= 3; ++seed) {
+            INFO(name << ", order " << seed);
+            const Difference d = difference(extract_skeleton(shuffled(body.mesh, seed)), expected);
+            INFO("at " << d.where);
+            CHECK(d.joint < 5e-3);
+            CHECK(d.end < 2e-2); // a vertex, and flat crowns have many
+            CHECK(d.frame_angle < 5);
+        }
+    }
+}
+
+TEST_CASE("single precision is precise enough") {
+    for (const auto& [name, body] : bodies()) {
+        INFO(name);
+        const TriangleMesh<float> rounded{body.mesh.vertices.cast<float>(), body.mesh.faces};
+        const Difference d = difference(extract_skeleton(rounded), extract_skeleton(body.mesh));
+        INFO("at " << d.where);
+        CHECK(d.joint < 5e-3);
+        CHECK(d.end < 2e-2); // a vertex, and flat crowns have many
+        CHECK(d.frame_angle < 5);
+    }
+}
+
+TEST_CASE("the same body has the same skeleton, to the last bit, whatever the number of threads") {
+    const SynthBody body = walking_woman();
+    ExtractOptions threads;
+    threads.threads = 4;
+    const Extraction<double> a = extract_skeleton(body.mesh), b = extract_skeleton(body.mesh),
+                             c = extract_skeleton(body.mesh, threads);
+    for (const Extraction<double>* other : {&b, &c}) {
+        REQUIRE(other->skeleton.joints.size() == a.skeleton.joints.size());
+        for (std::size_t j = 0; j < a.skeleton.joints.size(); ++j) {
+            CHECK(other->skeleton.joints[j].position == a.skeleton.joints[j].position);
+            CHECK(other->skeleton.joints[j].radius == a.skeleton.joints[j].radius);
+        }
+        CHECK(other->curve.nodes == a.curve.nodes);
+        CHECK(other->curve.edges == a.curve.edges);
+        CHECK(other->curve.regions == a.curve.regions);
+        CHECK(other->skeleton.quality.sides_confidence == a.skeleton.quality.sides_confidence);
+        CHECK(other->skeleton.quality.warnings == a.skeleton.quality.warnings);
+    }
+}
+
+TEST_CASE("a mirror image has the mirrored skeleton, left and right exchanged") {
+    const SynthBody body = walking_woman();
+    Mesh image = body.mesh;
+    image.vertices.col(0) *= -1;
+    image.faces.col(0).swap(image.faces.col(1));
+    const Extraction<double> expected = extract_skeleton(body.mesh), out = extract_skeleton(image);
+    for (const Joint<double>& joint : expected.skeleton.joints) {
+        std::string other = joint.name;
+        if (other.rfind("left_", 0) == 0)
+            other.replace(0, 4, "right");
+        else if (other.rfind("right_", 0) == 0)
+            other.replace(0, 5, "left");
+        INFO(joint.name << " becomes " << other);
+        const Vec3 mirrored_place = joint.position.cwiseProduct(Vec3(-1, 1, 1));
+        const int found = find_joint(out.skeleton, other);
+        REQUIRE(found >= 0);
+        CHECK((out.skeleton.joints[static_cast<std::size_t>(found)].position - mirrored_place).norm() /
+                  expected.geodesic_diameter <
+              0.02);
+    }
+}
+
+TEST_CASE("faults of a scan do little harm") {
+    const SynthBody body = walking_woman();
+    const Extraction<double> expected = extract_skeleton(body.mesh);
+
+    // A ball floating beside the body, and a vertex that no face uses far away.
+    Mesh littered = side_by_side(moved(sphere(0.05, 2), {Eigen::Matrix3d::Identity(), 1, Vec3(1, 1, 1)}), body.mesh);
+    littered.vertices.conservativeResize(littered.vertices.rows() + 1, 3);
+    littered.vertices.bottomRows<1>() << 40, 40, 40;
+    const Extraction<double> out = extract_skeleton(littered);
+    CHECK(difference(out, expected).joint < 0.02);
+    CHECK_FALSE(out.skeleton.quality.warnings.empty());
+
+    const Mesh holed = without_faces(body.mesh, 1000, 3);
+    CHECK(difference(extract_skeleton(holed), expected).joint < 0.02);
+}
+
+TEST_CASE("the curve's regions index the input's vertices, each once") {
+    const SynthBody body = walking_woman();
+    const Mesh mesh = shuffled(body.mesh, 5);
+    const Extraction<double> out = extract_skeleton(mesh);
+    std::vector<int> count(static_cast<std::size_t>(mesh.vertices.rows()), 0);
+    double farthest = 0;
+    for (std::size_t k = 0; k < out.curve.regions.size(); ++k)
+        for (const int v : out.curve.regions[k]) {
+            ++count[static_cast<std::size_t>(v)];
+            farthest =
+                std::max(farthest, (mesh.vertices.row(v) - out.curve.nodes.row(static_cast<Eigen::Index>(k))).norm());
+        }
+    CHECK(std::all_of(count.begin(), count.end(), [](int n) { return n == 1; }));
+    CHECK(farthest < 0.35); // metres: no more than half a trunk away
+}
+
+TEST_CASE("the other template goes through the same pipeline") {
+    const SynthBody body = walking_woman();
+    ExtractOptions options;
+    options.skeleton_template = builtin_template("pinocchio18");
+    const Extraction<double> out = extract_skeleton(body.mesh, options);
+    CHECK(out.skeleton.joints.size() == options.skeleton_template.joints.size());
+    check_lies_in(body.mesh, out.skeleton);
+}

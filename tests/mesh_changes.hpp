@@ -1,0 +1,117 @@
+#pragma once
+
+// What must not matter to a result: place, size, order. And how meshes hang together.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <skelgen/core/mesh.hpp>
+
+namespace skelgen::test {
+
+/// A rotation, then a scale, then a translation.
+struct Motion {
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    double scale = 1;
+    Vector3<double> translation = Vector3<double>::Zero();
+
+    [[nodiscard]] Vector3<double> apply(const Vector3<double>& p) const { return scale * (rotation * p) + translation; }
+    [[nodiscard]] Vector3<double> undo(const Vector3<double>& p) const {
+        return rotation.transpose() * (p - translation) / scale;
+    }
+};
+
+/// A rotation drawn from `seed`, all equally likely.
+inline Eigen::Matrix3d random_rotation(unsigned seed) {
+    std::mt19937_64 random(seed);
+    const auto uniform = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53); };
+    const double u = uniform(), a = 2 * std::numbers::pi * uniform(), b = 2 * std::numbers::pi * uniform();
+    return Eigen::Quaterniond(std::sqrt(u) * std::cos(b), std::sqrt(1 - u) * std::sin(a),
+                              std::sqrt(1 - u) * std::cos(a), std::sqrt(u) * std::sin(b))
+        .normalized()
+        .toRotationMatrix();
+}
+
+inline TriangleMesh<double> moved(TriangleMesh<double> mesh, const Motion& motion) {
+    for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v)
+        mesh.vertices.row(v) = motion.apply(mesh.vertices.row(v).transpose()).transpose();
+    return mesh;
+}
+
+/// A permutation of 0 to n - 1, the same on every machine.
+inline std::vector<int> random_permutation(int n, std::mt19937_64& random) {
+    std::vector<int> order(static_cast<std::size_t>(n));
+    std::iota(order.begin(), order.end(), 0);
+    for (std::size_t i = order.size(); i-- > 1;) std::swap(order[i], order[random() % (i + 1)]);
+    return order;
+}
+
+/// The same surface with vertices, faces and first corners in another order.
+inline TriangleMesh<double> shuffled(const TriangleMesh<double>& mesh, unsigned seed) {
+    std::mt19937_64 random(seed);
+    const std::vector<int> vertex = random_permutation(static_cast<int>(mesh.vertices.rows()), random);
+    const std::vector<int> face = random_permutation(static_cast<int>(mesh.faces.rows()), random);
+    TriangleMesh<double> out = mesh;
+    for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v)
+        out.vertices.row(vertex[static_cast<std::size_t>(v)]) = mesh.vertices.row(v);
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+        const auto turn = static_cast<int>(random() % 3);
+        for (int k = 0; k < 3; ++k)
+            out.faces(face[static_cast<std::size_t>(f)], (k + turn) % 3) =
+                vertex[static_cast<std::size_t>(mesh.faces(f, k))];
+    }
+    return out;
+}
+
+/// Both meshes as one, not connected.
+inline TriangleMesh<double> side_by_side(const TriangleMesh<double>& a, const TriangleMesh<double>& b) {
+    TriangleMesh<double> out;
+    out.vertices.resize(a.vertices.rows() + b.vertices.rows(), 3);
+    out.vertices << a.vertices, b.vertices;
+    out.faces.resize(a.faces.rows() + b.faces.rows(), 3);
+    out.faces << a.faces, (b.faces.array() + static_cast<int>(a.vertices.rows())).matrix();
+    return out;
+}
+
+/// Without the faces `first`, `first` + 1, ... `first` + `count` - 1.
+inline TriangleMesh<double> without_faces(const TriangleMesh<double>& mesh, Eigen::Index first, Eigen::Index count) {
+    TriangleMesh<double> out = mesh;
+    const Eigen::Index rest = mesh.faces.rows() - first - count;
+    out.faces.resize(mesh.faces.rows() - count, 3);
+    out.faces << mesh.faces.topRows(first), mesh.faces.bottomRows(rest);
+    return out;
+}
+
+/// Vertices - edges + faces; vertices that no face uses do not count.
+inline int euler_characteristic(const Triangles& faces) {
+    std::set<int> vertices;
+    std::set<std::pair<int, int>> edges;
+    for (Eigen::Index f = 0; f < faces.rows(); ++f)
+        for (int k = 0; k < 3; ++k) {
+            vertices.insert(faces(f, k));
+            edges.insert(std::minmax({faces(f, k), faces(f, (k + 1) % 3)}));
+        }
+    return static_cast<int>(vertices.size()) - static_cast<int>(edges.size()) + static_cast<int>(faces.rows());
+}
+
+/// Does every edge join two faces that run along it in opposite senses?
+inline bool is_closed(const Triangles& faces) {
+    std::map<std::pair<int, int>, int> count;
+    for (Eigen::Index f = 0; f < faces.rows(); ++f)
+        for (int k = 0; k < 3; ++k) ++count[{faces(f, k), faces(f, (k + 1) % 3)}];
+    return std::all_of(count.begin(), count.end(), [&](const auto& entry) {
+        const auto back = count.find({entry.first.second, entry.first.first});
+        return entry.second == 1 && back != count.end() && back->second == 1;
+    });
+}
+
+} // namespace skelgen::test

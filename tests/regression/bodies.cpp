@@ -1,0 +1,56 @@
+#include "bodies.hpp"
+
+#include <utility>
+
+#include <skelgen/io/atomic_file.hpp>
+#include <skelgen/io/write_mesh.hpp>
+#include <skelgen/synth/objects.hpp>
+#include <skelgen/synth/sets.hpp>
+
+#include "parallel.hpp"
+
+namespace skelgen::regression {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t seed = 1;
+constexpr int object_faces = 8000;
+constexpr const char* done = "done"; ///< a file that tells a finished folder from one that was interrupted
+
+} // namespace
+
+const std::vector<SetSample>& body_samples() {
+    static const std::vector<SetSample> samples{{"scape", 14}, {"faust", 9}, {"proportions", 3}, {"partial", 3},
+                                                {"joined", 2}, {"scan", 2},  {"dressed", 2}};
+    return samples;
+}
+
+void make_bodies(const fs::path& folder, unsigned jobs) {
+    fs::remove_all(folder);
+    std::vector<std::pair<std::string, BodyPlan>> bodies;
+    for (const SetSample& sample : body_samples()) {
+        fs::create_directories(folder / "meshes" / sample.set);
+        fs::create_directories(folder / "truth" / sample.set);
+        const std::vector<BodyPlan> plans = body_set(sample.set, seed);
+        for (std::size_t i = 0; i < plans.size(); i += sample.stride) bodies.emplace_back(sample.set, plans[i]);
+    }
+    for_each_index(bodies.size(), jobs, [&](std::size_t i) {
+        const auto& [set, plan] = bodies[i];
+        const SynthBody body = synthesize_body(plan);
+        write_mesh(folder / "meshes" / set / (plan.name + ".off"), body.mesh);
+        write_file_atomically(folder / "truth" / set / (plan.name + ".json"),
+                              truth_to_json(body.truth, set + "/" + plan.name + ".off"));
+    });
+
+    fs::create_directories(folder / "objects");
+    const std::vector<std::string> objects = object_names();
+    for_each_index(objects.size(), jobs, [&](std::size_t i) {
+        write_mesh(folder / "objects" / (objects[i] + ".off"), synthesize_object(objects[i], object_faces));
+    });
+    write_file_atomically(folder / done, "");
+}
+
+bool has_bodies(const fs::path& folder) { return fs::exists(folder / done); }
+
+} // namespace skelgen::regression

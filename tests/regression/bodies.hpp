@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace skelgen::regression {
+
+/// A part of a synthetic set: every `stride`-th body of it.
+struct SetSample {
+    std::string set;
+    std::size_t stride = 1;
+};
+
+/// What the regression looks at: easy sets and hard ones.
+[[nodiscard]] const std::vector<SetSample>& body_samples();
+
+/// The set of things in which no skeleton is to be found.
+inline constexpr const char* object_set = "not-a-body";
+
+/// Makes the samples: FOLDER/meshes/<set>/<name>.off, FOLDER/truth/<set>/<name>.json; the objects' meshes, which have
+/// no truth, under FOLDER/objects. What was there before goes.
+void make_bodies(const std::filesystem::path& folder, unsigned jobs);
+
+/// Whether `make_bodies` has come to its end in this folder.
+[[nodiscard]] bool has_bodies(const std::filesystem::path& folder);
+
+} // namespace skelgen::regression

@@ -1,0 +1,217 @@
+#include "scores.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <iterator>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include <skelgen/core/error.hpp>
+#include <skelgen/evaluation/evaluate.hpp>
+#include <skelgen/extract.hpp>
+#include <skelgen/io/atomic_file.hpp>
+#include <skelgen/io/read_mesh.hpp>
+#include <skelgen/io/skeleton_json.hpp>
+
+#include "bodies.hpp"
+#include "parallel.hpp"
+
+namespace skelgen::regression {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+/// Four digits are what a skeleton's error is good for, and what a difference can be read in.
+double rounded(double error) { return std::round(error * 1e4) / 1e4; }
+
+std::vector<fs::path> meshes_below(const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.path().extension() == ".off") files.push_back(entry.path());
+    return files;
+}
+
+/// Whether there is a skeleton; one that is found is written to the file.
+bool extract(const fs::path& mesh, const fs::path& skeleton) {
+    try {
+        write_skeleton(skeleton, extract_skeleton(read_mesh<double>(mesh)).skeleton);
+        return true;
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::no_skeleton && error.code() != ErrorCode::bad_input) throw;
+        return false;
+    }
+}
+
+/// Extracts every mesh below the folder to the same place below another. Returns how many had no skeleton.
+std::size_t extract_all(const fs::path& meshes, const fs::path& skeletons, unsigned jobs) {
+    const std::vector<fs::path> files = meshes_below(meshes);
+    std::atomic<std::size_t> refused = 0;
+    for_each_index(files.size(), jobs, [&](std::size_t i) {
+        const fs::path skeleton = (skeletons / files[i].lexically_relative(meshes)).replace_extension(".json");
+        fs::create_directories(skeleton.parent_path());
+        if (!extract(files[i], skeleton)) ++refused;
+    });
+    return refused;
+}
+
+Json to_json(const SetResult& result) {
+    Json json{{"meshes", result.meshes}};
+    for (const auto& [name, count] : result.counts) json[name] = count;
+    if (!result.joints.empty()) json["joints"] = result.joints;
+    return json;
+}
+
+SetResult to_result(const Json& json) {
+    SetResult result;
+    for (const auto& [key, value] : json.items()) {
+        if (key == "meshes")
+            result.meshes = value.get<std::size_t>();
+        else if (key == "joints")
+            result.joints = value.get<std::map<std::string, double>>();
+        else
+            result.counts[key] = value.get<std::size_t>();
+    }
+    return result;
+}
+
+std::string line(const std::string& set, const std::string& what, const std::string& before, const std::string& after) {
+    std::ostringstream text;
+    text << std::left << std::setw(12) << set << ' ' << std::setw(15) << what << ' ' << std::right << std::setw(7)
+         << before << " -> " << std::setw(7) << after;
+    return text.str();
+}
+
+std::string digits(double error) {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(4) << error;
+    return text.str();
+}
+
+/// The two maps' values for every key of either, as text; "-" where there is none.
+template <typename Value, typename ToText, typename Visit>
+void for_each_pair(const std::map<std::string, Value>& a, const std::map<std::string, Value>& b, const ToText& to_text,
+                   const Visit& visit) {
+    std::map<std::string, std::pair<std::string, std::string>> pairs;
+    for (const auto& [key, value] : a) pairs[key] = {to_text(value), "-"};
+    for (const auto& [key, value] : b) {
+        auto& pair = pairs[key];
+        if (pair.first.empty()) pair.first = "-";
+        pair.second = to_text(value);
+    }
+    for (const auto& [key, pair] : pairs) visit(key, pair.first, pair.second);
+}
+
+double mean_error(const SetResult& result) {
+    double sum = 0;
+    for (const auto& [joint, error] : result.joints) sum += error;
+    return sum / static_cast<double>(result.joints.size());
+}
+
+std::size_t count_or_none(const SetResult& result, const std::string& name) {
+    const auto found = result.counts.find(name);
+    return found == result.counts.end() ? 0 : found->second;
+}
+
+} // namespace
+
+Results measure(const fs::path& folder, unsigned jobs) {
+    const fs::path skeletons = folder / "skeletons";
+    fs::remove_all(skeletons);
+    extract_all(folder / "meshes", skeletons, jobs);
+    Results results;
+    for (const SetScore& score : evaluate_folders(folder / "truth", skeletons)) {
+        const SetSummary summary = summarise(score);
+        SetResult& result = results[summary.name];
+        result.meshes = summary.meshes;
+        result.counts = {{"solved", summary.solved}, {"sides", summary.sides}};
+        for (const auto& [joint, statistics] : summary.per_joint) result.joints[joint] = rounded(statistics.mean);
+    }
+    SetResult& objects = results[object_set];
+    objects.meshes = meshes_below(folder / "objects").size();
+    objects.counts["refused"] = extract_all(folder / "objects", skeletons / "objects", jobs);
+    return results;
+}
+
+Expectations read_expectations(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    try {
+        const Json json = Json::parse(in);
+        Expectations expectations;
+        expectations.tolerances = {json.at("tolerances").at("count").get<std::size_t>(),
+                                   json.at("tolerances").at("joint_error").get<double>()};
+        for (const auto& [set, result] : json.at("sets").items()) expectations.sets[set] = to_result(result);
+        return expectations;
+    } catch (const Json::exception& error) {
+        throw Error(ErrorCode::bad_input, file.string() + ": holds no expected scores: " + error.what());
+    }
+}
+
+void write_expectations(const fs::path& file, const Expectations& expectations) {
+    Json sets = Json::object();
+    for (const auto& [set, result] : expectations.sets) sets[set] = to_json(result);
+    const Json json{{"tolerances",
+                     {{"count", expectations.tolerances.count}, {"joint_error", expectations.tolerances.joint_error}}},
+                    {"sets", sets}};
+    write_file_atomically(file, json.dump(1) + "\n");
+}
+
+std::vector<std::string> moves(const Results& before, const Results& after) {
+    std::vector<std::string> lines;
+    Results all = before;
+    all.insert(after.begin(), after.end());
+    for (const auto& [set, unused] : all) {
+        const auto part = [name = set](const Results& results) {
+            const auto found = results.find(name);
+            return found == results.end() ? SetResult{} : found->second;
+        };
+        const SetResult a = part(before), b = part(after);
+        const auto add = [&lines, name = set](const std::string& what, const std::string& was, const std::string& is) {
+            if (was != is) lines.push_back(line(name, what, was, is));
+        };
+        add("meshes", std::to_string(a.meshes), std::to_string(b.meshes));
+        for_each_pair(
+            a.counts, b.counts, [](std::size_t count) { return std::to_string(count); }, add);
+        for_each_pair(a.joints, b.joints, digits, add);
+    }
+    return lines;
+}
+
+std::vector<std::string> regressions(const Expectations& expected, const Results& found) {
+    std::vector<std::string> lines;
+    for (const auto& [set, result] : expected.sets) {
+        const auto now = found.find(set);
+        if (now == found.end() || now->second.meshes != result.meshes) {
+            lines.push_back(set + ": is not made of the same meshes");
+            continue;
+        }
+        for (const auto& [name, count] : result.counts)
+            if (const std::size_t is = count_or_none(now->second, name); is + expected.tolerances.count < count)
+                lines.push_back(line(set, name, std::to_string(count), std::to_string(is)));
+        for (const auto& [joint, error] : result.joints) {
+            const auto is = now->second.joints.find(joint);
+            if (is == now->second.joints.end())
+                lines.push_back(line(set, joint, digits(error), "-"));
+            else if (is->second > error + expected.tolerances.joint_error)
+                lines.push_back(line(set, joint, digits(error), digits(is->second)));
+        }
+    }
+    return lines;
+}
+
+std::string to_table(const Results& results) {
+    std::ostringstream text;
+    text << "set          meshes  solved   sides refused   mean error\n";
+    for (const auto& [set, result] : results) {
+        text << std::left << std::setw(12) << set << std::right << std::setw(7) << result.meshes;
+        for (const char* count : {"solved", "sides", "refused"})
+            text << std::setw(8)
+                 << (result.counts.count(count) > 0 ? std::to_string(result.counts.at(count)) : std::string("-"));
+        text << std::setw(13) << (result.joints.empty() ? std::string("-") : digits(mean_error(result))) << '\n';
+    }
+    return text.str();
+}
+
+} // namespace skelgen::regression
