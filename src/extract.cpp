@@ -115,6 +115,23 @@ BodyCurve find_body_curve(const TriangleMesh<Scalar>& mesh, const ExtractOptions
     return out;
 }
 
+/// Embeds the template in `curve`. Where a limb has been lost on the way to the curve, finer proxies are tried, and `curve`
+/// is the one that serves. \throws Error no_skeleton when none does.
+Embedding embed_patiently(const TriangleMesh<double>& mesh, const CurveGraph<double>& surface,
+                          CurveSkeleton<double>& curve, const SkeletonTemplate& wanted, const ExtractOptions& options) {
+    constexpr int attempts = 3; // each half as fine again as the last one
+    ProxyOptions finer = options.proxy;
+    for (int attempt = 1;; ++attempt) {
+        try {
+            return embed(curve, wanted, options.matching);
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::no_skeleton || attempt == attempts) throw;
+        }
+        finer.vertices += finer.vertices / 2;
+        curve = extract_curve(mesh, surface, build_proxy(mesh, finer), options.curve);
+    }
+}
+
 } // namespace
 
 template <typename Scalar>
@@ -130,11 +147,11 @@ Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const Extr
         options.skeleton_template.joints.empty() ? builtin_template("human21") : options.skeleton_template;
     validate_template(wanted);
 
-    const auto [similarity, body, surface, curve] = find_body_curve(mesh, options);
+    auto [similarity, body, surface, curve] = find_body_curve(mesh, options);
     Extraction<Scalar> out;
     out.timings.curve = stage.lap();
 
-    const Embedding embedding = embed(curve, wanted, options.matching);
+    const Embedding embedding = embed_patiently(body.mesh, surface, curve, wanted, options);
     out.timings.embed = stage.lap();
 
     const std::vector<EndPoint> ends = find_end_points(body.mesh, surface, curve, embedding, wanted);

@@ -125,11 +125,10 @@ template <typename Scalar>
 
     out.input_vertex.resize(static_cast<std::size_t>(moved.rows()));
     std::iota(out.input_vertex.begin(), out.input_vertex.end(), 0);
-    std::sort(out.input_vertex.begin(), out.input_vertex.end(), [&](int a, int b) {
-        for (int k = 0; k < 3; ++k)
-            if (moved(a, k) != moved(b, k)) return moved(a, k) < moved(b, k);
-        return a < b;
-    });
+    // Along a direction askew to the axes, on which the two halves of a symmetric body do not tie.
+    const Eigen::VectorXd rank = moved * Vector3<double>(1, 0.7548776662466927, 0.5698402909980532);
+    std::sort(out.input_vertex.begin(), out.input_vertex.end(),
+              [&](int a, int b) { return rank[a] != rank[b] ? rank[a] < rank[b] : a < b; });
     std::vector<int> canonical_index(out.input_vertex.size());
     out.mesh.vertices.resize(moved.rows(), 3);
     for (std::size_t i = 0; i < out.input_vertex.size(); ++i) {
