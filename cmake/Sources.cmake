@@ -44,8 +44,12 @@ set(skelgen_headers
     include/skelgen/refinement/centreline.hpp
     include/skelgen/refinement/cross_section.hpp
     include/skelgen/refinement/end_points.hpp
+    include/skelgen/refinement/head.hpp
     include/skelgen/refinement/limbs.hpp
     include/skelgen/refinement/refine.hpp
+    include/skelgen/refinement/settle.hpp
+    include/skelgen/refinement/thickness_profile.hpp
+    include/skelgen/refinement/trunk_shape.hpp
     include/skelgen/render/contact_sheet.hpp
     include/skelgen/render/image.hpp
     include/skelgen/render/png.hpp
@@ -104,8 +108,15 @@ set(skelgen_sources
     src/refinement/centreline.cpp
     src/refinement/cross_section.cpp
     src/refinement/end_points.cpp
+    src/refinement/head.cpp
+    src/refinement/limb_joints.cpp
     src/refinement/limbs.cpp
+    src/refinement/placement.cpp
     src/refinement/refine.cpp
+    src/refinement/settle.cpp
+    src/refinement/thickness_profile.cpp
+    src/refinement/trunk_joints.cpp
+    src/refinement/trunk_shape.cpp
     src/render/body.cpp
     src/render/canvas.cpp
     src/render/check.cpp

@@ -11,6 +11,7 @@
 #include <skelgen/curve/manifold_parts.hpp>
 #include <skelgen/embedding/embed.hpp>
 #include <skelgen/io/template_json.hpp>
+#include <skelgen/refinement/settle.hpp>
 
 namespace skelgen {
 namespace {
@@ -161,6 +162,10 @@ Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const Extr
 
     const SidesDecision sides = decide_sides(joints, wanted, options.sides);
     KinematicSkeleton<double> skeleton = assemble(joints, wanted, sides);
+    move_to_bones(skeleton, wanted);
+    balance_bones(skeleton, wanted);
+    keep_inside(skeleton, body.mesh, curve);
+    measure_radii(skeleton, body.mesh);
     skeleton.quality.matched_nodes = embedding.matched_nodes;
     if (body.dropped_pieces > 0)
         skeleton.quality.warnings.push_back(std::to_string(body.dropped_pieces) +

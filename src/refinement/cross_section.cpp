@@ -189,4 +189,9 @@ double gauss_map_flatness(const CrossSection& section) {
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues()[0] / trace;
 }
 
+double egg_shape(const CrossSection& section, const Vector3<double>& direction) {
+    const Eigen::VectorXd along = section.points * direction;
+    return (along.maxCoeff() + along.minCoeff()) / 2 - section.centroid.dot(direction);
+}
+
 } // namespace skelgen

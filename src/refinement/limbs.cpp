@@ -71,6 +71,11 @@ double template_scale(const SkeletonTemplate& skeleton_template, double geodesic
     return geodesic_diameter / (diameter_of_longest_path * longest_path(skeleton_template));
 }
 
+void draw_limb(Limb& limb, const Slicer& slicer, const EndPoint& end, const CentrelineOptions& options) {
+    limb.line = draw_centreline(slicer, ring_centres(slicer, end, 1.05 * limb.from_tip.front(), options.step), options);
+    limb.attachment = attachment_of(limb);
+}
+
 std::vector<Limb> trace_limbs(const Slicer& slicer, const std::vector<EndPoint>& ends,
                               const SkeletonTemplate& skeleton_template, double scale,
                               const CentrelineOptions& options) {
@@ -87,10 +92,7 @@ std::vector<Limb> trace_limbs(const Slicer& slicer, const std::vector<EndPoint>&
             const TemplateJoint& parent = skeleton_template.joints[static_cast<std::size_t>(joint.parent)];
             distance += (joint.position - parent.position).norm();
         }
-        const Points<double> rings =
-            ring_centres(slicer, end_point, 1.05 * limb.from_tip.front(), options.step);
-        limb.line = draw_centreline(slicer, rings, options);
-        limb.attachment = attachment_of(limb);
+        draw_limb(limb, slicer, end_point, options);
         limbs.push_back(std::move(limb));
     }
     return limbs;

@@ -70,7 +70,8 @@ SidesDecision decide_sides(const RefinedJoints& joints, const SkeletonTemplate& 
                            const SidesOptions& options) {
     const Anatomy anatomy(joints, skeleton_template);
     const Vector3<double> root = anatomy.get(pelvis);
-    const Vector3<double> spine = anatomy.find(waist).value_or(anatomy.get(chest)) - root;
+    const Vector3<double> hips_middle = 0.5 * (anatomy.get(hip, Side::left) + anatomy.get(hip, Side::right));
+    const Vector3<double> spine = anatomy.find(waist).value_or(anatomy.get(chest)) - hips_middle;
     const Vector3<double> up = spine.normalized();
     const Vector3<double> hips = anatomy.get(hip, Side::left) - anatomy.get(hip, Side::right);
     const Vector3<double> across = detail::without_component(hips, up).normalized();
@@ -98,12 +99,23 @@ SidesDecision decide_sides(const RefinedJoints& joints, const SkeletonTemplate& 
             out.votes.push_back({"elbow", options.elbow * fold.dot(across)});
         }
     }
+    constexpr double clear_head = 0.08, clear_trunk = 0.012; // median frontness over 96 bodies
+    const auto vote_of_shape = [&](const Vector3<double>& facing, double frontness) {
+        return std::min(1.0, frontness) * up.cross(facing).dot(across);
+    };
+    if (joints.head)
+        out.votes.push_back({"head", options.head * vote_of_shape(joints.head->forward, joints.head->frontness / clear_head)});
+    if (joints.trunk)
+        out.votes.push_back(
+            {"trunk", options.trunk * vote_of_shape(joints.trunk->forward, joints.trunk->frontness / clear_trunk)});
     out.swap_legs = sum(out.votes) < 0;
     out.confidence = confidence_of(out.votes);
 
-    // Where the feet say nothing, the hips decide; where they speak, they know better than hips that a deep crouch hides.
+    // Where the feet say nothing, or are outvoted, the hips decide; where they speak, they know better than hips that a deep
+    // crouch hides.
+    const Vector3<double> decided = out.swap_legs ? Vector3<double>(-across) : across;
     Vector3<double> left = up.cross(forward);
-    if (!(left.norm() > 0.5)) left = out.swap_legs ? Vector3<double>(-across) : across;
+    if (!(left.norm() > 0.5) || left.dot(decided) < 0) left = decided;
     out.frame.origin = root;
     out.frame.up = up;
     out.frame.left = detail::without_component(left, up).normalized();
@@ -143,13 +155,12 @@ KinematicSkeleton<double> assemble(const RefinedJoints& joints, const SkeletonTe
     for (std::size_t j = 0; j < skeleton_template.joints.size(); ++j) {
         const TemplateJoint& joint = skeleton_template.joints[j];
         const auto source = static_cast<Eigen::Index>(source_of(j, skeleton_template, sides));
-        out.joints.push_back({joint.name, joint.parent, joints.positions.row(source).transpose(), joints.radii[source]});
+        out.joints.push_back({joint.name, joint.parent, joints.positions.row(source).transpose(), 0});
         for (const auto& [end, tip] : joints.tips)
             if (end == source) out.end_points.emplace_back(end_point_name(joint), tip);
     }
     out.frame = sides.frame;
     out.quality.sides_confidence = sides.confidence;
-    out.quality.warnings = joints.warnings;
     return out;
 }
 

@@ -72,7 +72,6 @@ inline PosedBody posed(const TestPose& pose, const Eigen::Matrix3d& rotation = E
     PosedBody out;
     const auto n = static_cast<Eigen::Index>(human.joints.size());
     out.joints.positions.resize(n, 3);
-    out.joints.radii = Eigen::VectorXd::Constant(n, 0.05);
     std::vector<Eigen::Matrix3d> turned;
     for (std::size_t j = 0; j < human.joints.size(); ++j) {
         const TemplateJoint& joint = human.joints[j];

@@ -36,7 +36,6 @@ RefinedJoints relabelled(const RefinedJoints& joints, const std::function<bool(J
     RefinedJoints out = joints;
     for (std::size_t j = 0; j < human.size(); ++j) {
         out.positions.row(static_cast<Eigen::Index>(j)) = joints.positions.row(static_cast<Eigen::Index>(other[j]));
-        out.radii[static_cast<Eigen::Index>(j)] = joints.radii[static_cast<Eigen::Index>(other[j])];
     }
     for (auto& [joint, tip] : out.tips) joint = static_cast<int>(other[static_cast<std::size_t>(joint)]);
     return out;
@@ -55,6 +54,14 @@ void check_frame(const BodyFrame<double>& frame, const BodyFrame<double>& expect
     CHECK(degrees_between(frame.left, expected.left) < 20);
     CHECK(degrees_between(frame.forward, expected.forward) < 20);
     CHECK(degrees_between(frame.up, expected.up) < 20);
+}
+
+Eigen::RowVector3d middle_of_hips(const RefinedJoints& joints) {
+    const auto& human = builtin_template("human21").joints;
+    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    for (std::size_t j = 0; j < human.size(); ++j)
+        if (human[j].role == JointRole::hip) sum += joints.positions.row(static_cast<Eigen::Index>(j)) / 2;
+    return sum;
 }
 
 SidesDecision decide(const RefinedJoints& joints) { return decide_sides(joints, builtin_template("human21")); }
@@ -139,6 +146,38 @@ TEST_CASE("whoever stands straight is told with confidence; turned feet alone le
     CHECK(decide(posed(contradictory).joints).confidence < 0.5);
 }
 
+TEST_CASE("head and trunk tell the sides where feet and knees say nothing") {
+    RefinedJoints joints = posed(test_poses()[0]).joints;
+    const auto& human = builtin_template("human21").joints;
+    for (std::size_t j = 0; j < human.size(); ++j) // legs and feet straight down, arms straight
+        if (human[j].role == JointRole::knee || human[j].role == JointRole::ankle || human[j].role == JointRole::foot) {
+            const auto row = static_cast<Eigen::Index>(j);
+            joints.positions.row(row) = joints.positions.row(human[j].parent) - Eigen::RowVector3d(0, 0, 0.3);
+            for (auto& [end, tip] : joints.tips)
+                if (end == static_cast<int>(j)) tip = joints.positions.row(row).transpose() - Vector3<double>(0, 0, 0.1);
+        }
+    CHECK(decide(joints).confidence < 0.2);
+    const auto exchanged = relabelled(joints, [](JointRole) { return true; });
+    for (const bool by_head : {false, true}) {
+        RefinedJoints right = joints, wrong = exchanged;
+        if (by_head) {
+            right.head.emplace();
+            right.head->forward = Vector3<double>::UnitY();
+            right.head->frontness = 0.2;
+            wrong.head = right.head;
+        } else {
+            right.trunk = wrong.trunk = TrunkShape{Vector3<double>::UnitY(), 0.05};
+        }
+        INFO((by_head ? "head" : "trunk"));
+        CHECK_FALSE(decide(right).swap_legs);
+        CHECK(decide(wrong).swap_legs);
+        CHECK(decide(wrong).swap_arms);
+        CHECK(decide(right).confidence > 0.6);
+        CHECK(degrees_between(decide(right).frame.forward, Vector3<double>::UnitY()) < 5);
+        CHECK(degrees_between(decide(wrong).frame.forward, Vector3<double>::UnitY()) < 5);
+    }
+}
+
 TEST_CASE("the skeleton has the template's names, order and parents, and the end points in a fixed order") {
     const PosedBody body = posed(test_poses()[0]);
     const SkeletonTemplate& human = builtin_template("human21");
@@ -165,7 +204,7 @@ TEST_CASE("a body without extent has no sides") {
     RefinedJoints no_trunk = posed(test_poses()[0]).joints;
     for (std::size_t j = 0; j < human.size(); ++j)
         if (human[j].role == JointRole::waist)
-            no_trunk.positions.row(static_cast<Eigen::Index>(j)) = no_trunk.positions.row(0);
+            no_trunk.positions.row(static_cast<Eigen::Index>(j)) = middle_of_hips(no_trunk);
     CHECK(error_of(no_trunk) == ErrorCode::no_skeleton);
 
     RefinedJoints point = posed(test_poses()[0]).joints;
@@ -179,7 +218,6 @@ TEST_CASE("a template without ankles and end joints of the arms is told as well"
     RefinedJoints joints;
     const auto n = static_cast<Eigen::Index>(other.joints.size());
     joints.positions.resize(n, 3);
-    joints.radii = Eigen::VectorXd::Constant(n, 0.05);
     for (Eigen::Index j = 0; j < n; ++j) {
         const TemplateJoint& joint = other.joints[static_cast<std::size_t>(j)];
         joints.positions.row(j) = test::detail::in_space(joint.position).transpose();

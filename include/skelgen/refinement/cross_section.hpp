@@ -45,4 +45,8 @@ private:
 /// where normals point everywhere.
 [[nodiscard]] double gauss_map_flatness(const CrossSection& section);
 
+/// How egg-shaped a section is along a unit direction in its plane: how far the middle of its extent lies beyond the centre
+/// of its area. Positive where it is narrower towards `direction`.
+[[nodiscard]] double egg_shape(const CrossSection& section, const Vector3<double>& direction);
+
 } // namespace skelgen

@@ -19,8 +19,12 @@ struct Limb {
 /// Rest-pose length to body length, from the geodesic diameter of the body (all in the body's unit).
 [[nodiscard]] double template_scale(const SkeletonTemplate& skeleton_template, double geodesic_diameter);
 
-/// Centrelines of all limbs of an embedded template: through the centres of the rings at equal geodesic distance from the
-/// limb's end, which follow any bend and never stray to another part of the body, then recentred by perpendicular sections.
+/// Sets the limb's centreline and attachment from its end and `from_tip`: through the centres of the rings at equal geodesic
+/// distance from the end, which follow any bend and never stray to another part of the body, then recentred by
+/// perpendicular sections.
+void draw_limb(Limb& limb, const Slicer& slicer, const EndPoint& end, const CentrelineOptions& options = {});
+
+/// All limbs of an embedded template, in the order of their ends, their joints at the template's distances.
 [[nodiscard]] std::vector<Limb> trace_limbs(const Slicer& slicer, const std::vector<EndPoint>& ends,
                                             const SkeletonTemplate& skeleton_template, double scale,
                                             const CentrelineOptions& options = {});

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -10,30 +10,36 @@
 #include <skelgen/embedding/embed.hpp>
 #include <skelgen/refinement/centreline.hpp>
 #include <skelgen/refinement/end_points.hpp>
+#include <skelgen/refinement/head.hpp>
+#include <skelgen/refinement/thickness_profile.hpp>
+#include <skelgen/refinement/trunk_shape.hpp>
 
 namespace skelgen {
 
 /// Constants of the refinement (LF20 section 3.2); lengths relative to the bones they apply to.
 struct RefinementOptions {
     CentrelineOptions centreline;
+    ThicknessProfileOptions thickness_profile;
+    HeadOptions head;
     double flatness = 0.1;        ///< a section counts as cylindrical below this flatness of its Gauss map (LF20)
     double bend_from = 25;        ///< degrees; below, an elbow or knee is straight and placed by length ratio
-    double bend_full = 45;        ///< degrees; above, it is placed where its bones' lines meet; between, blended
+    double bend_full = 45;        ///< degrees; above, it is placed by its bones' lines; between, blended
+    double bend_weight = 0.7;     ///< from the centreline to where the lines meet; calibrated on registered and landmarked bodies
+    double larger_head = 1.2;     ///< in adult heads: a head from this size on is a child's
     double girdle_tolerance = 0.4; ///< of the rest-pose distance between shoulder and neck: how far a shoulder may be off
     double crotch_depth = 0.75;   ///< in mean thigh thicknesses: a root nearer to the surface is raised (LF20: 1)
     double wrist_window = 0.03;   ///< of the forearm: how far from its place the thinnest section is looked for
 };
 
-/// Joints in template order with their thickness, and the limbs' ends on the surface.
+/// Joints in template order, and the limbs' ends on the surface. Left and right are still those of the embedding.
 struct RefinedJoints {
-    Points<double> positions;                       ///< per template joint
-    Eigen::VectorXd radii;                          ///< mean distance from the joint to the surface around it
+    Points<double> positions;                          ///< per template joint
     std::vector<std::pair<int, Vector3<double>>> tips; ///< end joint and the end of its limb
-    std::vector<std::string> warnings;
+    std::optional<HeadShape> head;                     ///< none when the template has no neck, or the head is round
+    std::optional<TrunkShape> trunk;                   ///< none when the template has no two hips or no neck
 };
 
-/// Places all joints of an embedded template by cross-sections of the original mesh and prior knowledge. Left and right
-/// are still those of the embedding.
+/// Places all joints of an embedded template by cross-sections of the original mesh and prior knowledge.
 [[nodiscard]] RefinedJoints refine(const TriangleMesh<double>& mesh, const std::vector<EndPoint>& ends,
                                    const CurveSkeleton<double>& curve, const Embedding& embedding,
                                    const SkeletonTemplate& skeleton_template, const RefinementOptions& options = {});

@@ -1,0 +1,142 @@
+#include <skelgen/refinement/settle.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <skelgen/core/adjacency.hpp>
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/refinement/cross_section.hpp>
+
+namespace skelgen {
+namespace {
+
+using enum JointRole;
+
+// Calibrated; as parts of the bone from the parent.
+constexpr double knee_forward = 0.022, knee_outward = 0.018, neck_backward = 0.065;
+
+/// Positions of a skeleton's joints by role and side.
+class Joints {
+public:
+    Joints(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template)
+        : skeleton_(skeleton), template_(skeleton_template) {}
+
+    [[nodiscard]] Vector3<double>* find(JointRole role, Side side = Side::none) {
+        for (std::size_t j = 0; j < template_.joints.size(); ++j)
+            if (template_.joints[j].role == role && template_.joints[j].side == side)
+                return &skeleton_.joints[j].position;
+        return nullptr;
+    }
+
+private:
+    KinematicSkeleton<double>& skeleton_;
+    const SkeletonTemplate& template_;
+};
+
+Vector3<double> normal_part(const Vector3<double>& v, const Vector3<double>& axis) { return v - v.dot(axis) * axis; }
+
+/// The front of a knee is where the foot points; the more it is bent, the less flesh there is to one side only.
+void move_knee(Joints& joints, Side side) {
+    Vector3<double>* const knee_at = joints.find(knee, side);
+    const Vector3<double>*const hip_at = joints.find(hip, side), *const ankle_at = joints.find(ankle, side),
+                 *const foot_at = joints.find(foot, side);
+    if (!knee_at || !hip_at || !ankle_at || !foot_at) return;
+    const Vector3<double> thigh = (*hip_at - *knee_at).normalized(), calf = (*knee_at - *ankle_at).normalized();
+    const Vector3<double> up = (thigh + calf).normalized();
+    const Vector3<double> forward = normal_part(*foot_at - *ankle_at, up).normalized(), left = up.cross(forward);
+    if (!forward.allFinite() || !left.allFinite()) return;
+    const double length = std::max(0.0, thigh.dot(calf)) * (*hip_at - *knee_at).norm();
+    *knee_at += length * (knee_forward * forward + (side == Side::left ? knee_outward : -knee_outward) * left);
+}
+
+/// The back of a neck: away from where shoulders, trunk and neck face.
+void move_neck(Joints& joints) {
+    Vector3<double>* const neck_at = joints.find(neck);
+    const Vector3<double>*const chest_at = joints.find(chest), *const left_at = joints.find(shoulder, Side::left),
+                 *const right_at = joints.find(shoulder, Side::right);
+    if (!neck_at || !chest_at || !left_at || !right_at) return;
+    const Vector3<double> up = *neck_at - *chest_at;
+    const Vector3<double> forward = (*left_at - *right_at).cross(up).normalized();
+    if (forward.allFinite()) *neck_at -= neck_backward * up.norm() * forward;
+}
+
+/// The joint of the same role on the other side; -1 for a joint that has no side.
+int counterpart(const SkeletonTemplate& skeleton_template, std::size_t j) {
+    const TemplateJoint& joint = skeleton_template.joints[j];
+    if (joint.side == Side::none) return -1;
+    for (std::size_t k = 0; k < skeleton_template.joints.size(); ++k) {
+        const TemplateJoint& other = skeleton_template.joints[k];
+        if (other.role == joint.role && other.side != joint.side && other.side != Side::none) return static_cast<int>(k);
+    }
+    return -1;
+}
+
+/// Makes the bone between two joints longer by that part of its length.
+void stretch(Vector3<double>& a, Vector3<double>& b, double part) {
+    const Vector3<double> half = part / 2 * (b - a);
+    a -= half;
+    b += half;
+}
+
+} // namespace
+
+void move_to_bones(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template) {
+    Joints joints(skeleton, skeleton_template);
+    move_knee(joints, Side::left);
+    move_knee(joints, Side::right);
+    move_neck(joints);
+}
+
+void balance_bones(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template) {
+    constexpr double largest_difference = 0.04;
+    constexpr double hopeless = 0.3; // one side is plainly misplaced: averaging would spoil the other
+    constexpr int rounds = 30;
+    const auto at = [&](int j) -> Vector3<double>& { return skeleton.joints[static_cast<std::size_t>(j)].position; };
+    for (int round = 0; round < rounds; ++round)
+        for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+            const int left = static_cast<int>(j), right = counterpart(skeleton_template, j);
+            if (right < left) continue; // none, or seen from the other side
+            const int left_parent = skeleton.joints[j].parent;
+            const int right_parent = skeleton.joints[static_cast<std::size_t>(right)].parent;
+            if (left_parent == right_parent) continue; // from the trunk: collar bones move
+            const double ratio = std::log((at(left) - at(left_parent)).norm() / (at(right) - at(right_parent)).norm());
+            const double excess = ratio - std::clamp(ratio, -largest_difference, largest_difference);
+            if (!(std::abs(excess) > 0) || std::abs(ratio) > hopeless) continue;
+            stretch(at(left), at(left_parent), -excess / 2);
+            stretch(at(right), at(right_parent), excess / 2);
+        }
+}
+
+void keep_inside(KinematicSkeleton<double>& skeleton, const TriangleMesh<double>& mesh, const CurveSkeleton<double>& curve) {
+    constexpr int steps = 20;
+    for (Joint<double>& joint : skeleton.joints) {
+        const auto is_inside = [&](const Vector3<double>& p) { return winding_number(mesh, p) > 0.5; };
+        if (is_inside(joint.position)) continue;
+        Eigen::Index nearest = 0;
+        (curve.nodes.rowwise() - joint.position.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+        const Vector3<double> start = joint.position, way = curve.nodes.row(nearest).transpose() - start;
+        const auto part = [&](int step) -> Vector3<double> { return start + std::min(step, steps) / double{steps} * way; };
+        int step = 1;
+        while (step < steps && !is_inside(part(step))) ++step;
+        joint.position = is_inside(part(step + 1)) ? part(step + 1) : part(step); // not on the surface itself
+        skeleton.quality.warnings.push_back("joint " + joint.name + " was outside the surface and has been moved in");
+    }
+}
+
+void measure_radii(KinematicSkeleton<double>& skeleton, const TriangleMesh<double>& mesh) {
+    const Triangles adjacency = face_adjacency(mesh.faces);
+    const Slicer slicer(mesh, adjacency);
+    for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+        Joint<double>& joint = skeleton.joints[j];
+        auto other = static_cast<std::size_t>(std::max(joint.parent, 0));
+        if (joint.parent < 0)
+            while (other + 1 < skeleton.joints.size() && skeleton.joints[other].parent != static_cast<int>(j)) ++other;
+        const Vector3<double> bone = joint.position - skeleton.joints[other].position;
+        if (!(bone.norm() > 0)) continue;
+        if (const auto section = slicer.around(joint.position, bone.normalized(), 0.5 * bone.norm()))
+            joint.radius = section->thickness;
+    }
+}
+
+} // namespace skelgen

@@ -1,0 +1,85 @@
+#include <cmath>
+
+#include <skelgen/io/template_json.hpp>
+#include <skelgen/refinement/thickness_profile.hpp>
+
+#include "catch.hpp"
+
+using namespace skelgen;
+
+namespace {
+
+/// A calf and a thigh as they swell and thin from toe (u = -1) over ankle (0) and knee (1) to hip (2); any unit.
+double leg_thickness(double u) {
+    const auto bump = [&](double centre, double width, double height) {
+        return height * std::exp(-(u - centre) * (u - centre) / (2 * width * width));
+    };
+    return std::exp(-0.33 + bump(-0.1, 0.1, 0.29) + bump(0.65, 0.22, 0.5) + 0.95 * std::max(0.0, u - 0.7));
+}
+
+/// human21's left leg laid out straight, with a thickness that belongs to an ankle and a knee at these distances from the tip.
+Limb leg(double ankle, double knee, double stoutness) {
+    const SkeletonTemplate& human = builtin_template("human21");
+    Limb limb;
+    double from_tip = 0;
+    for (int j = static_cast<int>(human.joints.size()) - 1; j >= 0; --j) {
+        const TemplateJoint& joint = human.joints[static_cast<std::size_t>(j)];
+        if (joint.side != Side::left) continue;
+        if (joint.role == JointRole::foot) from_tip = (*joint.tip - joint.position).norm();
+        else if (joint.role == JointRole::ankle || joint.role == JointRole::knee || joint.role == JointRole::hip)
+            from_tip += (joint.position - human.joints[static_cast<std::size_t>(limb.joints.front())].position).norm();
+        else continue;
+        limb.joints.insert(limb.joints.begin(), j);
+        limb.from_tip.insert(limb.from_tip.begin(), from_tip);
+    }
+    const double length = 1.05 * limb.from_tip.front(), step = 0.01;
+    const auto n = static_cast<Eigen::Index>(length / step) + 1;
+    limb.line.points = Points<double>::Zero(n, 3);
+    limb.line.arc = Eigen::VectorXd::LinSpaced(n, 0, step * static_cast<double>(n - 1));
+    limb.line.points.col(0) = limb.line.arc;
+    limb.line.thickness.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const double d = limb.line.arc[n - 1] - limb.line.arc[i];
+        const double u = d < ankle ? d / ankle - 1 : d < knee ? (d - ankle) / (knee - ankle) : 1 + (d - knee) / (knee - ankle);
+        limb.line.thickness[i] = stoutness * leg_thickness(u);
+    }
+    limb.line.area = limb.line.thickness;
+    limb.line.flatness = Eigen::VectorXd::Zero(n);
+    return limb;
+}
+
+} // namespace
+
+TEST_CASE("the knee is found where the calf's and the thigh's thickness puts it, whatever the stoutness") {
+    const Limb rest = leg(0.2, 0.6, 1);
+    const double ankle = rest.from_tip[2], knee = rest.from_tip[1];
+    double reference = 0;
+    for (const double stoutness : {0.05, 0.08, 1.0}) {
+        std::vector<Limb> limbs{leg(ankle, knee, stoutness)};
+        match_thickness_profiles(limbs, builtin_template("human21"));
+        if (reference == 0) reference = limbs[0].from_tip[1];
+        CHECK(limbs[0].from_tip[1] == Approx(reference).epsilon(1e-9));
+        CHECK(limbs[0].from_tip[1] == Approx(knee).epsilon(0.06));
+    }
+    for (const double longer : {0.92, 1.08}) { // calves that are shorter and longer than the template's
+        std::vector<Limb> limbs{leg(ankle, ankle + longer * (knee - ankle), 0.07)};
+        const double ratio = match_thickness_profiles(limbs, builtin_template("human21"));
+        INFO("calf " << longer);
+        CHECK((limbs[0].from_tip[1] - reference) / ((longer - 1) * (knee - ankle)) == Approx(1).margin(0.4));
+        CHECK(ratio == Approx((limbs[0].from_tip[1] - limbs[0].from_tip[2]) / (knee - ankle)));
+        CHECK(limbs[0].from_tip[0] - limbs[0].from_tip[1] == Approx(ratio * (rest.from_tip[0] - knee))); // the thigh with it
+    }
+}
+
+TEST_CASE("a head has no such profile: it stays as it was, and says nothing of the scale") {
+    const SkeletonTemplate& human = builtin_template("human21");
+    Limb head = leg(0.2, 0.6, 1);
+    head.joints.clear();
+    for (std::size_t j = 0; j < human.joints.size(); ++j)
+        if (human.joints[j].role == JointRole::neck || human.joints[j].role == JointRole::head)
+            head.joints.push_back(static_cast<int>(j));
+    head.from_tip = {0.28, 0.2};
+    std::vector<Limb> limbs{head};
+    CHECK(match_thickness_profiles(limbs, human) == 1);
+    CHECK(limbs[0].from_tip == head.from_tip);
+}
