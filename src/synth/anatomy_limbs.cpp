@@ -35,25 +35,25 @@ constexpr std::array<LimbRow, 6> upper_arm_rows{{{0.00, .050, .054, .030, .016},
                                                  {0.16, .051, .055, .034, .020},
                                                  {0.38, .047, .051, .034, .018},
                                                  {0.60, .043, .047, .030, .014},
-                                                 {0.82, .038, .040, .022, .006},
-                                                 {1.00, .032, .033, .014, .004}}};
+                                                 {0.82, .040, .041, .022, .006},
+                                                 {1.00, .036, .036, .014, .004}}};
 
-constexpr std::array<LimbRow, 6> forearm_rows{{{0.00, .032, .034, .014, .004},
-                                               {0.18, .040, .043, .018, .010},
+constexpr std::array<LimbRow, 6> forearm_rows{{{0.00, .036, .036, .014, .004},
+                                               {0.18, .042, .044, .018, .010},
                                                {0.38, .037, .042, .016, .009},
                                                {0.62, .030, .035, .012, .004},
                                                {0.82, .023, .029, .008, .001},
                                                {1.00, .020, .028, .006, .000}}};
 
-constexpr std::array<LimbRow, 7> thigh_rows{{{0.00, .084, .086, .050, .012},
-                                             {0.14, .083, .088, .055, .014},
-                                             {0.34, .077, .083, .050, .016},
-                                             {0.54, .069, .075, .042, .014},
+constexpr std::array<LimbRow, 7> thigh_rows{{{0.00, .072, .086, .022, .012},
+                                             {0.14, .074, .088, .026, .014},
+                                             {0.34, .075, .083, .034, .016},
+                                             {0.54, .069, .075, .036, .014},
                                              {0.74, .059, .064, .030, .010},
-                                             {0.90, .051, .055, .020, .002},
-                                             {1.00, .045, .049, .016, .002}}};
+                                             {0.90, .053, .057, .020, .002},
+                                             {1.00, .048, .052, .016, .002}}};
 
-constexpr std::array<LimbRow, 8> calf_rows{{{0.00, .044, .048, .016, .002},
+constexpr std::array<LimbRow, 8> calf_rows{{{0.00, .047, .051, .016, .002},
                                             {0.10, .048, .052, .018, .004},
                                             {0.26, .053, .058, .022, .012},
                                             {0.40, .051, .056, .020, .011},
@@ -88,13 +88,21 @@ std::vector<Blob> upper_arm(const Proportions& p) {
     const double k = p.scale, strong = 1 + 0.4 * (p.muscle - 0.3) + 0.5 * p.fat - 0.10 * (1 - p.masculinity);
     std::vector<Blob> blobs{{limb_outline(p, upper_arm_rows, p.upper_arm, 0.8, 0.9), 0}};
     // The deltoid caps the shoulder and ends above the middle third of the bone.
-    blobs.push_back({Ellipsoid{k * Vec3(0.007, 0.000, 0.016), k * strong * Vec3(0.056, 0.060, 0.068)}, 0.02 * k});
+    blobs.push_back({Ellipsoid{k * Vec3(0.003, 0.000, 0.016), k * strong * Vec3(0.053, 0.060, 0.068)}, 0.02 * k});
     return blobs;
 }
 
 std::vector<Blob> forearm(const Proportions& p) { return {{limb_outline(p, forearm_rows, p.forearm, 0.9, 0.8), 0}}; }
 
-std::vector<Blob> thigh(const Proportions& p) { return {{limb_outline(p, thigh_rows, p.thigh, 0.75, 0.9), 0}}; }
+std::vector<Blob> thigh(const Proportions& p) {
+    const double k = p.scale, full = k * (1 + 0.4 * p.fat - 0.04 * (1 - p.maturity));
+    std::vector<Blob> blobs{{limb_outline(p, thigh_rows, p.thigh, 0.75, 0.9), 0}};
+    // The great trochanter and the flesh over it: joint and bone lie towards the inner side of the upper thigh.
+    blobs.push_back({RoundCone{Vec3((0.028 + 0.03 * p.fat) * k, 0, -0.01 * k),
+                               Vec3((0.004 + 0.01 * p.fat) * k, 0, 0.16 * k), 0.073 * full, 0.069 * full},
+                     0.02 * k});
+    return blobs;
+}
 
 std::vector<Blob> calf(const Proportions& p) {
     const double k = p.scale, thin = 1 - 0.10 * (1 - p.masculinity) - 0.07 * (1 - p.maturity);
@@ -118,10 +126,10 @@ Hand hand(const Proportions& p, const JointAngles& fingers) {
     struct FingerRow {
         double y, z, length, radius, splay;
     };
-    constexpr std::array<FingerRow, 4> rows{{{-.0310, .084, .074, .0088, -9},
-                                             {-.0105, .087, .082, .0090, -2},
-                                             {.0100, .084, .077, .0087, 5},
-                                             {.0295, .077, .061, .0078, 14}}};
+    constexpr std::array<FingerRow, 4> rows{{{-.0310, .084, .077, .0088, -9},
+                                             {-.0105, .087, .086, .0090, -2},
+                                             {.0100, .084, .080, .0087, 5},
+                                             {.0295, .077, .063, .0078, 14}}};
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const FingerRow& row = rows[i];
         const Vec3 tip =

@@ -134,7 +134,7 @@ void put_on_coat(ImplicitBody& body, double k) {
         body.wear(fore, {sleeve(body.part(fore), 0, 0.93, 0.016 * k, 0.022 * k)}, 0.03 * k);
     }
     std::vector<Blob> layer = cover(body.part(PartName::trunk).blobs, 0.020 * k);
-    layer.push_back(cut_above(body.skeleton().rest_position(BodyJoint::neck).z() + 0.02 * k));
+    layer.push_back(cut_above(body.skeleton().rest_position(BodyJoint::neck).z() - 0.01 * k));
     body.wear(PartName::trunk, std::move(layer), 0.020 * k);
     add_skirt(body, 0.95, 0.026 * k, 0.050 * k);
 }
