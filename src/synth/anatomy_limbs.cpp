@@ -59,8 +59,8 @@ constexpr std::array<LimbRow, 8> calf_rows{{{0.00, .047, .051, .016, .002},
                                             {0.40, .051, .056, .020, .011},
                                             {0.58, .042, .046, .015, .005},
                                             {0.76, .034, .038, .010, .001},
-                                            {0.90, .030, .034, .008, .000},
-                                            {1.00, .029, .034, .007, .000}}};
+                                            {0.90, .032, .037, .008, .000},
+                                            {1.00, .032, .039, .007, .000}}};
 
 /// A finger of three phalanges from its knuckle, curled towards the palm (-x).
 Vec3 add_finger(std::vector<Blob>& blobs, const Vec3& knuckle, double spread, double curl, double length,
@@ -155,8 +155,9 @@ Foot foot(const Proportions& p, double toes_up) {
     const auto bone = [&](const Vec3& a, const Vec3& b, double ra, double rb, double blend) {
         blobs.push_back({RoundCone{a, b, ra * k, rb * k}, blend * k});
     };
-    bone(at(0, 0.004, 0.062), at(-0.002, -0.050, 0.046), 0.031, 0.026, 0.024);
-    bone(at(-0.002, -0.050, 0.046), at(-0.006, -0.122, 0.021), 0.026, 0.017, 0.02);
+    // The instep, one slope from the shin down to the toes.
+    bone(at(0, -0.004, 0.072), at(-0.002, -0.052, 0.052), 0.032, 0.027, 0.024);
+    bone(at(-0.002, -0.052, 0.052), at(-0.006, -0.122, 0.022), 0.027, 0.018, 0.02);
     bone(at(0.010, 0.020, 0.022), at(0.030, -0.100, 0.015), 0.022, 0.015, 0.024);
     bone(at(-0.024, -0.124, 0.018), at(0.028, -0.108, 0.015), 0.018, 0.014, 0.02);
     for (const double side : {1.0, -1.0})
@@ -179,7 +180,7 @@ Foot foot(const Proportions& p, double toes_up) {
     for (const ToeRow& toe : toes) {
         const Vec3 from = bent(toe.x, toe.y, toe.radius + 0.003),
                    to = bent(toe.x * 1.02, toe.y - toe.length, toe.radius * 0.9);
-        blobs.push_back({RoundCone{from, to, toe.radius * k, 0.88 * toe.radius * k}, 0.010 * k});
+        blobs.push_back({RoundCone{from, to, toe.radius * k, 0.88 * toe.radius * k}, 0.004 * k});
     }
     return {std::move(blobs), bent(-0.0255, -0.142 - 0.040 - 0.012, 0.012)};
 }

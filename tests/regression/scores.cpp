@@ -199,6 +199,8 @@ std::vector<std::string> regressions(const Expectations& expected, const Results
         for (const auto& [name, count] : result.counts)
             if (const std::size_t is = count_or_none(now->second, name); is + expected.tolerances.count < count)
                 lines.push_back(line(set, name, std::to_string(count), std::to_string(is)));
+        // The errors are of the solved meshes: of others, they are not to be compared.
+        if (count_or_none(now->second, "solved") != count_or_none(result, "solved")) continue;
         for (const auto& [joint, error] : result.joints) {
             const auto is = now->second.joints.find(joint);
             if (is == now->second.joints.end())
