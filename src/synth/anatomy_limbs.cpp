@@ -95,12 +95,11 @@ std::vector<Blob> upper_arm(const Proportions& p) {
 std::vector<Blob> forearm(const Proportions& p) { return {{limb_outline(p, forearm_rows, p.forearm, 0.9, 0.8), 0}}; }
 
 std::vector<Blob> thigh(const Proportions& p) {
-    const double k = p.scale, full = k * (1 + 0.4 * p.fat - 0.04 * (1 - p.maturity));
+    const double k = p.scale, full = k * (1 + 0.4 * p.fat - 0.03 * (1 - p.masculinity) - 0.10 * (1 - p.maturity));
     std::vector<Blob> blobs{{limb_outline(p, thigh_rows, p.thigh, 0.75, 0.9), 0}};
     // The great trochanter and the flesh over it: joint and bone lie towards the inner side of the upper thigh.
-    blobs.push_back({RoundCone{Vec3((0.028 + 0.03 * p.fat) * k, 0, -0.01 * k),
-                               Vec3((0.004 + 0.01 * p.fat) * k, 0, 0.16 * k), 0.073 * full, 0.069 * full},
-                     0.02 * k});
+    const Vec3 top((0.028 + 0.03 * p.fat) * k, 0, -0.01 * k), end((0.004 + 0.01 * p.fat) * k, 0, 0.37 * p.thigh);
+    blobs.push_back({RoundCone{top, end, 0.073 * full, 0.067 * full}, 0.02 * k});
     return blobs;
 }
 
