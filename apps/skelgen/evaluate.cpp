@@ -22,14 +22,19 @@ struct EvaluateCommand {
     bool per_mesh = false;
 };
 
+/// Whether it is the truth file of something of which there should be no skeleton file.
+bool is_of_no_body(const fs::path& truth) {
+    return fs::is_regular_file(truth) && cli::in_file(truth, [&] { return read_ground_truth(truth).not_a_body; });
+}
+
 std::vector<SetScore> evaluate(const EvaluateCommand& command) {
     std::optional<fs::path> meshes;
     if (!command.meshes.empty()) meshes = command.meshes;
     if (!fs::exists(command.truth))
         throw Error(ErrorCode::bad_input, command.truth + ": no such file or folder; check the name");
-    if (!fs::exists(command.prediction))
+    if (!fs::exists(command.prediction) && !is_of_no_body(command.truth))
         throw Error(ErrorCode::bad_input, command.prediction + ": no such file or folder; check the name");
-    if (fs::is_directory(command.truth) != fs::is_directory(command.prediction))
+    if (fs::exists(command.prediction) && fs::is_directory(command.truth) != fs::is_directory(command.prediction))
         throw Error(ErrorCode::usage, command.prediction + ": TRUTH and PREDICTION are not both files or both folders");
     if (fs::is_directory(command.truth)) return evaluate_folders(command.truth, command.prediction, meshes);
     const MeshScore score = evaluate_file(command.truth, command.prediction, meshes);

@@ -57,6 +57,13 @@ struct SetFolders {
     }
 };
 
+MeshScore score_of_no_body(const fs::path& prediction) {
+    MeshScore score;
+    score.not_a_body = true;
+    score.refused = !fs::exists(prediction);
+    return score;
+}
+
 SetScore evaluate_set(const std::string& name, const SetFolders& set) {
     SetScore score{name, {}};
     for (const fs::path& truth : json_files(set.truth)) {
@@ -77,7 +84,10 @@ std::string folder_name(const fs::path& folder) {
 
 MeshScore evaluate_file(const fs::path& truth, const fs::path& prediction, const std::optional<fs::path>& mesh) {
     const JointPositions joints = read_joint_positions(prediction);
-    MeshScore score = naming(truth, [&] { return score_joints(read_ground_truth(truth), joints); });
+    MeshScore score = naming(truth, [&] {
+        const GroundTruth known = read_ground_truth(truth);
+        return known.not_a_body ? score_of_no_body(prediction) : score_joints(known, joints);
+    });
     score.name = truth.stem().string();
     if (mesh && score.complete)
         score.outside = naming(*mesh, [&] { return joints_outside(read_mesh<double>(*mesh), joints); });

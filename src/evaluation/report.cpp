@@ -73,6 +73,7 @@ Json to_json(const ErrorStatistics& errors) {
 Json to_json(const MeshScore& score) {
     Json json{{"solved", score.solved()}, {"complete", score.complete},       {"limbs", score.limbs},
               {"sides", score.sides},     {"wrong_limbs", score.wrong_limbs}, {"flipped", score.flipped}};
+    if (score.not_a_body) json["refused"] = score.refused;
     json["outside"] = score.outside ? Json(*score.outside) : Json(nullptr);
     json["errors"] = Json::object();
     for (const auto& [joint, error] : score.errors) json["errors"][joint] = error;
@@ -85,6 +86,10 @@ Json to_json(const SetSummary& summary) {
               {"limbs", summary.limbs},
               {"sides", summary.sides},
               {"solved", summary.solved}};
+    if (summary.not_bodies > 0) {
+        json["not_bodies"] = summary.not_bodies;
+        json["refused"] = summary.refused;
+    }
     const auto& errors = summary.errors;
     json["mean_error"] = errors ? Json(errors->mean) : Json(nullptr);
     json["median_error"] = errors ? Json(errors->median) : Json(nullptr);
@@ -103,7 +108,10 @@ Json to_json(const SetSummary& summary) {
 
 std::string mesh_score_line(const std::string& set, const MeshScore& score) {
     std::string line = set + "/" + score.name + ": " + (score.solved() ? "solved" : "FAILED");
-    if (!score.complete) line += ", no complete skeleton";
+    if (score.not_a_body)
+        line += score.refused ? ", no body and no skeleton" : ", a skeleton of what is no body";
+    else if (!score.complete)
+        line += ", no complete skeleton";
     if (!score.errors.empty()) {
         std::vector<double> errors;
         for (const auto& [joint, error] : score.errors) errors.push_back(error);
@@ -120,6 +128,9 @@ std::string summary_to_text(const SetSummary& summary) {
                        std::to_string(summary.meshes) + " (complete " + std::to_string(summary.complete) +
                        ", limbs right " + std::to_string(summary.limbs) + ", sides right " +
                        std::to_string(summary.sides) + ")";
+    if (summary.not_bodies > 0)
+        text += ", no bodies " + std::to_string(summary.not_bodies) + ", without a skeleton as they should be " +
+                std::to_string(summary.refused);
     if (summary.inside) text += ", joints inside " + four_digits(*summary.inside);
     text += "\n";
     if (!summary.errors) return text;

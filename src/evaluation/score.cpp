@@ -72,6 +72,7 @@ const std::vector<std::string>& evaluated_joints() {
 }
 
 MeshScore score_joints(const GroundTruth& truth, const JointPositions& joints) {
+    if (truth.not_a_body) throw Error(ErrorCode::bad_input, "there is no body in the truth; no joints can be compared");
     MeshScore score;
     score.complete = is_complete(joints);
     if (!score.complete) return score;

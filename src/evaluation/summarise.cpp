@@ -65,6 +65,8 @@ SetSummary summarise(const SetScore& set) {
     summary.limbs = count(set, [](const MeshScore& mesh) { return mesh.limbs; });
     summary.sides = count(set, [](const MeshScore& mesh) { return mesh.sides; });
     summary.solved = count(set, [](const MeshScore& mesh) { return mesh.solved(); });
+    summary.not_bodies = count(set, [](const MeshScore& mesh) { return mesh.not_a_body; });
+    summary.refused = count(set, [](const MeshScore& mesh) { return mesh.refused; });
     summary.inside = mean_share_inside(set);
 
     Sample all; // joint after joint: the mean's last digit depends on the order

@@ -35,11 +35,18 @@ const Json& points(const Json& document, const char* key) {
     return document[key];
 }
 
+bool is_not_a_body(const Json& document) {
+    const auto found = document.find("not_a_body");
+    return found != document.end() && *found == true;
+}
+
 } // namespace
 
 GroundTruth read_ground_truth(const std::filesystem::path& path) {
     const Json document = detail::parse_json(detail::read_text_file(path));
     GroundTruth truth;
+    truth.not_a_body = is_not_a_body(document);
+    if (truth.not_a_body) return truth;
     for (const auto& [name, point] : points(document, "joints").items())
         truth.joints.emplace_back(name, to_point(point, name));
     for (const auto& [name, point] : points(document, "markers").items()) truth.markers[name] = to_point(point, name);

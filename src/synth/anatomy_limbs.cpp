@@ -35,32 +35,32 @@ constexpr std::array<LimbRow, 6> upper_arm_rows{{{0.00, .050, .054, .030, .016},
                                                  {0.16, .051, .055, .034, .020},
                                                  {0.38, .047, .051, .034, .018},
                                                  {0.60, .043, .047, .030, .014},
-                                                 {0.82, .038, .040, .022, .006},
-                                                 {1.00, .032, .033, .014, .004}}};
+                                                 {0.82, .040, .041, .022, .006},
+                                                 {1.00, .036, .036, .014, .004}}};
 
-constexpr std::array<LimbRow, 6> forearm_rows{{{0.00, .032, .034, .014, .004},
-                                               {0.18, .040, .043, .018, .010},
+constexpr std::array<LimbRow, 6> forearm_rows{{{0.00, .036, .036, .014, .004},
+                                               {0.18, .042, .044, .018, .010},
                                                {0.38, .037, .042, .016, .009},
                                                {0.62, .030, .035, .012, .004},
                                                {0.82, .023, .029, .008, .001},
                                                {1.00, .020, .028, .006, .000}}};
 
-constexpr std::array<LimbRow, 7> thigh_rows{{{0.00, .084, .086, .050, .012},
-                                             {0.14, .083, .088, .055, .014},
-                                             {0.34, .077, .083, .050, .016},
-                                             {0.54, .069, .075, .042, .014},
+constexpr std::array<LimbRow, 7> thigh_rows{{{0.00, .072, .086, .022, .012},
+                                             {0.14, .074, .088, .026, .014},
+                                             {0.34, .075, .083, .034, .016},
+                                             {0.54, .069, .075, .036, .014},
                                              {0.74, .059, .064, .030, .010},
-                                             {0.90, .051, .055, .020, .002},
-                                             {1.00, .045, .049, .016, .002}}};
+                                             {0.90, .053, .057, .020, .002},
+                                             {1.00, .048, .052, .016, .002}}};
 
-constexpr std::array<LimbRow, 8> calf_rows{{{0.00, .044, .048, .016, .002},
+constexpr std::array<LimbRow, 8> calf_rows{{{0.00, .047, .051, .016, .002},
                                             {0.10, .048, .052, .018, .004},
                                             {0.26, .053, .058, .022, .012},
                                             {0.40, .051, .056, .020, .011},
                                             {0.58, .042, .046, .015, .005},
                                             {0.76, .034, .038, .010, .001},
-                                            {0.90, .030, .034, .008, .000},
-                                            {1.00, .029, .034, .007, .000}}};
+                                            {0.90, .032, .037, .008, .000},
+                                            {1.00, .032, .039, .007, .000}}};
 
 /// A finger of three phalanges from its knuckle, curled towards the palm (-x).
 Vec3 add_finger(std::vector<Blob>& blobs, const Vec3& knuckle, double spread, double curl, double length,
@@ -88,13 +88,20 @@ std::vector<Blob> upper_arm(const Proportions& p) {
     const double k = p.scale, strong = 1 + 0.4 * (p.muscle - 0.3) + 0.5 * p.fat - 0.10 * (1 - p.masculinity);
     std::vector<Blob> blobs{{limb_outline(p, upper_arm_rows, p.upper_arm, 0.8, 0.9), 0}};
     // The deltoid caps the shoulder and ends above the middle third of the bone.
-    blobs.push_back({Ellipsoid{k * Vec3(0.007, 0.000, 0.016), k * strong * Vec3(0.056, 0.060, 0.068)}, 0.02 * k});
+    blobs.push_back({Ellipsoid{k * Vec3(0.003, 0.000, 0.016), k * strong * Vec3(0.053, 0.060, 0.068)}, 0.02 * k});
     return blobs;
 }
 
 std::vector<Blob> forearm(const Proportions& p) { return {{limb_outline(p, forearm_rows, p.forearm, 0.9, 0.8), 0}}; }
 
-std::vector<Blob> thigh(const Proportions& p) { return {{limb_outline(p, thigh_rows, p.thigh, 0.75, 0.9), 0}}; }
+std::vector<Blob> thigh(const Proportions& p) {
+    const double k = p.scale, full = k * (1 + 0.4 * p.fat - 0.03 * (1 - p.masculinity) - 0.10 * (1 - p.maturity));
+    std::vector<Blob> blobs{{limb_outline(p, thigh_rows, p.thigh, 0.75, 0.9), 0}};
+    // The great trochanter and the flesh over it: joint and bone lie towards the inner side of the upper thigh.
+    const Vec3 top((0.028 + 0.03 * p.fat) * k, 0, -0.01 * k), end((0.004 + 0.01 * p.fat) * k, 0, 0.37 * p.thigh);
+    blobs.push_back({RoundCone{top, end, 0.073 * full, 0.067 * full}, 0.02 * k});
+    return blobs;
+}
 
 std::vector<Blob> calf(const Proportions& p) {
     const double k = p.scale, thin = 1 - 0.10 * (1 - p.masculinity) - 0.07 * (1 - p.maturity);
@@ -118,10 +125,10 @@ Hand hand(const Proportions& p, const JointAngles& fingers) {
     struct FingerRow {
         double y, z, length, radius, splay;
     };
-    constexpr std::array<FingerRow, 4> rows{{{-.0310, .084, .074, .0088, -9},
-                                             {-.0105, .087, .082, .0090, -2},
-                                             {.0100, .084, .077, .0087, 5},
-                                             {.0295, .077, .061, .0078, 14}}};
+    constexpr std::array<FingerRow, 4> rows{{{-.0310, .084, .077, .0088, -9},
+                                             {-.0105, .087, .086, .0090, -2},
+                                             {.0100, .084, .080, .0087, 5},
+                                             {.0295, .077, .063, .0078, 14}}};
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const FingerRow& row = rows[i];
         const Vec3 tip =
@@ -147,8 +154,9 @@ Foot foot(const Proportions& p, double toes_up) {
     const auto bone = [&](const Vec3& a, const Vec3& b, double ra, double rb, double blend) {
         blobs.push_back({RoundCone{a, b, ra * k, rb * k}, blend * k});
     };
-    bone(at(0, 0.004, 0.062), at(-0.002, -0.050, 0.046), 0.031, 0.026, 0.024);
-    bone(at(-0.002, -0.050, 0.046), at(-0.006, -0.122, 0.021), 0.026, 0.017, 0.02);
+    // The instep, one slope from the shin down to the toes.
+    bone(at(0, -0.004, 0.072), at(-0.002, -0.052, 0.052), 0.032, 0.027, 0.024);
+    bone(at(-0.002, -0.052, 0.052), at(-0.006, -0.122, 0.022), 0.027, 0.018, 0.02);
     bone(at(0.010, 0.020, 0.022), at(0.030, -0.100, 0.015), 0.022, 0.015, 0.024);
     bone(at(-0.024, -0.124, 0.018), at(0.028, -0.108, 0.015), 0.018, 0.014, 0.02);
     for (const double side : {1.0, -1.0})
@@ -171,7 +179,7 @@ Foot foot(const Proportions& p, double toes_up) {
     for (const ToeRow& toe : toes) {
         const Vec3 from = bent(toe.x, toe.y, toe.radius + 0.003),
                    to = bent(toe.x * 1.02, toe.y - toe.length, toe.radius * 0.9);
-        blobs.push_back({RoundCone{from, to, toe.radius * k, 0.88 * toe.radius * k}, 0.010 * k});
+        blobs.push_back({RoundCone{from, to, toe.radius * k, 0.88 * toe.radius * k}, 0.004 * k});
     }
     return {std::move(blobs), bent(-0.0255, -0.142 - 0.040 - 0.012, 0.012)};
 }

@@ -25,20 +25,20 @@ constexpr std::array<TrunkRow, 14> trunk_rows{{
     {1.340, {0, .160, .104, .115}, {0, .142, .088, .105}, {0, .06, .06, .06}},
     {1.385, {0, .135, .083, .110}, {0, .119, .071, .099}, {0, .05, .04, .05}},
     {1.430, {0, .083, .058, .089}, {0, .072, .050, .079}, {0, .03, .03, .04}},
-    {1.465, {0, .061, .052, .071}, {0, .052, .047, .062}, {0, .02, .03, .03}},
-    {1.510, {0, .057, .060, .054}, {0, .048, .054, .047}, {0, .02, .03, .02}},
-    {1.560, {0, .057, .072, .046}, {0, .048, .065, .040}, {0, .02, .03, .02}},
+    {1.465, {0, .061, .056, .067}, {0, .052, .051, .058}, {0, .02, .03, .03}},
+    {1.510, {0, .057, .074, .042}, {0, .048, .068, .035}, {0, .02, .03, .02}},
+    {1.560, {0, .057, .096, .024}, {0, .048, .089, .018}, {0, .02, .03, .02}},
 }};
 
 /// From the heights of the table to those of this person.
 class Heights {
 public:
     Heights(const Proportions& p, const PosedSkeleton& s)
-        : scale_(p.scale), knots_{{{0.896, s.rest_position(BodyJoint::left_hip).z()},
-                                   {0.941, s.rest_position(BodyJoint::crotch).z()},
-                                   {1.061, s.rest_position(BodyJoint::waist).z()},
-                                   {1.371, s.rest_position(BodyJoint::chest).z()},
-                                   {1.456, s.rest_position(BodyJoint::neck).z()},
+        : scale_(p.scale), knots_{{{0.872, s.rest_position(BodyJoint::left_hip).z()},
+                                   {0.959, s.rest_position(BodyJoint::crotch).z()},
+                                   {1.072, s.rest_position(BodyJoint::waist).z()},
+                                   {1.260, s.rest_position(BodyJoint::chest).z()},
+                                   {1.485, s.rest_position(BodyJoint::neck).z()},
                                    {1.585, s.rest_position(BodyJoint::head).z()}}} {}
 
     [[nodiscard]] double operator()(double average) const {
@@ -75,7 +75,7 @@ Tube trunk_outline(const Proportions& p, const Heights& heights) {
         rings.push_back(
             {heights(row.height), wide * mix(&Ring::side), deep * mix(&Ring::front), deep * mix(&Ring::back)});
     }
-    return Tube(std::move(rings), 2.5, 0.045 * p.scale, 0.03 * p.scale);
+    return Tube(std::move(rings), 2.5, 0.035 * p.scale, 0.03 * p.scale);
 }
 
 /// Turns by half of what the thigh turns, about the hip: buttocks are pulled along.

@@ -134,7 +134,7 @@ void put_on_coat(ImplicitBody& body, double k) {
         body.wear(fore, {sleeve(body.part(fore), 0, 0.93, 0.016 * k, 0.022 * k)}, 0.03 * k);
     }
     std::vector<Blob> layer = cover(body.part(PartName::trunk).blobs, 0.020 * k);
-    layer.push_back(cut_above(body.skeleton().rest_position(BodyJoint::neck).z() + 0.02 * k));
+    layer.push_back(cut_above(body.skeleton().rest_position(BodyJoint::neck).z() - 0.01 * k));
     body.wear(PartName::trunk, std::move(layer), 0.020 * k);
     add_skirt(body, 0.95, 0.026 * k, 0.050 * k);
 }
@@ -152,25 +152,63 @@ void put_on_hat(ImplicitBody& body, const Proportions& p) {
     body.wear(PartName::head, std::move(hat), 0.09 * h);
 }
 
+/// A lock from the scalp over nape and shoulders onto the back, at an angle (radians) about the head from its back to
+/// the left; the locks between others are shorter.
+void add_strand(std::vector<Blob>& strands, const ImplicitBody& body, const Proportions& p, double angle,
+                bool is_long) {
+    const double h = p.head_scale, k = p.scale, side = std::sin(angle), back = std::cos(angle);
+    const PosedSkeleton& s = body.skeleton();
+    const double chest = s.rest_position(BodyJoint::chest).z(), neck = s.rest_position(BodyJoint::neck).z();
+    const auto scalp = [&](double wide, double deep, double z) -> Vec3 {
+        return s.frame(BodyJoint::head) * (h * Vec3(wide * side, 0.012 + deep * back, z));
+    };
+    const auto trunk = [&](double wide, double deep, double z) {
+        return body.trunk_to_world({wide * k * side, (0.02 + deep * back) * k, z});
+    };
+    const std::array<Vec3, 5> path{
+        scalp(0.060, 0.066, 0.050), scalp(0.068, 0.058, -0.040), trunk(0.080, 0.052, neck - 0.01 * k),
+        body.onto_trunk(trunk(0.105, 0.110, chest + 0.150 * k)),
+        body.onto_trunk(trunk(0.095, 0.125, chest + (is_long ? 0.040 : 0.075) * k + 0.03 * k * std::abs(side)))};
+    const std::array<double, 5> radii{0.030 * h, 0.031 * h, 0.030 * k, 0.024 * k, 0.011 * k};
+    for (std::size_t i = 1; i < path.size(); ++i)
+        strands.push_back({RoundCone{path[i - 1], path[i], radii[i - 1], radii[i]}, 0.010 * k});
+}
+
 void put_on_long_hair(ImplicitBody& body, const Proportions& p) {
-    const double h = p.head_scale, k = p.scale;
+    const double h = p.head_scale;
     std::vector<Blob> hair{{Ellipsoid{Vec3(0, -0.004 * h, 0.078 * h), h * Vec3(0.090, 0.108, 0.100)}, 0}};
     hair.push_back({Ellipsoid{Vec3(0, 0.03 * h, 0.01 * h), h * Vec3(0.086, 0.080, 0.090)}, 0.02 * h});
     hair.push_back({Ellipsoid{Vec3(0, -0.125 * h, 0.0), h * Vec3(0.075, 0.085, 0.110)}, 0.02 * h, Use::carve});
     body.wear(PartName::head, std::move(hair), 0.03 * h);
 
-    // Strands from the back of the head down to the shoulder blades.
-    const PosedSkeleton& s = body.skeleton();
-    const double blades = s.rest_position(BodyJoint::chest).z() - 0.06 * k, nape = s.rest_position(BodyJoint::neck).z();
     std::vector<Blob> strands;
-    for (const double side : {-1.0, -0.33, 0.33, 1.0}) {
-        const Vec3 top = s.frame(BodyJoint::head) * Vec3(side * 0.05 * h, 0.05 * h, 0.03 * h);
-        const Vec3 neck = body.trunk_to_world({side * 0.055 * k, (0.075 + 0.02 * p.fat) * k, nape + 0.01 * k});
-        const Vec3 end = body.trunk_to_world({side * 0.060 * k, (0.125 + 0.06 * p.fat) * k, blades});
-        strands.push_back({RoundCone{top, neck, 0.046 * h, 0.040 * k}, 0.02 * k});
-        strands.push_back({RoundCone{neck, end, 0.040 * k, 0.028 * k}, 0.02 * k});
-    }
+    constexpr int count = 7;
+    for (int i = 0; i < count; ++i) add_strand(strands, body, p, std::lerp(-1.25, 1.25, i / (count - 1.0)), i % 2 == 0);
     body.carry(Eigen::Isometry3d::Identity(), std::move(strands));
+}
+
+/// Over the shoulder, down the chest and back below the arm, on the surface of the trunk and what covers it.
+void add_strap(std::vector<Blob>& straps, const ImplicitBody& body, double k, double side) {
+    const Vec3 chest = body.skeleton().rest_position(BodyJoint::chest);
+    constexpr std::array<std::array<double, 3>, 7> path{{{.090, .150, .120},
+                                                         {.102, .100, .165},
+                                                         {.106, .025, .182},
+                                                         {.106, -.050, .158},
+                                                         {.108, -.110, .095},
+                                                         {.135, -.080, -.030},
+                                                         {.130, .120, -.130}}};
+    const auto knot = [&](std::size_t i) -> Vec3 {
+        return chest + k * Vec3(side * path[i][0], path[i][1], path[i][2]);
+    };
+    constexpr int pieces = 5; // per leg of the path: a longer one would cut through the body
+    Vec3 last = body.onto_trunk(body.trunk_to_world(knot(0)));
+    for (std::size_t i = 1; i < path.size(); ++i)
+        for (int piece = 1; piece <= pieces; ++piece) {
+            const double u = static_cast<double>(piece) / pieces;
+            const Vec3 next = body.onto_trunk(body.trunk_to_world((1 - u) * knot(i - 1) + u * knot(i)));
+            straps.push_back({RoundCone{last, next, 0.021 * k, 0.021 * k}, 0.004 * k});
+            last = next;
+        }
 }
 
 void put_on_rucksack(ImplicitBody& body, const Proportions& p) {
@@ -179,28 +217,13 @@ void put_on_rucksack(ImplicitBody& body, const Proportions& p) {
         return Ring{at * k, side * k, depth * k, depth * k};
     };
     const Eigen::Isometry3d chest = body.skeleton().frame(BodyJoint::chest);
-    const Eigen::Isometry3d bag = chest * Eigen::Translation3d(0, back, 0);
+    const Eigen::Isometry3d bag = chest * Eigen::Translation3d(0, back + 0.02 * k, 0.11 * k);
     body.carry(bag, {{Tube({ring(-0.30, 0.145, 0.080), ring(-0.18, 0.160, 0.095), ring(0.04, 0.140, 0.080)}, 5,
                            0.02 * k, 0.03 * k),
                       0}});
 
-    // Straps: over the shoulder, down the chest and back below the arm, close to the body.
-    const Vec3 chest_at_rest = body.skeleton().rest_position(BodyJoint::chest);
-    constexpr std::array<std::array<double, 3>, 7> path{{{.085, .130, .040},
-                                                         {.088, .080, .120},
-                                                         {.090, .000, .135},
-                                                         {.092, -.080, .080},
-                                                         {.105, -.130, .000},
-                                                         {.140, -.080, -.130},
-                                                         {.130, .100, -.240}}};
     std::vector<Blob> straps;
-    for (const double side : {1.0, -1.0}) {
-        std::vector<Vec3> points;
-        for (const auto& [x, y, z] : path)
-            points.push_back(body.onto_trunk(body.trunk_to_world(chest_at_rest + k * Vec3(side * x, y, z))));
-        for (std::size_t i = 1; i < points.size(); ++i)
-            straps.push_back({RoundCone{points[i - 1], points[i], 0.018 * k, 0.018 * k}, 0.006 * k});
-    }
+    for (const double side : {1.0, -1.0}) add_strap(straps, body, k, side);
     body.carry(Eigen::Isometry3d::Identity(), std::move(straps));
 }
 

@@ -149,16 +149,16 @@ ImplicitBody::ImplicitBody(const Proportions& p, const BodyPose& pose)
         joining_[index(part)] = {at(joint), range * k, 0.003, strong * k};
     };
     join(PartName::head, BodyJoint::head, 0.14, 0.030);
-    join(PartName::left_upper_arm, BodyJoint::left_shoulder, 0.15, 0.045);
+    join(PartName::left_upper_arm, BodyJoint::left_shoulder, 0.125, 0.040);
     join(PartName::left_forearm, BodyJoint::left_elbow, 0.10, 0.020);
     join(PartName::left_hand, BodyJoint::left_wrist, 0.07, 0.016);
-    join(PartName::right_upper_arm, BodyJoint::right_shoulder, 0.15, 0.045);
+    join(PartName::right_upper_arm, BodyJoint::right_shoulder, 0.125, 0.040);
     join(PartName::right_forearm, BodyJoint::right_elbow, 0.10, 0.020);
     join(PartName::right_hand, BodyJoint::right_wrist, 0.07, 0.016);
-    join(PartName::left_thigh, BodyJoint::left_hip, 0.20, 0.045);
+    join(PartName::left_thigh, BodyJoint::left_hip, 0.18, 0.036);
     join(PartName::left_calf, BodyJoint::left_knee, 0.13, 0.022);
     join(PartName::left_foot, BodyJoint::left_ankle, 0.11, 0.024);
-    join(PartName::right_thigh, BodyJoint::right_hip, 0.20, 0.045);
+    join(PartName::right_thigh, BodyJoint::right_hip, 0.18, 0.036);
     join(PartName::right_calf, BodyJoint::right_knee, 0.13, 0.022);
     join(PartName::right_foot, BodyJoint::right_ankle, 0.11, 0.024);
 }
@@ -192,7 +192,7 @@ void ImplicitBody::build_leg(const Proportions& p, const BodyPose& pose, PartNam
     Part& end = parts_[index(first) + 2];
     Foot sole = foot(p, pose.at(joint(3)).bend);
     end.frame = skeleton_.frame(joint(2)), end.side = side, end.blobs = std::move(sole.blobs);
-    upper.hull.emplace_back(at(0), at(1), k * (0.10 + 0.08 * heavy));
+    upper.hull.emplace_back(at(0), at(1), k * (0.12 + 0.09 * heavy));
     lower.hull.emplace_back(at(1), at(2), k * (0.07 + 0.04 * heavy));
     end.hull.emplace_back(end.frame * Vec3(0, 0.02 * p.foot_scale, -0.035 * p.foot_scale), at(3), 0.10 * p.foot_scale);
     probe_limb(upper, 0.1, 1);

@@ -22,20 +22,20 @@ std::array<Vector3d, body_joint_count> rest_positions(const Proportions& p) {
     };
     const double s = p.scale;
     const double root = p.ankle_height + p.calf + p.thigh + p.hip_drop;
-    rest[0] = towards(0, 0, root);
-    set(BodyJoint::waist, towards(0, -0.004 * s, p.lower_spine));
-    set(BodyJoint::chest, towards(0, 0.010 * s, p.upper_spine));
-    set(BodyJoint::neck, towards(0, 0.002 * s, p.neck_base));
-    set(BodyJoint::head, towards(0, -0.022 * s, p.neck));
+    rest[0] = towards(0, -0.008 * s, root);
+    set(BodyJoint::waist, towards(0, 0.024 * s, p.lower_spine));
+    set(BodyJoint::chest, towards(0, -0.030 * s, p.upper_spine));
+    set(BodyJoint::neck, towards(0, 0.014 * s, p.neck_base));
+    set(BodyJoint::head, towards(0, -0.044 * s, p.neck));
     const auto limbs = [&](int side, BodyJoint shoulder, BodyJoint hip) {
         const auto next = [](BodyJoint joint, int steps) {
             return static_cast<BodyJoint>(static_cast<int>(joint) + steps);
         };
-        set(shoulder, towards(side * p.shoulder_half_width, 0.004 * s, p.shoulder_rise));
+        set(shoulder, towards(side * p.shoulder_half_width, 0.024 * s, p.shoulder_rise));
         set(next(shoulder, 1), towards(0, 0, -p.upper_arm));
         set(next(shoulder, 2), towards(0, 0, -p.forearm));
         set(next(shoulder, 3), towards(0, 0, -p.palm));
-        set(hip, towards(side * p.hip_half_width, -0.004 * s, -p.hip_drop));
+        set(hip, towards(side * p.hip_half_width, 0.006 * s, -p.hip_drop));
         set(next(hip, 1), towards(0, 0, -p.thigh));
         set(next(hip, 2), towards(0, 0, -p.calf));
         set(next(hip, 3), towards(0, -0.125 * p.foot_scale, -p.ankle_height + 0.020 * p.foot_scale));
@@ -57,12 +57,12 @@ Matrix3d swing(const Vector3d& bend_axis, const Vector3d& side_axis, double turn
 bool is_shoulder(BodyJoint joint) { return joint == BodyJoint::left_shoulder || joint == BodyJoint::right_shoulder; }
 
 /// How the shoulder blade carries the shoulder joint when the arm leaves the side of the body: up and inwards for a
-/// raised arm, forwards for one before the chest.
+/// raised arm, forwards for one before the chest. Rates as in registered scans of people.
 Vector3d carried_shoulder(const Vector3d& offset, int side, const Matrix3d& arm) {
     const Vector3d direction = arm * -Vector3d::UnitZ();
     const double raised = std::acos(std::clamp(-direction.z(), -1.0, 1.0)) / degree;
-    const double lift = 0.30 * std::max(0.0, raised - 45) * degree;
-    const double forward = 12 * degree * std::max(0.0, -direction.y());
+    const double lift = 0.16 * raised * degree;
+    const double forward = 20 * degree * std::max(0.0, -direction.y());
     return AngleAxisd(-side * forward, Vector3d::UnitZ()) * (AngleAxisd(-side * lift, Vector3d::UnitY()) * offset);
 }
 

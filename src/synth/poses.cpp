@@ -38,7 +38,10 @@ void set_both(BodyPose& pose, std::initializer_list<Setting> settings) {
 
 BodyPose arms_at(double side) {
     BodyPose pose;
-    set_both(pose, {{J::left_shoulder, {0, side, 0}}, {J::left_elbow, {8, 0, 0}}, {J::left_hip, {0, 5, 6}}});
+    set_both(pose, {{J::left_shoulder, {0, side, 0}},
+                    {J::left_elbow, {8, 0, 0}},
+                    {J::left_hip, {0, 8, 6}},
+                    {J::left_knee, {0, -3, 0}}});
     return pose;
 }
 
@@ -47,11 +50,11 @@ BodyPose walk() {
     set(pose, {{J::waist, {3, 0, -6}},
                {J::chest, {0, 0, -4}},
                {J::neck, {0, 0, 6}},
-               {J::left_hip, {28, 2, 4}},
-               {J::left_knee, {8, 0, 0}},
+               {J::left_hip, {28, 5, 4}},
+               {J::left_knee, {8, -4, 0}},
                {J::left_ankle, {4, 0, 0}},
-               {J::right_hip, {-16, 2, 4}},
-               {J::right_knee, {28, 0, 0}},
+               {J::right_hip, {-16, 5, 4}},
+               {J::right_knee, {28, -4, 0}},
                {J::right_ankle, {-8, 0, 0}},
                {J::right_foot, {22, 0, 0}},
                {J::left_shoulder, {-24, 12, 0}},

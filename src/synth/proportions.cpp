@@ -77,18 +77,20 @@ Proportions proportions_of(const BodyShape& given) {
     const double child = 1 - p.maturity, woman = 1 - p.masculinity;
     p.fat = shape.weight / (shape.height * shape.height) / interpolate(average_body_mass_index, shape.age) - 1;
 
-    // Relative to a man of 1.75 m; the sum of the heights is scaled to the height asked for at the end.
+    // Of a man of 1.75 m, the sum of the heights scaled to the height asked for at the end. Grown-up lengths agree with
+    // the mean that SMPL's joint regressor finds in registered scans of people: hips close together and low, the chest
+    // joint below the shoulders. The head joint is at the height of the nose instead, higher than SMPL's.
     const double leg = shape.leg_length * (1 - 0.10 * child);
     const double torso = shape.torso_length * (1 + 0.02 * child + 0.01 * woman);
     const double head = shape.head_size * (1 + 0.42 * child);
-    p.ankle_height = 0.076;
+    p.ankle_height = 0.082;
     p.calf = 0.405 * leg;
-    p.thigh = 0.415 * leg;
-    p.hip_drop = 0.045 * torso;
-    p.lower_spine = 0.12 * torso;
-    p.upper_spine = 0.31 * torso;
-    p.neck_base = 0.085 * torso;
-    p.neck = 0.129 * head * (1 - 0.15 * child);
+    p.thigh = 0.385 * leg;
+    p.hip_drop = 0.087 * torso;
+    p.lower_spine = 0.113 * torso;
+    p.upper_spine = 0.188 * torso;
+    p.neck_base = 0.225 * torso;
+    p.neck = 0.100 * head * (1 - 0.15 * child);
     p.head_top = 0.165 * head;
     const double height = p.ankle_height + p.calf + p.thigh + p.hip_drop + p.lower_spine + p.upper_spine + p.neck_base +
                           p.neck + p.head_top;
@@ -99,18 +101,18 @@ Proportions proportions_of(const BodyShape& given) {
 
     p.scale = shape.height / 1.75;
     p.head_scale = head * fit;
-    p.hand_scale = p.scale * (1 + 0.04 * child) * (1 - 0.05 * woman);
-    p.foot_scale = p.ankle_height / 0.076 * (1 + 0.02 * child) * (1 - 0.05 * woman);
+    p.hand_scale = 1.08 * p.scale * (1 + 0.04 * child) * (1 - 0.05 * woman);
+    p.foot_scale = p.ankle_height / 0.082 * (1 + 0.02 * child) * (1 - 0.05 * woman);
     p.shoulder_factor = shape.shoulder_width;
     p.hip_factor = shape.hip_width;
-    p.hip_half_width = p.scale * shape.hip_width * (0.090 + 0.003 * woman - 0.004 * child) * (1 + 0.08 * p.fat);
+    p.hip_half_width = p.scale * shape.hip_width * (0.069 + 0.003 * woman - 0.003 * child) * (1 + 0.12 * p.fat);
     p.shoulder_half_width = p.scale * shape.shoulder_width *
-                            (0.183 - 0.019 * woman + 0.008 * p.muscle - 0.006 * child) * (1 + 0.10 * p.fat);
-    p.shoulder_rise = 0.012 * p.scale;
+                            (0.193 - 0.018 * woman + 0.008 * p.muscle - 0.006 * child) * (1 + 0.10 * p.fat);
+    p.shoulder_rise = 0.114 * p.scale * shape.torso_length;
     const double arm = p.scale * shape.arm_length * (1 - 0.06 * child);
-    p.upper_arm = 0.285 * arm;
-    p.forearm = 0.252 * arm;
-    p.palm = 0.086 * p.hand_scale;
+    p.upper_arm = 0.265 * arm;
+    p.forearm = 0.249 * arm;
+    p.palm = 0.082 * p.hand_scale;
     return p;
 }
 

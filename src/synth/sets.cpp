@@ -126,18 +126,18 @@ BodyPose closed_in(const BodyShape& shape, BodyPose pose, const std::vector<Body
 Plans joined(std::uint64_t) {
     struct Contact {
         const char* name;
-        JointAngles shoulder, elbow, hip; ///< on both sides
+        JointAngles shoulder, elbow, hip, knee; ///< on both sides
         std::vector<BodyJoint> closing;
     };
     const std::vector<BodyJoint> arms{J::left_shoulder, J::right_shoulder}, legs{J::left_hip, J::right_hip};
     const std::vector<Contact> contacts{
-        {"hands-on-thighs", {4, 30, 0}, {10, -10, 0}, {0, 18, 4}, arms},
-        {"one-hand-on-thigh", {4, 30, 0}, {10, -10, 0}, {0, 18, 4}, {J::left_shoulder}},
-        {"forearms-on-torso", {-14, 30, -20}, {32, -6, 0}, {0, 8, 4}, arms},
-        {"ankles-together", {0, 35, 0}, {8, 0, 0}, {0, 6, 2}, legs},
-        {"thighs-together", {0, 35, 0}, {8, 0, 0}, {0, -3, 2}, {}}, // no handle: no gap below the crotch
-        {"hands-clasped", {42, 2, -36}, {52, 0, 0}, {0, 5, 4}, {}},
-        {"hands-on-waist", {-18, 42, -66}, {102, 0, 0}, {0, 6, 4}, {}}};
+        {"hands-on-thighs", {4, 30, 0}, {10, -10, 0}, {0, 18, 4}, {}, arms},
+        {"one-hand-on-thigh", {4, 30, 0}, {10, -10, 0}, {0, 18, 4}, {}, {J::left_shoulder}},
+        {"forearms-on-torso", {-14, 30, -20}, {32, -6, 0}, {0, 8, 4}, {}, arms},
+        {"heels-together", {0, 35, 0}, {8, 0, 0}, {26, 48, 48}, {76, 0, 0}, legs},
+        {"thighs-together", {0, 35, 0}, {8, 0, 0}, {0, 0, 2}, {}, {}}, // no handle: no gap below the crotch
+        {"hands-clasped", {42, 18, -36}, {56, 0, 0}, {0, 8, 4}, {}, arms},
+        {"hands-on-waist", {-22, 52, -52}, {96, 0, 0}, {0, 8, 4}, {}, arms}};
     Plans plans;
     for (const Contact& contact : contacts)
         for (const double masculinity : {1.0, 0.0}) {
@@ -145,7 +145,8 @@ Plans joined(std::uint64_t) {
             BodyPose pose;
             for (const auto& [joint, angles] : {std::pair{J::left_shoulder, contact.shoulder},
                                                 {J::left_elbow, contact.elbow},
-                                                {J::left_hip, contact.hip}})
+                                                {J::left_hip, contact.hip},
+                                                {J::left_knee, contact.knee}})
                 pose.at(joint) = pose.at(mirrored_joint(joint)) = angles;
             plans.push_back(plan(contact.name + std::string(masculinity > 0 ? "-man" : "-woman"), shape,
                                  closed_in(shape, pose, contact.closing)));

@@ -196,7 +196,8 @@ private:
 
 void collapse(Mesh& mesh, const ImplicitSurface& surface, int faces) {
     namespace sms = CGAL::Surface_mesh_simplification;
-    const sms::Count_stop_predicate<Mesh> stop(static_cast<std::size_t>(faces) * 3 / 2);
+    // Three edges for two faces; the predicate stops below its number.
+    const sms::Count_stop_predicate<Mesh> stop(static_cast<std::size_t>(faces) * 3 / 2 + 1);
     const sms::Bounded_normal_change_placement<sms::Midpoint_placement<Mesh>> placement;
     sms::edge_collapse(mesh, stop, CGAL::parameters::get_cost(GrainCost(surface.grain)).get_placement(placement));
     mesh.collect_garbage();

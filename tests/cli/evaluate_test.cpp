@@ -39,6 +39,17 @@ TEST_CASE("two files are compared") {
     CHECK(result.err.empty());
 }
 
+TEST_CASE("the truth of what is no body wants no skeleton file") {
+    const TemporaryFolder folder;
+    write_file(folder / "truth.json", R"({"not_a_body": true})");
+    const CliResult none = run_cli(folder.path(), {"evaluate", "truth.json", "skeleton.json"});
+    CHECK(none.status == 0);
+    CHECK(none.out.find("truth: solved 1/1") == 0);
+    write_file(folder / "skeleton.json", "{}");
+    const CliResult found = run_cli(folder.path(), {"evaluate", "truth.json", "skeleton.json"});
+    CHECK(found.out.find("truth: solved 0/1") == 0);
+}
+
 TEST_CASE("two folders are compared, to text, CSV and JSON") {
     const TemporaryFolder folder;
     write_case(folder / "truth/set/a.json", folder / "results/set/a.json");

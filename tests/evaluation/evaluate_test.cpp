@@ -296,4 +296,44 @@ TEST_CASE("real truth, taken as the result, is solved with joints inside") {
     }
 }
 
+TEST_CASE("what is no body is solved where no skeleton of it exists") {
+    const TemporaryFolder folder;
+    const fs::path truth = folder.path() / "truth", results = folder.path() / "results";
+    write_truth(stick_truth(), truth / "set/body.json");
+    write_skeleton_of(stick_body(), results / "set/body.json");
+    for (const char* name : {"set/chair.json", "set/dog.json", "set/table.json"})
+        std::ofstream(truth / name) << R"({"mesh": "x.off", "not_a_body": true})";
+    write_skeleton_of(stick_body(), results / "set/dog.json");
+    std::ofstream(results / "set/table.json") << "no skeleton, but a file";
+
+    const std::vector<SetScore> sets = evaluate_folders(truth, results);
+    REQUIRE(sets.size() == 1);
+    REQUIRE(sets[0].meshes.size() == 4); // body, chair, dog, table
+    CHECK(mesh_score_line("set", sets[0].meshes[1]) == "set/chair: solved, no body and no skeleton");
+    CHECK(mesh_score_line("set", sets[0].meshes[2]) == "set/dog: FAILED, a skeleton of what is no body");
+    CHECK_FALSE(sets[0].meshes[3].solved());
+
+    const SetSummary summary = summarise(sets[0]);
+    CHECK(summary.solved == 2);
+    CHECK(summary.complete == 1);
+    CHECK(summary.not_bodies == 3);
+    CHECK(summary.refused == 1);
+    REQUIRE(summary.errors);
+    CHECK(summary.errors->count == 3); // the body's alone
+    CHECK(summary_to_text(summary).find("no bodies 3, without a skeleton as they should be 1\n") != std::string::npos);
+    const Json json = Json::parse(scores_to_json(sets, true))["set"];
+    CHECK(json["refused"] == 1);
+    CHECK(json["per_mesh"]["chair"]["refused"] == true);
+    CHECK_FALSE(json["per_mesh"]["body"].contains("refused"));
+}
+
+TEST_CASE("a set of bodies says nothing of what is no body") {
+    const SetSummary summary = summarise({"set", {score_joints(stick_truth(), stick_body())}});
+    CHECK(summary.not_bodies == 0);
+    CHECK(summary_to_text(summary).find("no bodies") == std::string::npos);
+    GroundTruth none;
+    none.not_a_body = true;
+    CHECK_THROWS_AS(score_joints(none, stick_body()), Error);
+}
+
 } // namespace

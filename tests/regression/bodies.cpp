@@ -43,10 +43,14 @@ void make_bodies(const fs::path& folder, unsigned jobs) {
                               truth_to_json(body.truth, set + "/" + plan.name + ".off"));
     });
 
-    fs::create_directories(folder / "objects");
+    const std::string set = "not-a-body";
+    fs::create_directories(folder / "meshes" / set);
+    fs::create_directories(folder / "truth" / set);
     const std::vector<std::string> objects = object_names();
     for_each_index(objects.size(), jobs, [&](std::size_t i) {
-        write_mesh(folder / "objects" / (objects[i] + ".off"), synthesize_object(objects[i], object_faces));
+        write_mesh(folder / "meshes" / set / (objects[i] + ".off"), synthesize_object(objects[i], object_faces));
+        write_file_atomically(folder / "truth" / set / (objects[i] + ".json"),
+                              object_truth_to_json(set + "/" + objects[i] + ".off"));
     });
     write_file_atomically(folder / done, "");
 }

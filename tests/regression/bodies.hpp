@@ -15,11 +15,8 @@ struct SetSample {
 /// What the regression looks at: easy sets and hard ones.
 [[nodiscard]] const std::vector<SetSample>& body_samples();
 
-/// The set of things in which no skeleton is to be found.
-inline constexpr const char* object_set = "not-a-body";
-
-/// Makes the samples: FOLDER/meshes/<set>/<name>.off, FOLDER/truth/<set>/<name>.json; the objects' meshes, which have
-/// no truth, under FOLDER/objects. What was there before goes.
+/// Makes the samples and the set of things that are no body: FOLDER/meshes/<set>/<name>.off,
+/// FOLDER/truth/<set>/<name>.json. What was there before goes.
 void make_bodies(const std::filesystem::path& folder, unsigned jobs);
 
 /// Whether `make_bodies` has come to its end in this folder.

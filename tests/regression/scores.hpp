@@ -40,6 +40,7 @@ void write_expectations(const std::filesystem::path& file, const Expectations& e
 [[nodiscard]] std::vector<std::string> moves(const Results& before, const Results& after);
 
 /// One line per number that is worse than expected by more than the tolerance, and per set or joint that is missing.
+/// Joints are compared in sets of which as many meshes are solved as expected.
 [[nodiscard]] std::vector<std::string> regressions(const Expectations& expected, const Results& found);
 
 /// A table of the counts and mean errors.

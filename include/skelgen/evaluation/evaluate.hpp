@@ -17,12 +17,13 @@ struct GroundTruth {
     double scale = 1;                                            ///< largest geodesic distance: the unit of all errors
     std::vector<std::pair<std::string, Vector3<double>>> joints; ///< where they are, in the file's order
     std::map<std::string, Vector3<double>> markers;              ///< surface points that tell limbs and sides
+    bool not_a_body = false; ///< there is no skeleton to be found; all else is at its default
 };
 
 /// Joint positions by joint name, as far as a skeleton file has them.
 using JointPositions = std::map<std::string, Vector3<double>>;
 
-/// How well one skeleton agrees with the truth.
+/// How well one skeleton agrees with the truth. Of what is no body, `refused` alone says something.
 struct MeshScore {
     std::string name;
     bool complete = false; ///< all 21 joints are there and finite; what follows is empty and false otherwise
@@ -33,7 +34,10 @@ struct MeshScore {
     std::optional<std::vector<std::string>> outside;    ///< the joints outside of the mesh, if a mesh was looked at
     std::vector<std::pair<std::string, double>> errors; ///< distance to the truth over its scale, in the truth's order
 
-    [[nodiscard]] bool solved() const { return complete && limbs && sides; }
+    bool not_a_body = false; ///< the truth says that there is no skeleton
+    bool refused = false;    ///< and there is no skeleton file, as there should be
+
+    [[nodiscard]] bool solved() const { return not_a_body ? refused : complete && limbs && sides; }
 };
 
 /// The scores of the meshes of one data set, in the order of their names.
@@ -56,7 +60,8 @@ struct ErrorStatistics {
 struct SetSummary {
     std::string name;
     std::size_t meshes = 0, complete = 0, limbs = 0, sides = 0, solved = 0;
-    std::optional<ErrorStatistics> errors;                          ///< over all joints; none if nothing is solved
+    std::size_t not_bodies = 0, refused = 0; ///< meshes of no body; those of them without a skeleton, all solved
+    std::optional<ErrorStatistics> errors;   ///< over all joints; none if nothing is solved
     std::vector<std::pair<std::string, ErrorStatistics>> per_joint; ///< ordered by the joints' names
     std::optional<double> inside; ///< mean share of joints inside their mesh; none if no mesh was looked at
 };
@@ -64,7 +69,7 @@ struct SetSummary {
 /// Names of the 21 joints of `human21`, in template order.
 [[nodiscard]] const std::vector<std::string>& evaluated_joints();
 
-/// Reads `scale`, `joints` and `markers` of a truth file.
+/// Reads `scale`, `joints` and `markers` of a truth file, or that its `not_a_body` is true.
 /// \throws Error bad_input when it cannot be read or misses something.
 [[nodiscard]] GroundTruth read_ground_truth(const std::filesystem::path& path);
 
@@ -73,19 +78,21 @@ struct SetSummary {
 [[nodiscard]] JointPositions read_joint_positions(const std::filesystem::path& path);
 
 /// Scores one skeleton. O(1).
-/// \throws Error bad_input when `truth` lacks a marker, or names a joint that a complete `joints` does not have.
+/// \throws Error bad_input when `truth` is of no body or lacks a marker, or names a joint that a complete `joints` does
+/// not have.
 [[nodiscard]] MeshScore score_joints(const GroundTruth& truth, const JointPositions& joints);
 
 /// The joints, of the 21, at which the mesh's winding number is below one half. O(joints * faces).
 [[nodiscard]] std::vector<std::string> joints_outside(const TriangleMesh<double>& mesh, const JointPositions& joints);
 
-/// Scores one skeleton file against one truth file; `mesh` (optional) is the mesh's file.
-/// \throws Error bad_input as `read_ground_truth`, `score_joints` and `read_mesh`, with the file's name in front.
+/// Scores one skeleton file against one truth file; `mesh` (optional) is the mesh's file. Where the truth is of no
+/// body, the skeleton file should not exist, and what is in it does not matter. \throws Error bad_input as
+/// `read_ground_truth`, `score_joints` and `read_mesh`, with the file's name in front.
 [[nodiscard]] MeshScore evaluate_file(const std::filesystem::path& truth, const std::filesystem::path& prediction,
                                       const std::optional<std::filesystem::path>& mesh = {});
 
-/// Scores PREDICTION/<set>/<name>.json against every TRUTH/<set>/<name>.json, a missing one as not complete. A truth
-/// folder without folders in it is one set. `meshes` (optional) holds <set>/<name> with a mesh's extension.
+/// Scores PREDICTION/<set>/<name>.json against every TRUTH/<set>/<name>.json; a body's missing one is not complete. A
+/// truth folder without folders in it is one set. `meshes` (optional) holds <set>/<name> with a mesh's extension.
 /// \throws Error bad_input as `evaluate_file`, and when there is no truth at all.
 [[nodiscard]] std::vector<SetScore> evaluate_folders(const std::filesystem::path& truth,
                                                      const std::filesystem::path& prediction,

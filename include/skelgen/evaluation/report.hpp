@@ -18,7 +18,8 @@ namespace skelgen {
 [[nodiscard]] std::string summaries_to_csv(const std::vector<SetSummary>& summaries);
 
 /// An object with a member per set, full precision: the counts, `mean_error`, `p95_error`, `inside` (null where there
-/// are none), `per_joint` (the means), `joints` (all statistics), and `per_mesh` if wanted.
+/// are none), in sets with things that are no bodies `not_bodies` and `refused`, `per_joint` (the means), `joints` (all
+/// statistics), and `per_mesh` if wanted.
 [[nodiscard]] std::string scores_to_json(const std::vector<SetScore>& sets, bool with_meshes = false);
 
 } // namespace skelgen
