@@ -58,12 +58,14 @@ Proxy to_matrices(const HalfedgeMesh& mesh, const Source& source) {
     return out;
 }
 
-double squared_length(const HalfedgeMesh& mesh, HalfedgeMesh::EdgeHandle e) {
-    return mesh.calc_edge_sqr_length(e);
-}
+double squared_length(const HalfedgeMesh& mesh, HalfedgeMesh::EdgeHandle e) { return mesh.calc_edge_sqr_length(e); }
 
+/// From one threshold of a sequence of splits or collapses to the next.
+constexpr double threshold_ratio = 1.5;
+
+/// Edges made by a split are left alone.
 void split_long_edges(HalfedgeMesh& mesh, Source& source, double longest) {
-    const std::size_t edges = mesh.n_edges(); // edges made by a split are looked at in the next round
+    const std::size_t edges = mesh.n_edges();
     for (std::size_t i = 0; i < edges; ++i) {
         const auto e = mesh.edge_handle(static_cast<unsigned>(i));
         if (squared_length(mesh, e) <= longest * longest) continue;
@@ -73,6 +75,15 @@ void split_long_edges(HalfedgeMesh& mesh, Source& source, double longest) {
         source[v] = -1;
         mesh.split(e, v);
     }
+}
+
+/// Splits with a threshold that falls to `longest`, so that the longest edges go first: bisected there, a triangle's
+/// halves are better shaped than itself.
+void refine(HalfedgeMesh& mesh, Source& source, double longest) {
+    double largest = 0;
+    for (const auto e : mesh.edges()) largest = std::max(largest, mesh.calc_edge_length(e));
+    const int steps = static_cast<int>(std::ceil(std::log(largest / longest) / std::log(threshold_ratio)));
+    for (int step = steps; step >= 0; --step) split_long_edges(mesh, source, longest * std::pow(threshold_ratio, step));
 }
 
 /// Twice a face's area below this part of its squared longest edge: the face is a segment.
@@ -94,15 +105,20 @@ bool flips_a_face(const HalfedgeMesh& mesh, HalfedgeMesh::VertexHandle v, Halfed
         const Vec3d before = (mesh.point(a) - mesh.point(v)) % (mesh.point(b) - mesh.point(v));
         const Vec3d after = (mesh.point(a) - target) % (mesh.point(b) - target);
         // A face without area, as a split leaves behind, has a normal of rounding errors: it must not decide anything.
-        if (before.sqrnorm() < degenerate * degenerate * squared_size(mesh, v, a, b) * squared_size(mesh, v, a, b)) continue;
+        if (before.sqrnorm() < degenerate * degenerate * squared_size(mesh, v, a, b) * squared_size(mesh, v, a, b))
+            continue;
         if ((before | after) <= 0.2 * before.norm() * after.norm()) return true;
     }
     return false;
 }
 
+/// Would moving vertex `v` to `target` make one of its edges too long? One that is so already is to be split in any
+/// case; if it forbade the collapse, the short edges across a fan of needles would outlast it.
 bool makes_a_long_edge(const HalfedgeMesh& mesh, HalfedgeMesh::VertexHandle v, const Vec3d& target, double longest) {
+    const double bound = longest * longest;
     for (auto w = mesh.cvv_iter(v); w.is_valid(); ++w)
-        if ((mesh.point(*w) - target).sqrnorm() > longest * longest) return true;
+        if ((mesh.point(*w) - target).sqrnorm() > bound && (mesh.point(*w) - mesh.point(v)).sqrnorm() <= bound)
+            return true;
     return false;
 }
 
@@ -112,8 +128,9 @@ void collapse_short_edges(HalfedgeMesh& mesh, Source& source, double shortest, d
         auto h = mesh.halfedge_handle(e, 0);
         if (mesh.is_boundary(mesh.from_vertex_handle(h))) h = mesh.opposite_halfedge_handle(h);
         const auto from = mesh.from_vertex_handle(h), to = mesh.to_vertex_handle(h);
-        if (mesh.is_boundary(from) || !mesh.is_collapse_ok(h)) continue;
-        const Vec3d target = mesh.is_boundary(to) ? mesh.point(to) : 0.5 * (mesh.point(from) + mesh.point(to));
+        if (!mesh.is_collapse_ok(h)) continue; // which also keeps apart two vertices on the boundary of an inner edge
+        const bool joins_boundary = mesh.is_boundary(to) && !mesh.is_boundary(from);
+        const Vec3d target = joins_boundary ? mesh.point(to) : 0.5 * (mesh.point(from) + mesh.point(to));
         if (makes_a_long_edge(mesh, from, target, longest) || makes_a_long_edge(mesh, to, target, longest)) continue;
         if (flips_a_face(mesh, from, to, target) || flips_a_face(mesh, to, from, target)) continue;
         mesh.set_point(to, target);
@@ -123,14 +140,22 @@ void collapse_short_edges(HalfedgeMesh& mesh, Source& source, double shortest, d
     mesh.garbage_collection();
 }
 
-/// Collapses with a threshold that doubles up to the target, so that a fine input shrinks evenly.
+/// Collapses with a threshold that rises to `shortest`, so that a fine input shrinks evenly.
 void coarsen(HalfedgeMesh& mesh, Source& source, double shortest, double longest) {
-    double mean = 0;
-    for (const auto e : mesh.edges()) mean += mesh.calc_edge_length(e);
-    mean /= static_cast<double>(std::max<std::size_t>(mesh.n_edges(), 1));
-    for (double threshold = mean; threshold < 0.7 * shortest; threshold *= 1.5)
-        collapse_short_edges(mesh, source, threshold, longest);
-    collapse_short_edges(mesh, source, shortest, longest);
+    double sum = 0, count = 0;
+    for (const auto e : mesh.edges()) {
+        const double length = mesh.calc_edge_length(e);
+        if (length >= shortest) continue;
+        sum += length;
+        count += 1;
+    }
+    if (count == 0) return;
+    // Counted down from `shortest`: a regular mesh has edges of exactly the mean length, which must not be a threshold.
+    constexpr double most_steps = 20; // edges without any length
+    const int steps =
+        static_cast<int>(std::min(most_steps, std::log(shortest * count / sum) / std::log(threshold_ratio)));
+    for (int step = steps; step >= 0; --step)
+        collapse_short_edges(mesh, source, shortest * std::pow(threshold_ratio, -step), longest);
 }
 
 int valence_error(const HalfedgeMesh& mesh, HalfedgeMesh::VertexHandle v, int change) {
@@ -148,7 +173,8 @@ bool flip_keeps_orientation(const HalfedgeMesh& mesh, HalfedgeMesh::HalfedgeHand
     const Vec3d before = (b - a) % (c - a) + (d - a) % (b - a);
     const Vec3d first = (d - a) % (c - a), second = (c - b) % (d - b);
     const double bar = 0.5 * before.norm();
-    const double least = degenerate * (b - a).sqrnorm(); // a new face without area would have a normal of rounding errors
+    const double least =
+        degenerate * (b - a).sqrnorm(); // a new face without area would have a normal of rounding errors
     if (first.norm() < least || second.norm() < least) return false;
     return (first | before) > bar * first.norm() && (second | before) > bar * second.norm();
 }
@@ -202,7 +228,7 @@ Proxy build_proxy(const TriangleMesh<double>& mesh, const ProxyOptions& options)
     const double longest = 4.0 / 3 * edge, shortest = 4.0 / 5 * edge;
     for (int round = 0; round < options.rounds; ++round) {
         coarsen(work, source, shortest, longest);
-        split_long_edges(work, source, longest);
+        refine(work, source, longest);
         flip_towards_valence_six(work);
         relax_tangentially(work);
     }

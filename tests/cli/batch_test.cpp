@@ -186,11 +186,11 @@ TEST_CASE("a worker that crashes costs the mesh it was at") {
     CliProcess batch(folder.path(), {"batch", "a.off", "b.off", "-o", "out", "--jobs", "1"});
     REQUIRE(endless.wait_for_reader());
     REQUIRE(batch.children().size() == 1);
-    ::kill(batch.children()[0], SIGSEGV);
+    ::kill(batch.children()[0], SIGKILL); // a sanitizer would make something else of SIGSEGV
     const CliResult result = batch.wait();
     CHECK(result.status == 5);
     CHECK(statuses(folder / "out") == std::map<std::string, std::string>{{"a.off", "crash"}, {"b.off", "bad_input"}});
-    CHECK(read_summary(folder / "out").at("a.off").at("error").get<std::string>().find("signal 11") !=
+    CHECK(read_summary(folder / "out").at("a.off").at("error").get<std::string>().find("signal 9") !=
           std::string::npos);
 }
 

@@ -62,7 +62,7 @@ TEST_CASE("the curve of three tubes runs along their axes") {
         for (const Vec3& end : three_tube_ends())
             from_axis = std::min(from_axis, segment_distance(p, Vec3::Zero(), 1.12 * end));
         INFO("node at " << p.transpose());
-        CHECK(from_axis < 0.6 * 0.12);
+        CHECK(from_axis < 0.5 * 0.12);
     }
 }
 

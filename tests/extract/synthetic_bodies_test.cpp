@@ -17,6 +17,10 @@ namespace {
 
 constexpr int faces = 8000;
 
+/// How far a joint may move where the surface, not just its place or order, has changed: the walking woman's neck has
+/// two sections to settle on, this far apart.
+constexpr double another_section = 0.03;
+
 SynthBody walking_woman() {
     BodyShape shape;
     shape.masculinity = 0;
@@ -174,7 +178,7 @@ TEST_CASE("a mirror image has the mirrored skeleton, left and right exchanged") 
         REQUIRE(found >= 0);
         CHECK((out.skeleton.joints[static_cast<std::size_t>(found)].position - mirrored_place).norm() /
                   expected.geodesic_diameter <
-              0.02);
+              another_section);
     }
 }
 
@@ -187,11 +191,11 @@ TEST_CASE("faults of a scan do little harm") {
     littered.vertices.conservativeResize(littered.vertices.rows() + 1, 3);
     littered.vertices.bottomRows<1>() << 40, 40, 40;
     const Extraction<double> out = extract_skeleton(littered);
-    CHECK(difference(out, expected).joint < 0.02);
+    CHECK(difference(out, expected).joint < another_section);
     CHECK_FALSE(out.skeleton.quality.warnings.empty());
 
     const Mesh holed = without_faces(body.mesh, 1000, 3);
-    CHECK(difference(extract_skeleton(holed), expected).joint < 0.02);
+    CHECK(difference(extract_skeleton(holed), expected).joint < another_section);
 }
 
 TEST_CASE("the curve's regions index the input's vertices, each once") {
