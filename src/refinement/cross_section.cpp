@@ -158,14 +158,17 @@ std::optional<CrossSection> Slicer::around(const Vector3<double>& point, const V
         best = relation;
     }
     if (chosen == nullptr) return std::nullopt;
-    return measure(*chosen, mesh_, normal);
+    CrossSection section = measure(*chosen, mesh_, normal);
+    if (!(section.perimeter > 0)) return std::nullopt; // a plane that touches a vertex
+    return section;
 }
 
-std::optional<Vector3<double>> Slicer::level_set_centre(const Eigen::VectorXd& field, double level) const {
-    const std::vector<Contour> contours = Tracer(mesh_, adjacency_, field.array() - level).contours();
+std::optional<Vector3<double>> Slicer::level_set_centre(const Eigen::VectorXd& field, double level,
+                                                        const Vector3<double>& near, double reach) const {
     std::optional<Vector3<double>> centre;
     double longest = 0;
-    for (const Contour& contour : contours) {
+    bool any_near = false;
+    for (const Contour& contour : Tracer(mesh_, adjacency_, field.array() - level).contours()) {
         Vector3<double> mean = Vector3<double>::Zero();
         double length = 0;
         for (std::size_t i = 0; i < contour.points.size(); ++i) {
@@ -173,9 +176,14 @@ std::optional<Vector3<double>> Slicer::level_set_centre(const Eigen::VectorXd& f
             mean += (q - p).norm() * (p + q) / 2;
             length += (q - p).norm();
         }
-        if (!(length > longest)) continue;
+        if (!(length > 0)) continue;
+        mean /= length;
+        const bool is_near = (mean - near).norm() <= reach + length / (2 * EIGEN_PI);
+        if (any_near && !is_near) continue;
+        if (any_near == is_near && length <= longest) continue;
+        any_near = is_near;
         longest = length;
-        centre = mean / length;
+        centre = mean;
     }
     return centre;
 }

@@ -34,15 +34,18 @@ double find_attachment(const Centreline& line, double own, double stretch) {
     return line.arc[0];
 }
 
-/// Centres of the rings around a limb, from `length` away from its end down to the end itself.
+/// Centres of the rings around a limb, from `length` away from its end down to the end itself. Each is looked for near the
+/// last one: where the end touches another part of the body, that has rings at the same distance.
 Points<double> ring_centres(const Slicer& slicer, const EndPoint& end, double length, double step) {
     const Eigen::VectorXd field = end.distance.cwiseMin(2 * length + 1);
-    std::vector<Vector3<double>> centres;
-    for (double level = length; level > step / 2; level -= step)
-        if (const auto centre = slicer.level_set_centre(field, level)) centres.push_back(*centre);
-    Points<double> out(static_cast<Eigen::Index>(centres.size()) + 1, 3);
-    for (std::size_t i = 0; i < centres.size(); ++i) out.row(static_cast<Eigen::Index>(i)) = centres[i].transpose();
-    out.bottomRows<1>() = slicer.mesh().vertices.row(end.vertex);
+    std::vector<Vector3<double>> centres{slicer.mesh().vertices.row(end.vertex).transpose()};
+    const int rings = static_cast<int>(std::ceil(length / step - 0.5));
+    for (int ring = rings; ring-- > 0;)
+        if (const auto centre = slicer.level_set_centre(field, length - ring * step, centres.back(), 2 * step))
+            centres.push_back(*centre);
+    Points<double> out(static_cast<Eigen::Index>(centres.size()), 3);
+    for (std::size_t i = 0; i < centres.size(); ++i)
+        out.row(out.rows() - 1 - static_cast<Eigen::Index>(i)) = centres[i].transpose();
     return out;
 }
 

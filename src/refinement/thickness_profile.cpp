@@ -54,9 +54,15 @@ std::vector<Sample> samples_of(const Limb& limb) {
     return samples;
 }
 
-/// Mean squared difference between the samples and the profile stretched over them, in squared deviations, robust: sections
-/// across a fold or a sleeve count for no more than three deviations.
-double misfit(const std::vector<Sample>& samples, const Profile& profile, const Stretch& stretch, double deviation) {
+/// How well a stretched profile fits.
+struct Fit {
+    double misfit = std::numeric_limits<double>::infinity(); ///< mean squared difference, in squared deviations
+    double stoutness = 0;                                    ///< mean difference of the logarithms
+};
+
+/// Compares the samples with the profile stretched over them. Robust: sections across a fold or a sleeve count for no more
+/// than three deviations.
+Fit fit(const std::vector<Sample>& samples, const Profile& profile, const Stretch& stretch, double deviation) {
     struct Residual {
         double value, weight;
     };
@@ -75,7 +81,7 @@ double misfit(const std::vector<Sample>& samples, const Profile& profile, const 
             sum += weight * r.value;
             weights += weight;
         }
-        if (!(weights > 0)) return std::numeric_limits<double>::infinity();
+        if (!(weights > 0)) return {};
         offset = sum / weights;
     }
     double sum = 0, weights = 0;
@@ -84,7 +90,7 @@ double misfit(const std::vector<Sample>& samples, const Profile& profile, const 
         sum += r.weight * std::min(far * far, 9.0);
         weights += r.weight;
     }
-    return sum / weights;
+    return {sum / weights, offset};
 }
 
 class Matcher {
@@ -119,7 +125,7 @@ private:
         if (bone < 0.5) return std::numeric_limits<double>::infinity();
         constexpr double far_misfit = 2; // beyond it, a limb is unlike the profile (in trousers, in armour) and tells less
         const auto square = [](double x) { return x * x; };
-        return options_.independent_samples * far_misfit * std::log1p(misfit(samples_, profile_, s, options_.thickness_deviation) / far_misfit) +
+        return options_.independent_samples * far_misfit * std::log1p(fit(samples_, profile_, s, options_.thickness_deviation).misfit / far_misfit) +
                square(log_outer / options_.end_deviation) + square(log_middle / options_.limb_deviation) +
                square(std::log(bone) / options_.bone_deviation);
     }
@@ -169,9 +175,29 @@ std::optional<ProfiledLimb> profiled(Limb& limb, const SkeletonTemplate& skeleto
                         {limb.from_tip[*outer], limb.from_tip[*middle], limb.from_tip[*inner]}};
 }
 
+/// Moves the limb's attachment outwards to where its sections become a third thicker than the profile has them: nearer the
+/// trunk they are a coat's or a skirt's.
+void move_attachment(Limb& limb, const Profile& profile, const Stretch& stretch, double stoutness) {
+    const double too_thick = std::log(1.35), beyond_the_fold = 1.2; // of u: a bent knee is thick, too
+    const double end = limb.line.arc[limb.line.arc.size() - 1];
+    int in_a_row = 0;
+    for (Eigen::Index i = limb.line.arc.size(); i-- > 0 && limb.line.arc[i] > limb.attachment;) {
+        const double u = stretch.u(end - limb.line.arc[i]);
+        if (u < beyond_the_fold || !(limb.line.thickness[i] > 0)) continue;
+        const double expected = value_at(profile, u).value_or(profile.back());
+        in_a_row = std::log(limb.line.thickness[i]) > expected + stoutness + too_thick ? in_a_row + 1 : 0;
+        if (in_a_row < 3) continue;
+        limb.attachment = limb.line.arc[i + 3];
+        return;
+    }
+}
+
 /// Puts the limb's joints from elbow or knee outwards where they fit best.
 void move_outer_joints(ProfiledLimb& p, const ThicknessProfileOptions& options) {
-    const Stretch found = Matcher(samples_of(*p.limb), p.leg ? leg_profile : arm_profile, p.rest, options).best();
+    const Profile& profile = p.leg ? leg_profile : arm_profile;
+    const std::vector<Sample> samples = samples_of(*p.limb);
+    const Stretch found = Matcher(samples, profile, p.rest, options).best();
+    move_attachment(*p.limb, profile, found, fit(samples, profile, found, options.thickness_deviation).stoutness);
     std::vector<double>& from_tip = p.limb->from_tip;
     for (std::size_t i = p.outer; i < from_tip.size(); ++i) from_tip[i] *= found.outer / p.rest.outer;
     from_tip[p.middle] = found.middle;

@@ -31,9 +31,11 @@ public:
 
     [[nodiscard]] const TriangleMesh<double>& mesh() const { return mesh_; }
 
-    /// Length-weighted centre of the longest contour on which a field given at the vertices has the value `level`; none
-    /// when there is no such contour. O(n + m).
-    [[nodiscard]] std::optional<Vector3<double>> level_set_centre(const Eigen::VectorXd& field, double level) const;
+    /// Length-weighted centre of a contour on which a field given at the vertices has the value `level`: of those whose
+    /// centre is no farther from `near` than `reach` and their own mean radius, the longest; of all when there are none so
+    /// near; none when there is no contour. O(n + m).
+    [[nodiscard]] std::optional<Vector3<double>> level_set_centre(const Eigen::VectorXd& field, double level,
+                                                                  const Vector3<double>& near, double reach) const;
 
 private:
     const TriangleMesh<double>& mesh_;

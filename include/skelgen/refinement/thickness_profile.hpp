@@ -19,7 +19,7 @@ struct ThicknessProfileOptions {
 /// and calf swell and thin in the same places relative to wrist and elbow, ankle and knee, whatever the proportions. Finds
 /// for each limb the piecewise linear stretch of the mean profile that fits its own best, for any stoutness. Upper bones are
 /// taken to be as much longer or shorter than the template's as the lower ones on both sides. Only `from_tip` changes, and
-/// only of limbs with joints of those roles. \returns how many times longer than the template's the lower bones are, on
+/// `attachment` where a limb is hidden, of limbs with joints of those roles. \returns how many times longer than the template's the lower bones are, on
 /// average (1 when there are none). O(samples) for each of some hundred stretches per limb.
 double match_thickness_profiles(std::vector<Limb>& limbs, const SkeletonTemplate& skeleton_template,
                                 const ThicknessProfileOptions& options = {});
