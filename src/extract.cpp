@@ -66,7 +66,7 @@ public:
         KinematicSkeleton<Scalar> out;
         out.template_name = s.template_name;
         for (const Joint<double>& joint : s.joints)
-            out.joints.push_back({joint.name, joint.parent, point(joint.position), length(joint.radius)});
+            out.joints.push_back({joint.name, joint.parent, point(joint.position), length(joint.radius), joint.confidence});
         for (const auto& [name, p] : s.end_points) out.end_points.emplace_back(name, point(p));
         out.frame = {point(s.frame.origin), direction(s.frame.left), direction(s.frame.forward), direction(s.frame.up)};
         out.quality = s.quality;
@@ -133,6 +133,11 @@ Embedding embed_patiently(const TriangleMesh<double>& mesh, const CurveGraph<dou
     }
 }
 
+/// Independent cycles of a connected curve.
+int loops(const CurveSkeleton<double>& curve) {
+    return static_cast<int>(curve.edges.size()) - static_cast<int>(curve.nodes.rows()) + 1;
+}
+
 } // namespace
 
 template <typename Scalar>
@@ -162,11 +167,19 @@ Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const Extr
 
     const SidesDecision sides = decide_sides(joints, wanted, options.sides);
     KinematicSkeleton<double> skeleton = assemble(joints, wanted, sides);
+    judge_joints(skeleton, wanted);
     move_to_bones(skeleton, wanted);
     balance_bones(skeleton, wanted);
     keep_inside(skeleton, body.mesh, curve);
     measure_radii(skeleton, body.mesh);
     skeleton.quality.matched_nodes = embedding.matched_nodes;
+    if (loops(curve) > 0) {
+        constexpr double often_wrong = 0.7;
+        skeleton.quality.sides_confidence *= often_wrong;
+        for (Joint<double>& joint : skeleton.joints) joint.confidence *= often_wrong;
+        skeleton.quality.warnings.push_back("the body touches itself: its curve skeleton has " + std::to_string(loops(curve)) +
+                                            (loops(curve) == 1 ? " loop" : " loops") + ", limbs may be mistaken");
+    }
     if (body.dropped_pieces > 0)
         skeleton.quality.warnings.push_back(std::to_string(body.dropped_pieces) +
                                             " pieces not connected to the body were left out");

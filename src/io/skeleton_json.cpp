@@ -64,7 +64,8 @@ std::string joints_text(const std::vector<Joint<Scalar>>& joints) {
         const std::string parent =
             is_root ? "null" : to_json_text(joints.at(static_cast<std::size_t>(joint.parent)).name);
         lines.push_back("{\"name\": " + to_json_text(joint.name) + ", \"parent\": " + parent +
-                        ", \"position\": " + triple(joint.position) + ", \"radius\": " + number(joint.radius) + "}");
+                        ", \"position\": " + triple(joint.position) + ", \"radius\": " + number(joint.radius) +
+                        ", \"confidence\": " + number(joint.confidence) + "}");
     }
     return block("[", lines, "]");
 }
@@ -86,8 +87,12 @@ std::string quality_text(const Quality& quality) {
     std::string warnings;
     for (const std::string& warning : quality.warnings)
         warnings += (warnings.empty() ? "" : ", ") + to_json_text(warning);
+    std::string votes;
+    for (const SideVote& vote : quality.side_votes)
+        votes += (votes.empty() ? "" : ", ") + to_json_text(vote.witness) + ": " + number(vote.strength);
     return "{\"sides_confidence\": " + number(quality.sides_confidence) +
-           ", \"matched_nodes\": " + number(quality.matched_nodes) + ", \"warnings\": [" + warnings + "]}";
+           ", \"matched_nodes\": " + number(quality.matched_nodes) + ", \"warnings\": [" + warnings +
+           "], \"side_votes\": {" + votes + "}}";
 }
 
 std::string timings_text(const FileTimings& timings) {
@@ -152,6 +157,7 @@ void read_joints(const Json& list, KinematicSkeleton<double>& skeleton) {
         joint.parent = parent_index(member(item, "parent", where), skeleton, where);
         joint.position = to_vector(member(item, "position", where), "the position of " + where);
         joint.radius = to_number(member(item, "radius", where), "the radius of " + where);
+        if (item.contains("confidence")) joint.confidence = to_number(item["confidence"], "the confidence of " + where);
         skeleton.joints.push_back(std::move(joint));
     }
 }
@@ -168,6 +174,11 @@ Quality to_quality(const Json& value) {
     Quality quality;
     quality.sides_confidence = to_number(member(value, "sides_confidence", where), "\"sides_confidence\"");
     quality.matched_nodes = static_cast<int>(to_count(member(value, "matched_nodes", where), "\"matched_nodes\""));
+    if (value.contains("side_votes")) {
+        if (!value["side_votes"].is_object()) refuse("\"side_votes\" is no object");
+        for (const auto& [witness, strength] : value["side_votes"].items())
+            quality.side_votes.push_back({witness, to_number(strength, "the vote of " + witness)});
+    }
     const Json& warnings = member(value, "warnings", where);
     if (!warnings.is_array()) refuse("\"warnings\" is no list");
     for (const Json& warning : warnings) quality.warnings.push_back(to_text(warning, "a warning"));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/geometry.hpp>
@@ -79,7 +80,55 @@ void stretch(Vector3<double>& a, Vector3<double>& b, double part) {
     b += half;
 }
 
+/// Length of the bone from its parent to each joint, relative to the template's; 0 for the root.
+std::vector<double> relative_lengths(const KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template) {
+    std::vector<double> out(skeleton.joints.size(), 0);
+    for (std::size_t j = 0; j < out.size(); ++j) {
+        const int parent = skeleton.joints[j].parent;
+        if (parent < 0) continue;
+        const auto p = static_cast<std::size_t>(parent);
+        out[j] = (skeleton.joints[j].position - skeleton.joints[p].position).norm() /
+                 (skeleton_template.joints[j].position - skeleton_template.joints[p].position).norm();
+    }
+    return out;
+}
+
+double median_of_positive(std::vector<double> values) {
+    std::erase_if(values, [](double v) { return !(v > 0); });
+    if (values.empty()) return 1;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
 } // namespace
+
+void judge_joints(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template) {
+    constexpr double half_by_other_side = 0.15, half_by_template = 0.3; // logarithms of ratios
+    const std::vector<double> lengths = relative_lengths(skeleton, skeleton_template);
+    const double scale = median_of_positive(lengths);
+    std::vector<double> doubt(skeleton.joints.size(), 0);
+    for (std::size_t j = 0; j < doubt.size(); ++j) {
+        const int parent = skeleton.joints[j].parent;
+        if (parent < 0) continue;
+        const double by_template = std::log(std::max(lengths[j], 1e-9 * scale) / scale) / half_by_template;
+        double bone = by_template * by_template;
+        if (const int other = counterpart(skeleton_template, j); other >= 0) {
+            const double other_length = std::max(lengths[static_cast<std::size_t>(other)], 1e-9 * scale);
+            const double by_side = std::log(std::max(lengths[j], 1e-9 * scale) / other_length) / half_by_other_side;
+            bone += by_side * by_side;
+        }
+        doubt[j] = std::max(doubt[j], bone);
+        const bool same_limb = skeleton_template.joints[static_cast<std::size_t>(parent)].side == skeleton_template.joints[j].side;
+        if (same_limb) doubt[static_cast<std::size_t>(parent)] = std::max(doubt[static_cast<std::size_t>(parent)], bone);
+    }
+    for (std::size_t j = 0; j < doubt.size(); ++j) {
+        Joint<double>& joint = skeleton.joints[j];
+        joint.confidence = 1 / (1 + doubt[j]);
+        if (joint.confidence < 0.1)
+            skeleton.quality.warnings.push_back("joint " + joint.name + " may be misplaced: its bones have unlikely lengths");
+    }
+}
 
 void move_to_bones(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template) {
     Joints joints(skeleton, skeleton_template);
@@ -120,6 +169,7 @@ void keep_inside(KinematicSkeleton<double>& skeleton, const TriangleMesh<double>
         int step = 1;
         while (step < steps && !is_inside(part(step))) ++step;
         joint.position = is_inside(part(step + 1)) ? part(step + 1) : part(step); // not on the surface itself
+        joint.confidence /= 2;
         skeleton.quality.warnings.push_back("joint " + joint.name + " was outside the surface and has been moved in");
     }
 }

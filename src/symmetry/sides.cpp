@@ -146,6 +146,17 @@ std::string end_point_name(const TemplateJoint& joint) {
     return prefix + (joint.role == hand ? "fingertip" : joint.role == foot ? "toe" : "head_top");
 }
 
+/// Votes of one kind added up, positive for the sides as decided.
+std::vector<SideVote> by_witness(const SidesDecision& sides) {
+    std::vector<SideVote> out;
+    for (const SideVote& vote : sides.votes) {
+        auto same = std::find_if(out.begin(), out.end(), [&](const SideVote& v) { return v.witness == vote.witness; });
+        if (same == out.end()) same = out.insert(out.end(), {vote.witness, 0});
+        same->strength += sides.swap_legs ? -vote.strength : vote.strength;
+    }
+    return out;
+}
+
 } // namespace
 
 KinematicSkeleton<double> assemble(const RefinedJoints& joints, const SkeletonTemplate& skeleton_template,
@@ -161,6 +172,15 @@ KinematicSkeleton<double> assemble(const RefinedJoints& joints, const SkeletonTe
     }
     out.frame = sides.frame;
     out.quality.sides_confidence = sides.confidence;
+    out.quality.side_votes = by_witness(sides);
+    if (sides.confidence < 0.5) {
+        std::string against;
+        for (const SideVote& vote : out.quality.side_votes)
+            if (vote.strength < 0) against += (against.empty() ? "" : ", ") + vote.witness;
+        out.quality.warnings.push_back("left and right may be exchanged: " +
+                                       (against.empty() ? "feet, knees, elbows, head and trunk hardly tell them"
+                                                        : "the witnesses disagree (against: " + against + ")"));
+    }
     return out;
 }
 

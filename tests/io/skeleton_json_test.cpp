@@ -23,7 +23,8 @@ KinematicSkeleton<Scalar> small_skeleton() {
     skeleton.end_points = {{"head_top", {Scalar(0), Scalar(0), Scalar(0.8)}},
                            {"a_toe", {Scalar(1), Scalar(2), Scalar(3)}}};
     skeleton.frame.left = {Scalar(-1), Scalar(0), Scalar(0)};
-    skeleton.quality = {0.97, 7, {"the \"left\" foot is\nsmall"}};
+    skeleton.joints[1].confidence = 0.5;
+    skeleton.quality = {0.97, 7, {"the \"left\" foot is\nsmall"}, {{"foot", 1.5}, {"knee", -0.25}}};
     return skeleton;
 }
 
@@ -54,15 +55,15 @@ TEST_CASE("a skeleton file has the documented text") {
   "mesh": {"file": "mesh000.off", "vertices": 12500, "faces": 24998, "geodesic_diameter": 2.31},
   "template": "human21",
   "joints": [
-    {"name": "crotch", "parent": null, "position": [0, 0, 0.1], "radius": 0.11},
-    {"name": "waist", "parent": "crotch", "position": [0.3333333333333333, -2.5, 1e+20], "radius": 0.13}
+    {"name": "crotch", "parent": null, "position": [0, 0, 0.1], "radius": 0.11, "confidence": 1},
+    {"name": "waist", "parent": "crotch", "position": [0.3333333333333333, -2.5, 1e+20], "radius": 0.13, "confidence": 0.5}
   ],
   "end_points": {
     "head_top": [0, 0, 0.8],
     "a_toe": [1, 2, 3]
   },
   "frame": {"origin": [0, 0, 0], "left": [-1, 0, 0], "forward": [0, 1, 0], "up": [0, 0, 1]},
-  "quality": {"sides_confidence": 0.97, "matched_nodes": 7, "warnings": ["the \"left\" foot is\nsmall"]},
+  "quality": {"sides_confidence": 0.97, "matched_nodes": 7, "warnings": ["the \"left\" foot is\nsmall"], "side_votes": {"foot": 1.5, "knee": -0.25}},
   "timings_ms": {"read": 3.1, "curve": 40.2, "embed": 0.4, "refine": 6, "sides": 0.1, "total": 50}
 }
 )";
@@ -94,6 +95,10 @@ TEST_CASE("a skeleton survives being written and read") {
     CHECK(read.skeleton.end_points == skeleton.end_points);
     CHECK(read.skeleton.frame.left == skeleton.frame.left);
     CHECK(read.skeleton.quality.warnings == skeleton.quality.warnings);
+    REQUIRE(read.skeleton.quality.side_votes.size() == 2);
+    CHECK(read.skeleton.quality.side_votes[1].witness == "knee");
+    CHECK(read.skeleton.quality.side_votes[1].strength == -0.25);
+    CHECK(read.skeleton.joints[1].confidence == 0.5);
     CHECK(read.provenance.mesh.value().faces == 24998);
     CHECK(skeleton_to_json(read.skeleton, read.provenance) == text);
 }

@@ -114,15 +114,21 @@ TEST_CASE("a contour broken by a hole is closed straight") {
     CHECK(section->perimeter == Approx(polygon_perimeter(radius)));
 }
 
-TEST_CASE("the centre of a level set of the height is on the axis, of the longest one if there are several") {
+TEST_CASE("the centre of a level set of the height is on the axis: of the longest one near by, else of the longest") {
     const Mesh thin = capsule(0.2, 4, around), thick = capsule(0.5, 4, around);
     const Mesh mesh = side_by_side(thin, moved(thick, {Eigen::Matrix3d::Identity(), 1, Vec3(3, 0, 0)}));
     const Triangles adjacency = face_adjacency(mesh.faces);
     const Slicer slicer(mesh, adjacency);
-    const auto centre = slicer.level_set_centre(mesh.vertices.col(2), 1.37);
-    REQUIRE(centre);
-    CHECK((*centre - Vec3(3, 0, 1.37)).norm() < 1e-9);
-    CHECK_FALSE(slicer.level_set_centre(mesh.vertices.col(2), 9));
+    const auto centre = [&](double level, const Vec3& near, double reach) {
+        return slicer.level_set_centre(mesh.vertices.col(2), level, near, reach);
+    };
+    for (const double reach : {5.0, 0.1}) { // both are near, or none is
+        REQUIRE(centre(1.37, Vec3(1, 0, 1), reach));
+        CHECK((*centre(1.37, Vec3(1, 0, 1), reach) - Vec3(3, 0, 1.37)).norm() < 1e-9);
+    }
+    REQUIRE(centre(1.37, Vec3(0.1, 0, 1.3), 0.1));
+    CHECK((*centre(1.37, Vec3(0.1, 0, 1.3), 0.1) - Vec3(0, 0, 1.37)).norm() < 1e-9);
+    CHECK_FALSE(centre(9, Vec3::Zero(), 1));
 }
 
 TEST_CASE("the Gauss map of a cylinder is flat, however it is cut") {

@@ -65,6 +65,29 @@ TEST_CASE("a knee bent at a right angle stays") {
     CHECK((at(skeleton, "left_knee") - knee).norm() < 0.001);
 }
 
+TEST_CASE("joints of likely bones are trusted, those of unlikely ones are not, and the worst are named") {
+    KinematicSkeleton<double> skeleton = rest_skeleton();
+    judge_joints(skeleton, builtin_template("human21"));
+    for (const Joint<double>& joint : skeleton.joints) CHECK(joint.confidence == Approx(1));
+    CHECK(skeleton.quality.warnings.empty());
+
+    at(skeleton, "left_knee") += Vec3(0, 0, 0.05);
+    at(skeleton, "right_hand") = at(skeleton, "right_wrist") + 3 * (at(skeleton, "right_hand") - at(skeleton, "right_wrist"));
+    judge_joints(skeleton, builtin_template("human21"));
+    const auto confidence = [&](const char* name) {
+        return skeleton.joints[static_cast<std::size_t>(find_joint(skeleton, name))].confidence;
+    };
+    CHECK(confidence("left_knee") < 0.5);
+    CHECK(confidence("right_hand") < 0.1);
+    CHECK(confidence("right_wrist") < 0.1);
+    CHECK(confidence("left_shoulder") == Approx(1));
+    CHECK(confidence("neck") == Approx(1));
+    std::string all;
+    for (const std::string& warning : skeleton.quality.warnings) all += warning + '\n';
+    CHECK(all.find("right_hand") != std::string::npos);
+    CHECK(all.find("left_shoulder") == std::string::npos);
+}
+
 TEST_CASE("bones of both sides get like lengths, with the least movement") {
     KinematicSkeleton<double> skeleton = rest_skeleton();
     const KinematicSkeleton<double> even = skeleton;

@@ -15,6 +15,7 @@ struct Joint {
     int parent = -1; ///< index into the joints, always smaller than the joint's own; -1 for the root
     Vector3<Scalar> position = Vector3<Scalar>::Zero();
     Scalar radius = 0; ///< mean distance from the joint to the surface around it, same unit as the position
+    double confidence = 1; ///< 0 to 1: how well its bones agree with those of the other side and with people's proportions
 };
 
 /// The person's own directions. (left, forward, up) is a LEFT-handed triple: left x forward = -up.
@@ -26,11 +27,18 @@ struct BodyFrame {
     Vector3<Scalar> up = Vector3<Scalar>::UnitZ();
 };
 
+/// One witness to which side is the left one.
+struct SideVote {
+    std::string witness;
+    double strength = 0; ///< positive: for the sides as they are labelled; at most its weight
+};
+
 /// How far the result may be trusted.
 struct Quality {
     double sides_confidence = 0;       ///< 0 (a coin toss) to 1 (every witness agrees)
     int matched_nodes = 0;             ///< nodes of the reduced template found in the curve skeleton
     std::vector<std::string> warnings; ///< one sentence each
+    std::vector<SideVote> side_votes;  ///< what each kind of witness says: foot, knee, elbow, head, trunk
 };
 
 /// The result: joints in template order (parents before children), end points on the surface, frame and quality.

@@ -9,12 +9,6 @@
 
 namespace skelgen {
 
-/// One witness to which of two like limbs is the left one: positive when the labels are right as they stand.
-struct SideVote {
-    std::string witness;
-    double strength = 0; ///< in [-1, 1]
-};
-
 /// What the witnesses say, and the frame that follows.
 struct SidesDecision {
     bool swap_legs = false; ///< the legs labelled left and right have to change places
