@@ -36,7 +36,7 @@ public:
     Heights(const Proportions& p, const PosedSkeleton& s)
         : scale_(p.scale), knots_{{{0.872, s.rest_position(BodyJoint::left_hip).z()},
                                    {0.959, s.rest_position(BodyJoint::crotch).z()},
-                                   {1.072, s.rest_position(BodyJoint::waist).z()},
+                                   {1.025, s.rest_position(BodyJoint::waist).z()},
                                    {1.260, s.rest_position(BodyJoint::chest).z()},
                                    {1.485, s.rest_position(BodyJoint::neck).z()},
                                    {1.585, s.rest_position(BodyJoint::head).z()}}} {}
