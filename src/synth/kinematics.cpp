@@ -27,7 +27,7 @@ std::array<Vector3d, body_joint_count> rest_positions(const Proportions& p) {
     set(BodyJoint::waist, towards(0, -waist_forward, p.lower_spine));
     set(BodyJoint::chest, towards(0, waist_forward - 0.006 * s, p.upper_spine));
     set(BodyJoint::neck, towards(0, 0.014 * s, p.neck_base));
-    set(BodyJoint::head, towards(0, -0.044 * s, p.neck));
+    set(BodyJoint::head, towards(0, -0.044 * s - skull_origin(p).y(), p.neck));
     const auto limbs = [&](int side, BodyJoint shoulder, BodyJoint hip) {
         const auto next = [](BodyJoint joint, int steps) {
             return static_cast<BodyJoint>(static_cast<int>(joint) + steps);
@@ -68,6 +68,8 @@ Vector3d carried_shoulder(const Vector3d& offset, int side, const Matrix3d& arm)
 }
 
 } // namespace
+
+Vector3d skull_origin(const Proportions& p) { return p.head_scale * towards(0, 0.021, 0.051); }
 
 int side_of(BodyJoint joint) {
     const std::string_view name = joint_name(joint);
