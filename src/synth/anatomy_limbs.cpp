@@ -15,8 +15,11 @@ struct LimbRow {
     double depth;  ///< half the depth
     double fat;    ///< added to both per unit of Proportions::fat
     double muscle; ///< added to both per unit of Proportions::muscle above the average
+    double back = 0; ///< how far its middle lies behind the bone: the knee's joint is in its front half
 };
 
+/// The thickness along arms and legs relative to their joints is calibrated: it has the mean, the minima and the maxima that
+/// the straight limbs of FAUST's registered bodies have.
 template <std::size_t n>
 Tube limb_outline(const Proportions& p, const std::array<LimbRow, n>& rows, double length, double low_cap,
                   double high_cap) {
@@ -25,42 +28,43 @@ Tube limb_outline(const Proportions& p, const std::array<LimbRow, n>& rows, doub
     for (const LimbRow& row : rows) {
         const double more = row.fat * p.fat + row.muscle * (p.muscle - 0.3);
         const double side = p.scale * (thin * row.side + more), depth = p.scale * (thin * row.depth + more);
-        rings.push_back({row.at * length, side, depth, depth});
+        rings.push_back({row.at * length, side, depth - p.scale * row.back, depth + p.scale * row.back});
     }
     const double low = low_cap * rings.front().side, high = high_cap * rings.back().side;
     return Tube(std::move(rings), 2, low, high);
 }
 
-constexpr std::array<LimbRow, 6> upper_arm_rows{{{0.00, .050, .054, .030, .016},
-                                                 {0.16, .051, .055, .034, .020},
-                                                 {0.38, .047, .051, .034, .018},
-                                                 {0.60, .043, .047, .030, .014},
-                                                 {0.82, .040, .041, .022, .006},
-                                                 {1.00, .036, .036, .014, .004}}};
+constexpr std::array<LimbRow, 6> upper_arm_rows{{{0.00, .0485, .0524, .030, .016},
+                                                 {0.16, .0484, .0522, .034, .020},
+                                                 {0.38, .0455, .0494, .034, .018},
+                                                 {0.60, .0417, .0456, .030, .014},
+                                                 {0.82, .0408, .0418, .022, .006},
+                                                 {1.00, .0385, .0385, .014, .004}}};
 
-constexpr std::array<LimbRow, 6> forearm_rows{{{0.00, .036, .036, .014, .004},
-                                               {0.18, .042, .044, .018, .010},
-                                               {0.38, .037, .042, .016, .009},
-                                               {0.62, .030, .035, .012, .004},
-                                               {0.82, .023, .029, .008, .001},
-                                               {1.00, .020, .028, .006, .000}}};
+constexpr std::array<LimbRow, 7> forearm_rows{{{0.00, .0385, .0385, .014, .004},
+                                               {0.18, .0405, .0425, .018, .010},
+                                               {0.38, .0373, .0423, .016, .009},
+                                               {0.62, .0306, .0357, .012, .004},
+                                               {0.82, .0252, .0318, .008, .001},
+                                               {0.92, .0231, .0308, .007, .000},
+                                               {1.00, .0206, .0288, .006, .000}}};
 
-constexpr std::array<LimbRow, 7> thigh_rows{{{0.00, .072, .086, .022, .012},
-                                             {0.14, .074, .088, .026, .014},
-                                             {0.34, .075, .083, .034, .016},
-                                             {0.54, .069, .075, .036, .014},
-                                             {0.74, .059, .064, .030, .010},
-                                             {0.90, .053, .057, .020, .002},
-                                             {1.00, .048, .052, .016, .002}}};
+constexpr std::array<LimbRow, 7> thigh_rows{{{0.00, .0720, .0860, .022, .012},
+                                             {0.14, .0740, .0880, .026, .014},
+                                             {0.34, .0742, .0822, .034, .016},
+                                             {0.54, .0673, .0731, .036, .014},
+                                             {0.74, .0599, .0650, .030, .010},
+                                             {0.90, .0594, .0638, .020, .002, .006},
+                                             {1.00, .0528, .0572, .016, .002, .010}}};
 
-constexpr std::array<LimbRow, 8> calf_rows{{{0.00, .047, .051, .016, .002},
-                                            {0.10, .048, .052, .018, .004},
-                                            {0.26, .053, .058, .022, .012},
-                                            {0.40, .051, .056, .020, .011},
-                                            {0.58, .042, .046, .015, .005},
-                                            {0.76, .034, .038, .010, .001},
-                                            {0.90, .032, .037, .008, .000},
-                                            {1.00, .032, .039, .007, .000}}};
+constexpr std::array<LimbRow, 8> calf_rows{{{0.00, .0517, .0561, .016, .002, .010},
+                                            {0.10, .0526, .0570, .018, .004, .006},
+                                            {0.26, .0564, .0618, .022, .012},
+                                            {0.40, .0561, .0616, .020, .011},
+                                            {0.58, .0470, .0515, .015, .005},
+                                            {0.76, .0371, .0414, .010, .001},
+                                            {0.90, .0340, .0394, .008, .000},
+                                            {1.00, .0339, .0413, .007, .000}}};
 
 /// A finger of three phalanges from its knuckle, curled towards the palm (-x).
 Vec3 add_finger(std::vector<Blob>& blobs, const Vec3& knuckle, double spread, double curl, double length,
@@ -106,7 +110,7 @@ std::vector<Blob> thigh(const Proportions& p) {
 std::vector<Blob> calf(const Proportions& p) {
     const double k = p.scale, thin = 1 - 0.10 * (1 - p.masculinity) - 0.07 * (1 - p.maturity);
     std::vector<Blob> blobs{{limb_outline(p, calf_rows, p.calf, 0.95, 0.9), 0}};
-    blobs.push_back({Ellipsoid{k * Vec3(0, -0.042 * thin - 0.012 * p.fat, 0.004), k * thin * Vec3(0.025, 0.020, 0.030)},
+    blobs.push_back({Ellipsoid{k * Vec3(0, -0.036 * thin - 0.012 * p.fat, 0.004), k * thin * Vec3(0.025, 0.020, 0.030)},
                      0.018 * k});
     return blobs;
 }

@@ -36,10 +36,10 @@ public:
     Heights(const Proportions& p, const PosedSkeleton& s)
         : scale_(p.scale), knots_{{{0.872, s.rest_position(BodyJoint::left_hip).z()},
                                    {0.959, s.rest_position(BodyJoint::crotch).z()},
-                                   {1.072, s.rest_position(BodyJoint::waist).z()},
+                                   {1.025, s.rest_position(BodyJoint::waist).z()},
                                    {1.260, s.rest_position(BodyJoint::chest).z()},
                                    {1.485, s.rest_position(BodyJoint::neck).z()},
-                                   {1.585, s.rest_position(BodyJoint::head).z()}}} {}
+                                   {1.585, s.rest_position(BodyJoint::head).z() + skull_origin(p).z()}}} {}
 
     [[nodiscard]] double operator()(double average) const {
         if (average <= knots_.front()[0]) return knots_.front()[1] + scale_ * (average - knots_.front()[0]);

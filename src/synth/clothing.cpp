@@ -160,7 +160,7 @@ void add_strand(std::vector<Blob>& strands, const ImplicitBody& body, const Prop
     const PosedSkeleton& s = body.skeleton();
     const double chest = s.rest_position(BodyJoint::chest).z(), neck = s.rest_position(BodyJoint::neck).z();
     const auto scalp = [&](double wide, double deep, double z) -> Vec3 {
-        return s.frame(BodyJoint::head) * (h * Vec3(wide * side, 0.012 + deep * back, z));
+        return body.part(PartName::head).frame * (h * Vec3(wide * side, 0.012 + deep * back, z));
     };
     const auto trunk = [&](double wide, double deep, double z) {
         return body.trunk_to_world({wide * k * side, (0.02 + deep * back) * k, z});

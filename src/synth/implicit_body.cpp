@@ -127,7 +127,7 @@ ImplicitBody::ImplicitBody(const Proportions& p, const BodyPose& pose)
     hull(at(BodyJoint::chest), at(BodyJoint::head), k * wide * (0.18 + 0.08 * heavy), 0.11 * p.head_scale);
 
     Part& skull = parts_[index(PartName::head)];
-    skull.frame = s.frame(BodyJoint::head);
+    skull.frame = s.frame(BodyJoint::head) * Eigen::Translation3d(skull_origin(p));
     skull.blobs = head(p);
     const double h = p.head_scale;
     skull.hull.emplace_back(skull.frame * Vec3(0, -0.03 * h, -0.01 * h), skull.frame * Vec3(0, 0, 0.075 * h),
@@ -149,6 +149,7 @@ ImplicitBody::ImplicitBody(const Proportions& p, const BodyPose& pose)
         joining_[index(part)] = {at(joint), range * k, 0.003, strong * k};
     };
     join(PartName::head, BodyJoint::head, 0.14, 0.030);
+    joining_[index(PartName::head)].joint = skull.frame.translation();
     join(PartName::left_upper_arm, BodyJoint::left_shoulder, 0.125, 0.040);
     join(PartName::left_forearm, BodyJoint::left_elbow, 0.10, 0.020);
     join(PartName::left_hand, BodyJoint::left_wrist, 0.07, 0.016);

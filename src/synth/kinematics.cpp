@@ -23,10 +23,11 @@ std::array<Vector3d, body_joint_count> rest_positions(const Proportions& p) {
     const double s = p.scale;
     const double root = p.ankle_height + p.calf + p.thigh + p.hip_drop;
     rest[0] = towards(0, -0.008 * s, root);
-    set(BodyJoint::waist, towards(0, 0.024 * s, p.lower_spine));
-    set(BodyJoint::chest, towards(0, -0.030 * s, p.upper_spine));
+    const double waist_forward = (0.003 + 0.042 * std::max(0.0, p.fat)) * s; // to the middle of its section, belly and all
+    set(BodyJoint::waist, towards(0, -waist_forward, p.lower_spine));
+    set(BodyJoint::chest, towards(0, waist_forward - 0.006 * s, p.upper_spine));
     set(BodyJoint::neck, towards(0, 0.014 * s, p.neck_base));
-    set(BodyJoint::head, towards(0, -0.044 * s, p.neck));
+    set(BodyJoint::head, towards(0, -0.044 * s - skull_origin(p).y(), p.neck));
     const auto limbs = [&](int side, BodyJoint shoulder, BodyJoint hip) {
         const auto next = [](BodyJoint joint, int steps) {
             return static_cast<BodyJoint>(static_cast<int>(joint) + steps);
@@ -67,6 +68,8 @@ Vector3d carried_shoulder(const Vector3d& offset, int side, const Matrix3d& arm)
 }
 
 } // namespace
+
+Vector3d skull_origin(const Proportions& p) { return p.head_scale * towards(0, 0.021, 0.051); }
 
 int side_of(BodyJoint joint) {
     const std::string_view name = joint_name(joint);

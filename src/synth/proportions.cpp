@@ -79,7 +79,8 @@ Proportions proportions_of(const BodyShape& given) {
 
     // Of a man of 1.75 m, the sum of the heights scaled to the height asked for at the end. Grown-up lengths agree with
     // the mean that SMPL's joint regressor finds in registered scans of people: hips close together and low, the chest
-    // joint below the shoulders. The head joint is at the height of the nose instead, higher than SMPL's.
+    // joint below the shoulders, the head joint low in the skull and forward of the neck. The waist is the project's own, a
+    // quarter of the way from the middle of the hips to the neck.
     const double leg = shape.leg_length * (1 - 0.10 * child);
     const double torso = shape.torso_length * (1 + 0.02 * child + 0.01 * woman);
     const double head = shape.head_size * (1 + 0.42 * child);
@@ -87,11 +88,11 @@ Proportions proportions_of(const BodyShape& given) {
     p.calf = 0.405 * leg;
     p.thigh = 0.385 * leg;
     p.hip_drop = 0.087 * torso;
-    p.lower_spine = 0.113 * torso;
-    p.upper_spine = 0.188 * torso;
+    p.lower_spine = 0.066 * torso;
+    p.upper_spine = 0.235 * torso;
     p.neck_base = 0.225 * torso;
-    p.neck = 0.100 * head * (1 - 0.15 * child);
-    p.head_top = 0.165 * head;
+    p.neck = (0.049 - 0.015 * child) * head;
+    p.head_top = 0.216 * head;
     const double height = p.ankle_height + p.calf + p.thigh + p.hip_drop + p.lower_spine + p.upper_spine + p.neck_base +
                           p.neck + p.head_top;
     const double fit = shape.height / height;
