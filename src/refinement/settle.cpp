@@ -14,8 +14,10 @@ namespace {
 
 using enum JointRole;
 
-// Calibrated; as parts of the bone from the parent.
-constexpr double knee_forward = 0.022, knee_outward = 0.018, neck_backward = 0.065;
+// Calibrated; as parts of the thigh, the upper arm and the bone from chest to neck.
+constexpr double knee_forward = 0.022, knee_outward = 0.018, hip_outwards = 0.02;
+constexpr double shoulder_forward = 0.035, shoulder_outwards = 0.025;
+constexpr double neck_backward = 0.065;
 
 /// Positions of a skeleton's joints by role and side.
 class Joints {
@@ -51,15 +53,29 @@ void move_knee(Joints& joints, Side side) {
     *knee_at += length * (knee_forward * forward + (side == Side::left ? knee_outward : -knee_outward) * left);
 }
 
-/// The back of a neck: away from where shoulders, trunk and neck face.
-void move_neck(Joints& joints) {
-    Vector3<double>* const neck_at = joints.find(neck);
-    const Vector3<double>*const chest_at = joints.find(chest), *const left_at = joints.find(shoulder, Side::left),
-                 *const right_at = joints.find(shoulder, Side::right);
+/// A hip is a little farther down its thigh than the thigh's line goes on to.
+void move_hip(Joints& joints, Side side) {
+    Vector3<double>* const hip_at = joints.find(hip, side);
+    const Vector3<double>* const knee_at = joints.find(knee, side);
+    if (hip_at && knee_at) *hip_at += hip_outwards * (*knee_at - *hip_at);
+}
+
+/// The back of a neck and the front of the shoulders, by where shoulders, trunk and neck face.
+void move_shoulder_girdle(Joints& joints) {
+    Vector3<double>*const neck_at = joints.find(neck), *const left_at = joints.find(shoulder, Side::left),
+            *const right_at = joints.find(shoulder, Side::right);
+    const Vector3<double>* const chest_at = joints.find(chest);
     if (!neck_at || !chest_at || !left_at || !right_at) return;
     const Vector3<double> up = *neck_at - *chest_at;
     const Vector3<double> forward = (*left_at - *right_at).cross(up).normalized();
-    if (forward.allFinite()) *neck_at -= neck_backward * up.norm() * forward;
+    if (!forward.allFinite()) return;
+    *neck_at -= neck_backward * up.norm() * forward;
+    for (const Side side : {Side::left, Side::right})
+        if (const Vector3<double>* const elbow_at = joints.find(elbow, side)) {
+            Vector3<double>& shoulder_at = *joints.find(shoulder, side);
+            const Vector3<double> arm = *elbow_at - shoulder_at;
+            shoulder_at += shoulder_outwards * arm + shoulder_forward * arm.norm() * forward;
+        }
 }
 
 /// The joint of the same role on the other side; -1 for a joint that has no side.
@@ -132,9 +148,11 @@ void judge_joints(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& s
 
 void move_to_bones(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template) {
     Joints joints(skeleton, skeleton_template);
-    move_knee(joints, Side::left);
-    move_knee(joints, Side::right);
-    move_neck(joints);
+    for (const Side side : {Side::left, Side::right}) {
+        move_knee(joints, side);
+        move_hip(joints, side);
+    }
+    move_shoulder_girdle(joints);
 }
 
 void balance_bones(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template) {

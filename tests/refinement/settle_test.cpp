@@ -41,7 +41,7 @@ CurveSkeleton<double> axis_curve() {
 
 } // namespace
 
-TEST_CASE("knees move to the front and outwards, the neck to the back, by the same on both sides") {
+TEST_CASE("knees move to the front and outwards, shoulders to the front, the neck to the back, by the same on both sides") {
     const KinematicSkeleton<double> before = rest_skeleton();
     KinematicSkeleton<double> after = before;
     move_to_bones(after, builtin_template("human21"));
@@ -52,7 +52,10 @@ TEST_CASE("knees move to the front and outwards, the neck to the back, by the sa
     CHECK(right.y() == Approx(left.y()));
     CHECK((at(after, "neck") - at(before, "neck")).y() < -0.004);
     CHECK(left.norm() < 0.03);
-    for (const char* name : {"crotch", "head", "left_elbow", "left_ankle", "left_hip"})
+    CHECK((at(after, "left_shoulder") - at(before, "left_shoulder")).y() > 0.004);
+    CHECK(length(after, "left_shoulder", "left_elbow") < length(before, "left_shoulder", "left_elbow"));
+    CHECK(length(after, "right_hip", "right_ankle") < length(before, "right_hip", "right_ankle"));
+    for (const char* name : {"crotch", "head", "left_elbow", "left_ankle", "right_foot"})
         CHECK(at(after, name) == at(before, name));
 }
 

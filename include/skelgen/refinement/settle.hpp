@@ -17,7 +17,8 @@ namespace skelgen {
 void judge_joints(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template);
 
 /// Moves joints from the middle of their sections to their bones, which lie off the middle where flesh covers them unevenly:
-/// a knee to the front and the outside of it, the neck's base to the back. `skeleton` is in template order, with its sides
+/// a knee to the front and the outside of it, hip and shoulder outwards along their limbs, the shoulder to the front, too, the
+/// neck's base to the back. `skeleton` is in template order, with its sides
 /// told. Calibrated: mean offsets from 50 registered bodies and from landmarks of 11 people, halfway between.
 void move_to_bones(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template);
 
