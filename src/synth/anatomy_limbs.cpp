@@ -21,11 +21,13 @@ struct LimbRow {
 /// The thickness along arms and legs relative to their joints is calibrated: it has the mean, the minima and the maxima that
 /// the straight limbs of FAUST's registered bodies have.
 template <std::size_t n>
-Tube limb_outline(const Proportions& p, const std::array<LimbRow, n>& rows, double length, double low_cap,
-                  double high_cap) {
-    const double thin = 1 - 0.10 * (1 - p.masculinity) - 0.07 * (1 - p.maturity);
+Tube limb_outline(const Proportions& p, const std::array<LimbRow, n>& rows, double woman_at_top, double length,
+                  double low_cap, double high_cap) {
+    constexpr double woman_at_end = 0.10; // thinner by that than a man
     std::vector<Ring> rings;
     for (const LimbRow& row : rows) {
+        const double woman = std::lerp(woman_at_top, woman_at_end, row.at);
+        const double thin = 1 - woman * (1 - p.masculinity) - 0.07 * (1 - p.maturity);
         const double more = row.fat * p.fat + row.muscle * (p.muscle - 0.3);
         const double side = p.scale * (thin * row.side + more), depth = p.scale * (thin * row.depth + more);
         rings.push_back({row.at * length, side, depth - p.scale * row.back, depth + p.scale * row.back});
@@ -90,17 +92,17 @@ const Tube& outline(const std::vector<Blob>& limb) { return std::get<Tube>(limb.
 
 std::vector<Blob> upper_arm(const Proportions& p) {
     const double k = p.scale, strong = 1 + 0.4 * (p.muscle - 0.3) + 0.5 * p.fat - 0.10 * (1 - p.masculinity);
-    std::vector<Blob> blobs{{limb_outline(p, upper_arm_rows, p.upper_arm, 0.8, 0.9), 0}};
+    std::vector<Blob> blobs{{limb_outline(p, upper_arm_rows, 0.04, p.upper_arm, 0.8, 0.9), 0}};
     // The deltoid caps the shoulder and ends above the middle third of the bone.
     blobs.push_back({Ellipsoid{k * Vec3(0.003, 0.000, 0.016), k * strong * Vec3(0.053, 0.060, 0.068)}, 0.02 * k});
     return blobs;
 }
 
-std::vector<Blob> forearm(const Proportions& p) { return {{limb_outline(p, forearm_rows, p.forearm, 0.9, 0.8), 0}}; }
+std::vector<Blob> forearm(const Proportions& p) { return {{limb_outline(p, forearm_rows, 0.10, p.forearm, 0.9, 0.8), 0}}; }
 
 std::vector<Blob> thigh(const Proportions& p) {
     const double k = p.scale, full = k * (1 + 0.4 * p.fat - 0.03 * (1 - p.masculinity) - 0.10 * (1 - p.maturity));
-    std::vector<Blob> blobs{{limb_outline(p, thigh_rows, p.thigh, 0.75, 0.9), 0}};
+    std::vector<Blob> blobs{{limb_outline(p, thigh_rows, 0.02, p.thigh, 0.75, 0.9), 0}};
     // The great trochanter and the flesh over it: joint and bone lie towards the inner side of the upper thigh.
     const Vec3 top((0.028 + 0.03 * p.fat) * k, 0, -0.01 * k), end((0.004 + 0.01 * p.fat) * k, 0, 0.37 * p.thigh);
     blobs.push_back({RoundCone{top, end, 0.073 * full, 0.067 * full}, 0.02 * k});
@@ -109,7 +111,7 @@ std::vector<Blob> thigh(const Proportions& p) {
 
 std::vector<Blob> calf(const Proportions& p) {
     const double k = p.scale, thin = 1 - 0.10 * (1 - p.masculinity) - 0.07 * (1 - p.maturity);
-    std::vector<Blob> blobs{{limb_outline(p, calf_rows, p.calf, 0.95, 0.9), 0}};
+    std::vector<Blob> blobs{{limb_outline(p, calf_rows, 0.10, p.calf, 0.95, 0.9), 0}};
     blobs.push_back({Ellipsoid{k * Vec3(0, -0.036 * thin - 0.012 * p.fat, 0.004), k * thin * Vec3(0.025, 0.020, 0.030)},
                      0.018 * k});
     return blobs;

@@ -39,7 +39,7 @@ std::array<Vector3d, body_joint_count> rest_positions(const Proportions& p) {
         set(hip, towards(side * p.hip_half_width, 0.006 * s, -p.hip_drop));
         set(next(hip, 1), towards(0, 0, -p.thigh));
         set(next(hip, 2), towards(0, 0, -p.calf));
-        set(next(hip, 3), towards(0, -0.125 * p.foot_scale, -p.ankle_height + 0.020 * p.foot_scale));
+        set(next(hip, 3), towards(0, -0.119 * p.foot_scale, -p.ankle_height + 0.020 * p.foot_scale));
     };
     limbs(1, BodyJoint::left_shoulder, BodyJoint::left_hip);
     limbs(-1, BodyJoint::right_shoulder, BodyJoint::right_hip);

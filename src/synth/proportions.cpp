@@ -86,7 +86,7 @@ Proportions proportions_of(const BodyShape& given) {
     const double head = shape.head_size * (1 + 0.42 * child);
     p.ankle_height = 0.082;
     p.calf = 0.405 * leg;
-    p.thigh = 0.385 * leg;
+    p.thigh = 0.378 * leg;
     p.hip_drop = 0.087 * torso;
     p.lower_spine = 0.066 * torso;
     p.upper_spine = 0.235 * torso;
@@ -106,9 +106,9 @@ Proportions proportions_of(const BodyShape& given) {
     p.foot_scale = p.ankle_height / 0.082 * (1 + 0.02 * child) * (1 - 0.05 * woman);
     p.shoulder_factor = shape.shoulder_width;
     p.hip_factor = shape.hip_width;
-    p.hip_half_width = p.scale * shape.hip_width * (0.069 + 0.003 * woman - 0.003 * child) * (1 + 0.12 * p.fat);
+    p.hip_half_width = p.scale * shape.hip_width * (0.067 + 0.011 * woman - 0.003 * child) * (1 + 0.12 * p.fat);
     p.shoulder_half_width = p.scale * shape.shoulder_width *
-                            (0.193 - 0.018 * woman + 0.008 * p.muscle - 0.006 * child) * (1 + 0.10 * p.fat);
+                            (0.197 - 0.014 * woman + 0.008 * p.muscle - 0.006 * child) * (1 + 0.10 * p.fat);
     p.shoulder_rise = 0.114 * p.scale * shape.torso_length;
     const double arm = p.scale * shape.arm_length * (1 - 0.06 * child);
     p.upper_arm = 0.265 * arm;

@@ -141,7 +141,7 @@ void check_joints(const Person& person) {
         J upper, lower;
         double from;
     };
-    const std::vector<Bone> bones{{J::left_shoulder, J::left_elbow, 0.5},
+    const std::vector<Bone> bones{{J::left_shoulder, J::left_elbow, 0.55},
                                   {J::left_elbow, J::left_wrist, 0.3},
                                   {J::left_hip, J::left_knee, 0.45},
                                   {J::left_knee, J::left_ankle, 0.3}};
