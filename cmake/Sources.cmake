@@ -1,5 +1,5 @@
-# Every file that is built or installed, by name: a file more or less is then a change that CMake sees. The tests are found
-# by their folders (tests/CMakeLists.txt).
+# Every file that is built or installed, by name: a file more or less is then a change that CMake sees. The tests are
+# listed in tests/CMakeLists.txt.
 
 set(skelgen_headers
     include/skelgen/core/adjacency.hpp
