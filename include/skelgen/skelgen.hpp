@@ -20,6 +20,7 @@
 #include <skelgen/curve/extract_curve.hpp>
 #include <skelgen/curve/laplacian.hpp>
 #include <skelgen/curve/leaf_extension.hpp>
+#include <skelgen/curve/limb_ends.hpp>
 #include <skelgen/curve/manifold_parts.hpp>
 #include <skelgen/curve/medial_balls.hpp>
 #include <skelgen/curve/proxy.hpp>
