@@ -1,5 +1,5 @@
-# Every file that is built or installed, by name: a file more or less is then a change that CMake sees. The tests are found
-# by their folders (tests/CMakeLists.txt).
+# Every file that is built or installed, by name: a file more or less is then a change that CMake sees. The tests are
+# listed in tests/CMakeLists.txt.
 
 set(skelgen_headers
     include/skelgen/core/adjacency.hpp
@@ -19,6 +19,7 @@ set(skelgen_headers
     include/skelgen/curve/extract_curve.hpp
     include/skelgen/curve/laplacian.hpp
     include/skelgen/curve/leaf_extension.hpp
+    include/skelgen/curve/limb_ends.hpp
     include/skelgen/curve/manifold_parts.hpp
     include/skelgen/curve/medial_balls.hpp
     include/skelgen/curve/proxy.hpp

@@ -8,6 +8,7 @@
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geodesics.hpp>
 #include <skelgen/core/template_rules.hpp>
+#include <skelgen/curve/limb_ends.hpp>
 #include <skelgen/curve/manifold_parts.hpp>
 #include <skelgen/embedding/embed.hpp>
 #include <skelgen/io/template_json.hpp>
@@ -143,7 +144,8 @@ int loops(const CurveSkeleton<double>& curve) {
 template <typename Scalar>
 CurveSkeleton<Scalar> find_curve_skeleton(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options) {
     const BodyCurve found = find_body_curve(mesh, options);
-    return BackToInput<Scalar>(found.similarity).curve(found.curve, found.body.source);
+    return BackToInput<Scalar>(found.similarity)
+        .curve(settle_limb_ends(found.curve, found.body.mesh), found.body.source);
 }
 
 template <typename Scalar>
@@ -187,7 +189,7 @@ Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const Extr
 
     const BackToInput<Scalar> back(similarity);
     out.skeleton = back.skeleton(skeleton);
-    out.curve = back.curve(curve, body.source);
+    out.curve = back.curve(settle_limb_ends(curve, body.mesh), body.source);
     out.geodesic_diameter = similarity.scale * geodesic_diameter(ends);
     out.timings.total = total.lap();
     return out;

@@ -20,6 +20,7 @@
 #include <skelgen/curve/extract_curve.hpp>
 #include <skelgen/curve/laplacian.hpp>
 #include <skelgen/curve/leaf_extension.hpp>
+#include <skelgen/curve/limb_ends.hpp>
 #include <skelgen/curve/manifold_parts.hpp>
 #include <skelgen/curve/medial_balls.hpp>
 #include <skelgen/curve/proxy.hpp>
@@ -43,8 +44,12 @@
 #include <skelgen/refinement/centreline.hpp>
 #include <skelgen/refinement/cross_section.hpp>
 #include <skelgen/refinement/end_points.hpp>
+#include <skelgen/refinement/head.hpp>
 #include <skelgen/refinement/limbs.hpp>
 #include <skelgen/refinement/refine.hpp>
+#include <skelgen/refinement/settle.hpp>
+#include <skelgen/refinement/thickness_profile.hpp>
+#include <skelgen/refinement/trunk_shape.hpp>
 #include <skelgen/render/contact_sheet.hpp>
 #include <skelgen/render/image.hpp>
 #include <skelgen/render/png.hpp>

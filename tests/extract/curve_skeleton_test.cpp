@@ -4,6 +4,8 @@
 #include <set>
 #include <vector>
 
+#include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/extract.hpp>
 
 #include "catch.hpp"
@@ -62,6 +64,16 @@ TEST_CASE("the curve alone is found in the caller's coordinates, and ends where 
         const Vec3 expected = motion.apply(end);
         const double nearest = (curve.nodes.rowwise() - expected.transpose()).rowwise().norm().minCoeff();
         CHECK(nearest < 0.2 * motion.scale);
+    }
+}
+
+TEST_CASE("every node of the curve has a radius, and its inner nodes lie inside") {
+    const Mesh mesh = three_tubes();
+    const CurveSkeleton<double> curve = find_curve_skeleton(mesh);
+    const CurveGraph<double> graph = curve_graph(curve);
+    for (int node = 0; node < graph.size(); ++node) {
+        CHECK(curve.radii[static_cast<std::size_t>(node)] > 0);
+        if (graph.degree(node) > 1) CHECK(winding_number(mesh, Vec3(curve.nodes.row(node).transpose())) > 0.5);
     }
 }
 

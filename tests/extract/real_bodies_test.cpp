@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/extract.hpp>
 #include <skelgen/io/read_mesh.hpp>
@@ -78,7 +79,7 @@ TEST_CASE("real bodies: single precision is precise enough") {
     }
 }
 
-TEST_CASE("real bodies: the same skeleton twice, joints inside") {
+TEST_CASE("real bodies: the same skeleton twice, its joints and the curve inside") {
     if (!bodies_folder()) SKELGEN_SKIP("SKELGEN_BODIES does not name a folder of bodies");
     for (const auto& [name, mesh] : read_bodies(*bodies_folder())) {
         INFO(name);
@@ -88,6 +89,13 @@ TEST_CASE("real bodies: the same skeleton twice, joints inside") {
             INFO(a.skeleton.joints[j].name);
             CHECK(a.skeleton.joints[j].position == b.skeleton.joints[j].position);
             CHECK(winding_number(mesh, a.skeleton.joints[j].position) > 0.5);
+        }
+        const CurveGraph<double> graph = curve_graph(a.curve);
+        for (int node = 0; node < graph.size(); ++node) {
+            INFO("node " << node);
+            CHECK(a.curve.radii[static_cast<std::size_t>(node)] > 0);
+            if (graph.degree(node) > 1)
+                CHECK(winding_number(mesh, Vector3<double>(a.curve.nodes.row(node).transpose())) > 0.5);
         }
     }
 }

@@ -13,7 +13,7 @@ struct CurveSkeleton {
     Points<Scalar> nodes;                  ///< k x 3 positions
     std::vector<std::array<int, 2>> edges; ///< pairs of node indices, first < second, each edge once
     std::vector<std::vector<int>> regions; ///< k lists of mesh vertices; together each vertex exactly once
-    std::vector<Scalar> radii;             ///< k mean distances from a node to its region
+    std::vector<Scalar> radii;             ///< k mean distances from a node to its region; of a tip, its neighbour's
 };
 
 } // namespace skelgen
