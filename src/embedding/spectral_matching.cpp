@@ -31,23 +31,87 @@ Eigen::VectorXd leading_eigenvector(const Eigen::MatrixXd& matrix) {
     return solver.eigenvectors().col(0).cwiseAbs();
 }
 
-/// Half the squared differences of distances and degrees over all assigned pairs.
+double square(double x) { return x * x; }
+
+/// What curve node `i` for template node `j` adds to the distortion by itself.
+double node_distortion(const ReducedGraph& curve, const ReducedGraph& skeleton_template, int i, std::size_t j,
+                       const MatchingOptions& options) {
+    const auto node = static_cast<std::size_t>(i);
+    const double radius = curve.radius[node], rest_radius = skeleton_template.radius[j];
+    return square(options.degree_cost * (curve.degree[node] - skeleton_template.degree[j])) +
+           (radius > 0 && rest_radius > 0 ? square(options.radius_cost * (radius - rest_radius)) : 0);
+}
+
+/// What two assigned pairs add by the distance between them.
+double pair_distortion(const ReducedGraph& curve, const ReducedGraph& skeleton_template, int i, std::size_t j, int k, std::size_t l) {
+    return square(curve.distances(i, k) -
+                  skeleton_template.distances(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(l)));
+}
+
+/// Sum of the squared differences of distances, degrees and thicknesses.
 double distortion(const ReducedGraph& curve, const ReducedGraph& skeleton_template, const std::vector<int>& partner,
                   const MatchingOptions& options) {
     double total = 0;
     for (std::size_t j = 0; j < partner.size(); ++j) {
-        const int degree_difference = curve.degree[static_cast<std::size_t>(partner[j])] - skeleton_template.degree[j];
-        total += std::pow(options.degree_cost * degree_difference, 2);
-        const double radius = curve.radius[static_cast<std::size_t>(partner[j])], rest_radius = skeleton_template.radius[j];
-        if (radius > 0 && rest_radius > 0) total += std::pow(options.radius_cost * (radius - rest_radius), 2);
-        for (std::size_t l = 0; l < j; ++l) {
-            const double difference = curve.distances(partner[j], partner[l]) -
-                                      skeleton_template.distances(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(l));
-            total += difference * difference;
-        }
+        total += node_distortion(curve, skeleton_template, partner[j], j, options);
+        for (std::size_t l = 0; l < j; ++l) total += pair_distortion(curve, skeleton_template, partner[j], j, partner[l], l);
     }
     return total;
 }
+
+/// Depth-first search through all assignments, leaving out what is already more distorted than the best one known.
+class BranchAndBound {
+public:
+    BranchAndBound(const ReducedGraph& curve, const ReducedGraph& skeleton_template, std::vector<int> start,
+                   const MatchingOptions& options)
+        : curve_(curve), template_(skeleton_template), options_(options), partner_(start.size(), -1),
+          taken_(curve.degree.size(), false), order_(start.size()),
+          least_(distortion(curve, skeleton_template, start, options)), best_(std::move(start)) {
+        std::iota(order_.begin(), order_.end(), std::size_t{0});
+        std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+            return skeleton_template.degree[a] > skeleton_template.degree[b];
+        });
+    }
+
+    std::vector<int> run() {
+        extend(0, 0);
+        return std::move(best_);
+    }
+
+private:
+    void extend(std::size_t depth, double total) {
+        constexpr double least_gain = 1e-9; // exchanging a left limb for a right one gains nothing but rounding
+        constexpr int most_visits = 3'000'000;
+        if (total > least_ - least_gain || ++visits_ > most_visits) return;
+        if (depth == order_.size()) {
+            least_ = total;
+            best_ = partner_;
+            return;
+        }
+        const std::size_t j = order_[depth];
+        for (int i = 0; i < static_cast<int>(taken_.size()); ++i) {
+            if (taken_[static_cast<std::size_t>(i)]) continue;
+            double longer = total + node_distortion(curve_, template_, i, j, options_);
+            for (std::size_t d = 0; d < depth; ++d)
+                longer += pair_distortion(curve_, template_, i, j, partner_[order_[d]], order_[d]);
+            taken_[static_cast<std::size_t>(i)] = true;
+            partner_[j] = i;
+            extend(depth + 1, longer);
+            taken_[static_cast<std::size_t>(i)] = false;
+        }
+        partner_[j] = -1;
+    }
+
+    const ReducedGraph& curve_;
+    const ReducedGraph& template_;
+    const MatchingOptions& options_;
+    std::vector<int> partner_;
+    std::vector<bool> taken_;
+    std::vector<std::size_t> order_; ///< template nodes, junctions first
+    int visits_ = 0;
+    double least_;
+    std::vector<int> best_;
+};
 
 /// All assignments one exchange away from `partner`; `candidates` curve nodes in all.
 std::vector<std::vector<int>> exchanges(const std::vector<int>& partner, int candidates) {
@@ -129,6 +193,11 @@ std::vector<int> descend(const ReducedGraph& curve, const ReducedGraph& skeleton
         if (better.empty()) return partner;
         partner = std::move(better);
     }
+}
+
+std::vector<int> least_distorted(const ReducedGraph& curve, const ReducedGraph& skeleton_template, std::vector<int> partner,
+                                 const MatchingOptions& options) {
+    return BranchAndBound(curve, skeleton_template, std::move(partner), options).run();
 }
 
 } // namespace skelgen

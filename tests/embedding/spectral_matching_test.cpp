@@ -125,3 +125,26 @@ TEST_CASE("descending repairs two partners that have been exchanged and leaves a
             CHECK(descend(graph, graph, wrong) == right);
         }
 }
+
+TEST_CASE("the least distorted match of a tree with itself is itself, wherever the search begins") {
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        std::mt19937_64 random(seed);
+        const Tree tree = random_tree(2, random);
+        const ReducedGraph graph = graph_of(tree, in_order(tree));
+        const std::vector<int> start = random_permutation(static_cast<int>(tree.parent.size()), random);
+        INFO("seed " << seed);
+        CHECK(least_distorted(graph, graph, start) == in_order(tree));
+    }
+}
+
+TEST_CASE("no assignment of fewer distortion is missed: the search agrees with trying all") {
+    std::mt19937_64 random(5);
+    const Tree tree = random_tree(1, random);
+    Tree longer = tree;
+    for (double& length : longer.length) length *= uniform(random, 0.6, 1.6);
+    const ReducedGraph curve = graph_of(longer, in_order(longer)), wanted = graph_of(tree, in_order(tree));
+    std::vector<int> all = in_order(tree);
+    const std::vector<int> found = least_distorted(curve, wanted, all);
+    do CHECK(least_distorted(curve, wanted, all) == found); // as a start, none is better than what is found
+    while (std::next_permutation(all.begin(), all.end()));
+}

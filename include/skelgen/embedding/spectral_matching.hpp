@@ -33,4 +33,10 @@ struct MatchingOptions {
 [[nodiscard]] std::vector<int> descend(const ReducedGraph& curve, const ReducedGraph& skeleton_template,
                                        std::vector<int> partner, const MatchingOptions& options = {});
 
+/// The least distorted of all assignments, by branch and bound from `partner`: exchanges one at a time do not lead out of a
+/// body matched upside down, as one with a raised leg may be. Junctions are tried first, and no more than some million partial
+/// assignments are, which a body's curve never needs. O(m^n) at worst, milliseconds in practice.
+[[nodiscard]] std::vector<int> least_distorted(const ReducedGraph& curve, const ReducedGraph& skeleton_template,
+                                               std::vector<int> partner, const MatchingOptions& options = {});
+
 } // namespace skelgen
