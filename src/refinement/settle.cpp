@@ -96,16 +96,13 @@ void stretch(Vector3<double>& a, Vector3<double>& b, double part) {
     b += half;
 }
 
-/// Length of the bone from its parent to each joint, relative to the template's; 0 for the root.
-std::vector<double> relative_lengths(const KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template) {
-    std::vector<double> out(skeleton.joints.size(), 0);
-    for (std::size_t j = 0; j < out.size(); ++j) {
-        const int parent = skeleton.joints[j].parent;
-        if (parent < 0) continue;
-        const auto p = static_cast<std::size_t>(parent);
-        out[j] = (skeleton.joints[j].position - skeleton.joints[p].position).norm() /
-                 (skeleton_template.joints[j].position - skeleton_template.joints[p].position).norm();
-    }
+/// Length of the bone from its parent to each joint; 0 for the root.
+template <typename Position>
+std::vector<double> bone_lengths(const SkeletonTemplate& skeleton_template, Position&& position) {
+    std::vector<double> out(skeleton_template.joints.size(), 0);
+    for (std::size_t j = 0; j < out.size(); ++j)
+        if (const int parent = skeleton_template.joints[j].parent; parent >= 0)
+            out[j] = (position(j) - position(static_cast<std::size_t>(parent))).norm();
     return out;
 }
 
@@ -121,17 +118,22 @@ double median_of_positive(std::vector<double> values) {
 
 void judge_joints(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template) {
     constexpr double half_by_other_side = 0.15, half_by_template = 0.3; // logarithms of ratios
-    const std::vector<double> lengths = relative_lengths(skeleton, skeleton_template);
-    const double scale = median_of_positive(lengths);
+    const auto lengths = bone_lengths(skeleton_template, [&](std::size_t j) { return skeleton.joints[j].position; });
+    const auto rest = bone_lengths(skeleton_template, [&](std::size_t j) { return skeleton_template.joints[j].position; });
+    std::vector<double> ratios(lengths.size(), 0);
+    for (std::size_t j = 0; j < ratios.size(); ++j)
+        if (rest[j] > 0) ratios[j] = lengths[j] / rest[j];
+    const double scale = median_of_positive(ratios);
+    const double slack = 0.1 * scale * median_of_positive(rest); // a short bone's length says little
+    const auto compare = [&](double a, double b) { return std::log((a + slack) / (b + slack)); };
     std::vector<double> doubt(skeleton.joints.size(), 0);
     for (std::size_t j = 0; j < doubt.size(); ++j) {
         const int parent = skeleton.joints[j].parent;
         if (parent < 0) continue;
-        const double by_template = std::log(std::max(lengths[j], 1e-9 * scale) / scale) / half_by_template;
+        const double by_template = compare(lengths[j], scale * rest[j]) / half_by_template;
         double bone = by_template * by_template;
         if (const int other = counterpart(skeleton_template, j); other >= 0) {
-            const double other_length = std::max(lengths[static_cast<std::size_t>(other)], 1e-9 * scale);
-            const double by_side = std::log(std::max(lengths[j], 1e-9 * scale) / other_length) / half_by_other_side;
+            const double by_side = compare(lengths[j], lengths[static_cast<std::size_t>(other)]) / half_by_other_side;
             bone += by_side * by_side;
         }
         doubt[j] = std::max(doubt[j], bone);

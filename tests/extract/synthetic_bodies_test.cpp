@@ -19,7 +19,7 @@ constexpr int faces = 8000;
 
 /// How far a joint may move where the surface, not just its place or order, has changed: the walking woman's neck has
 /// two sections to settle on, this far apart.
-constexpr double another_section = 0.02;
+constexpr double another_section = 0.03;
 
 SynthBody walking_woman() {
     BodyShape shape;
