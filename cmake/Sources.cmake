@@ -45,6 +45,7 @@ set(skelgen_headers
     include/skelgen/refinement/centreline.hpp
     include/skelgen/refinement/cross_section.hpp
     include/skelgen/refinement/end_points.hpp
+    include/skelgen/refinement/fork.hpp
     include/skelgen/refinement/head.hpp
     include/skelgen/refinement/limbs.hpp
     include/skelgen/refinement/refine.hpp
@@ -109,10 +110,13 @@ set(skelgen_sources
     src/refinement/centreline.cpp
     src/refinement/cross_section.cpp
     src/refinement/end_points.cpp
+    src/refinement/fork.cpp
     src/refinement/head.cpp
+    src/refinement/hip_anchor.cpp
     src/refinement/limb_joints.cpp
     src/refinement/limbs.cpp
     src/refinement/placement.cpp
+    src/refinement/profile_matcher.cpp
     src/refinement/refine.cpp
     src/refinement/settle.cpp
     src/refinement/thickness_profile.cpp

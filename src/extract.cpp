@@ -34,15 +34,16 @@ private:
 template <typename Scalar>
 void check_surface(const TriangleMesh<Scalar>& mesh) {
     if (mesh.vertices.rows() < 4 || mesh.faces.rows() < 4)
-        throw Error(ErrorCode::bad_input, "the mesh has fewer than four vertices or faces; a body needs a closed surface");
+        throw Error(ErrorCode::bad_input,
+                    "the mesh has fewer than four vertices or faces; a body needs a closed surface");
     if (!mesh.vertices.allFinite())
         throw Error(ErrorCode::bad_input, "the mesh has a coordinate that is not a finite number; repair it");
     if (mesh.faces.minCoeff() < 0 || mesh.faces.maxCoeff() >= mesh.vertices.rows())
         throw Error(ErrorCode::bad_input, "a face refers to a vertex that does not exist; repair the mesh");
 }
 
-/// A body reaches far for its surface: toe to fingertip takes 1.5 to 1.8 times the square root of its area, from thin to
-/// very heavy; a ball 0.9. `diameter` is geodesic, for unit area.
+/// A body reaches far for its surface: toe to fingertip takes 1.5 to 1.8 times the square root of its area, from thin
+/// to very heavy; a ball 0.9. `diameter` is geodesic, for unit area.
 void check_slender(double diameter) {
     constexpr double least = 1.2;
     if (diameter < least)
@@ -67,19 +68,21 @@ public:
         KinematicSkeleton<Scalar> out;
         out.template_name = s.template_name;
         for (const Joint<double>& joint : s.joints)
-            out.joints.push_back({joint.name, joint.parent, point(joint.position), length(joint.radius), joint.confidence});
+            out.joints.push_back(
+                {joint.name, joint.parent, point(joint.position), length(joint.radius), joint.confidence});
         for (const auto& [name, p] : s.end_points) out.end_points.emplace_back(name, point(p));
         out.frame = {point(s.frame.origin), direction(s.frame.left), direction(s.frame.forward), direction(s.frame.up)};
         out.quality = s.quality;
         return out;
     }
 
-    /// `source`: the caller's vertex behind each vertex of the regions. Where fans of faces touch, several stand for one
-    /// of the caller's; it goes to the first region that has it.
+    /// `source`: the caller's vertex behind each vertex of the regions. Where fans of faces touch, several stand for
+    /// one of the caller's; it goes to the first region that has it.
     [[nodiscard]] CurveSkeleton<Scalar> curve(const CurveSkeleton<double>& c, const std::vector<int>& source) const {
         CurveSkeleton<Scalar> out;
         out.nodes.resize(c.nodes.rows(), 3);
-        for (Eigen::Index v = 0; v < c.nodes.rows(); ++v) out.nodes.row(v) = point(c.nodes.row(v).transpose()).transpose();
+        for (Eigen::Index v = 0; v < c.nodes.rows(); ++v)
+            out.nodes.row(v) = point(c.nodes.row(v).transpose()).transpose();
         out.edges = c.edges;
         for (const double radius : c.radii) out.radii.push_back(length(radius));
         std::unordered_set<int> taken;
@@ -117,8 +120,8 @@ BodyCurve find_body_curve(const TriangleMesh<Scalar>& mesh, const ExtractOptions
     return out;
 }
 
-/// Embeds the template in `curve`. Where a limb has been lost on the way to the curve, finer proxies are tried, and `curve`
-/// is the one that serves. \throws Error no_skeleton when none does.
+/// Embeds the template in `curve`. Where a limb has been lost on the way to the curve, finer proxies are tried, and
+/// `curve` is the one that serves. \throws Error no_skeleton when none does.
 Embedding embed_patiently(const TriangleMesh<double>& mesh, const CurveGraph<double>& surface,
                           CurveSkeleton<double>& curve, const SkeletonTemplate& wanted, const ExtractOptions& options) {
     constexpr int attempts = 3; // each half as fine again as the last one
@@ -179,8 +182,9 @@ Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const Extr
         constexpr double often_wrong = 0.7;
         skeleton.quality.sides_confidence *= often_wrong;
         for (Joint<double>& joint : skeleton.joints) joint.confidence *= often_wrong;
-        skeleton.quality.warnings.push_back("the body touches itself: its curve skeleton has " + std::to_string(loops(curve)) +
-                                            (loops(curve) == 1 ? " loop" : " loops") + ", limbs may be mistaken");
+        skeleton.quality.warnings.push_back("the body touches itself: its curve skeleton has " +
+                                            std::to_string(loops(curve)) + (loops(curve) == 1 ? " loop" : " loops") +
+                                            ", limbs may be mistaken");
     }
     if (body.dropped_pieces > 0)
         skeleton.quality.warnings.push_back(std::to_string(body.dropped_pieces) +

@@ -44,6 +44,7 @@
 #include <skelgen/refinement/centreline.hpp>
 #include <skelgen/refinement/cross_section.hpp>
 #include <skelgen/refinement/end_points.hpp>
+#include <skelgen/refinement/fork.hpp>
 #include <skelgen/refinement/head.hpp>
 #include <skelgen/refinement/limbs.hpp>
 #include <skelgen/refinement/refine.hpp>

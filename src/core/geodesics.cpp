@@ -9,8 +9,8 @@
 namespace skelgen {
 namespace {
 
-/// Distance between the far corners c and d of two faces that share the edge a b, unfolded into one plane; infinite when
-/// the straight line between them would leave the two faces.
+/// Distance between the far corners c and d of two faces that share the edge a b, unfolded into one plane; infinite
+/// when the straight line between them would leave the two faces.
 double unfolded_distance(const Vector3<double>& a, const Vector3<double>& b, const Vector3<double>& c,
                          const Vector3<double>& d) {
     const Vector3<double> axis = (b - a).normalized();

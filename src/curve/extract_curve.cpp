@@ -6,8 +6,8 @@
 namespace skelgen {
 namespace {
 
-/// The same curve with regions of mesh vertices in place of proxy vertices. The claims spread over the surface, not through
-/// space, so that a hand on a thigh stays a hand.
+/// The same curve with regions of mesh vertices in place of proxy vertices. The claims spread over the surface, not
+/// through space, so that a hand on a thigh stays a hand.
 CurveSkeleton<double> with_mesh_regions(CurveSkeleton<double> curve, const CurveGraph<double>& surface,
                                         const Proxy& proxy) {
     const std::vector<int> node = detail::node_of_vertex(curve, proxy.mesh.vertices.rows());
@@ -30,8 +30,7 @@ CurveSkeleton<double> with_mesh_regions(CurveSkeleton<double> curve, const Curve
 CurveSkeleton<double> extract_curve(const TriangleMesh<double>& mesh, const CurveGraph<double>& surface,
                                     const Proxy& proxy, const CurveOptions& options) {
     const Contraction contraction = contract(proxy.mesh, options.contraction);
-    const CurveSkeleton<double> graph =
-        connectivity_surgery(contraction.vertices, proxy.mesh.faces, options.surgery);
+    const CurveSkeleton<double> graph = connectivity_surgery(contraction.vertices, proxy.mesh.faces, options.surgery);
     const CurveSkeleton<double> centred = centre_nodes(graph, proxy.mesh, contraction.vertices);
     const CurveSkeleton<double> whole =
         extend_leaves(with_mesh_regions(centred, surface, proxy), mesh, surface, options.leaves);

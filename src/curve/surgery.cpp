@@ -100,15 +100,15 @@ private:
     }
 
     [[nodiscard]] double cost(int from, int to) const {
-        const double shape = squared_distance(quadrics_[at(from)], point(to)) + squared_distance(quadrics_[at(to)], point(to));
+        const double shape =
+            squared_distance(quadrics_[at(from)], point(to)) + squared_distance(quadrics_[at(to)], point(to));
         double reach = 0;
         for (const int k : neighbours_[at(from)]) reach += (point(from) - point(k)).norm();
         return options_.shape_weight * shape + options_.sampling_weight * (point(from) - point(to)).norm() * reach;
     }
 
     void push_edges_of(int v) {
-        for (const int w : neighbours_[at(v)])
-            queue_.push({cost(v, w), v, w, version_[at(v)], version_[at(w)]});
+        for (const int w : neighbours_[at(v)]) queue_.push({cost(v, w), v, w, version_[at(v)], version_[at(w)]});
     }
 
     [[nodiscard]] bool is_current(const Candidate& c) const {

@@ -82,8 +82,8 @@ Embedding embed(const CurveSkeleton<double>& curve, const SkeletonTemplate& skel
         throw Error(ErrorCode::no_skeleton, "no human body: its curve skeleton is in several pieces");
     const Eigen::MatrixXd affinities = affinity_matrix(reduced_curve, reduced_template, options);
     const std::vector<int> rounded = spectral_assignment(affinities, wanted);
-    const std::vector<int> partner = least_distorted(reduced_curve, reduced_template,
-                                                     descend(reduced_curve, reduced_template, rounded, options), options);
+    const std::vector<int> partner = least_distorted(
+        reduced_curve, reduced_template, descend(reduced_curve, reduced_template, rounded, options), options);
 
     Embedding out;
     out.node_of_joint.assign(skeleton_template.joints.size(), -1);

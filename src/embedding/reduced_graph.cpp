@@ -23,7 +23,8 @@ ReducedGraph reduce_graph(const CurveGraph<double>& graph) {
     return out;
 }
 
-/// Largest radius of the curve within this part of its diameter from an end: past the fingers and toes, short of the chest.
+/// Largest radius of the curve within this part of its diameter from an end: past the fingers and toes, short of the
+/// chest.
 constexpr double end_reach = 0.1;
 
 double end_thickness(const CurveSkeleton<double>& curve, const CurveGraph<double>& graph, int end) {
@@ -78,12 +79,16 @@ ReducedGraph reduce(const SkeletonTemplate& skeleton_template) {
     ReducedGraph out = reduce_graph(curve_graph(bones(skeleton_template)));
     int tip = static_cast<int>(skeleton_template.joints.size()); // tips stand for the joints they belong to
     for (std::size_t j = 0; j < skeleton_template.joints.size(); ++j)
-        if (skeleton_template.joints[j].tip) std::replace(out.origin.begin(), out.origin.end(), tip++, static_cast<int>(j));
+        if (skeleton_template.joints[j].tip)
+            std::replace(out.origin.begin(), out.origin.end(), tip++, static_cast<int>(j));
     for (std::size_t i = 0; i < out.origin.size(); ++i)
-        if (out.degree[i] == 1) out.radius[i] = skeleton_template.joints[static_cast<std::size_t>(out.origin[i])].radius;
+        if (out.degree[i] == 1)
+            out.radius[i] = skeleton_template.joints[static_cast<std::size_t>(out.origin[i])].radius;
     return normalised(std::move(out));
 }
 
-double longest_path(const SkeletonTemplate& skeleton_template) { return curve_diameter(curve_graph(bones(skeleton_template))); }
+double longest_path(const SkeletonTemplate& skeleton_template) {
+    return curve_diameter(curve_graph(bones(skeleton_template)));
+}
 
 } // namespace skelgen

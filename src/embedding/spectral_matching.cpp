@@ -43,7 +43,8 @@ double node_distortion(const ReducedGraph& curve, const ReducedGraph& skeleton_t
 }
 
 /// What two assigned pairs add by the distance between them.
-double pair_distortion(const ReducedGraph& curve, const ReducedGraph& skeleton_template, int i, std::size_t j, int k, std::size_t l) {
+double pair_distortion(const ReducedGraph& curve, const ReducedGraph& skeleton_template, int i, std::size_t j, int k,
+                       std::size_t l) {
     return square(curve.distances(i, k) -
                   skeleton_template.distances(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(l)));
 }
@@ -54,7 +55,8 @@ double distortion(const ReducedGraph& curve, const ReducedGraph& skeleton_templa
     double total = 0;
     for (std::size_t j = 0; j < partner.size(); ++j) {
         total += node_distortion(curve, skeleton_template, partner[j], j, options);
-        for (std::size_t l = 0; l < j; ++l) total += pair_distortion(curve, skeleton_template, partner[j], j, partner[l], l);
+        for (std::size_t l = 0; l < j; ++l)
+            total += pair_distortion(curve, skeleton_template, partner[j], j, partner[l], l);
     }
     return total;
 }
@@ -139,7 +141,8 @@ Eigen::MatrixXd affinity_matrix(const ReducedGraph& curve, const ReducedGraph& s
     const Eigen::VectorXd curve_mean = mean_distances(curve.distances);
     const Eigen::VectorXd template_mean = mean_distances(skeleton_template.distances);
     const auto degree_error = [&](Eigen::Index i, Eigen::Index j) {
-        return std::abs(curve.degree[static_cast<std::size_t>(i)] - skeleton_template.degree[static_cast<std::size_t>(j)]);
+        return std::abs(curve.degree[static_cast<std::size_t>(i)] -
+                        skeleton_template.degree[static_cast<std::size_t>(j)]);
     };
     const auto affinity = [&](double degree_difference, double distance_difference) {
         return options.degree_weight * std::exp(-degree_difference) +
@@ -170,7 +173,8 @@ std::vector<int> spectral_assignment(const Eigen::MatrixXd& affinities, int temp
     std::vector<int> partner(static_cast<std::size_t>(template_nodes), -1);
     std::vector<bool> taken(order.size() / static_cast<std::size_t>(template_nodes), false);
     for (const int pair : order) {
-        const auto i = static_cast<std::size_t>(pair / template_nodes), j = static_cast<std::size_t>(pair % template_nodes);
+        const auto i = static_cast<std::size_t>(pair / template_nodes),
+                   j = static_cast<std::size_t>(pair % template_nodes);
         if (taken[i] || partner[j] >= 0) continue;
         partner[j] = static_cast<int>(i);
         taken[i] = true;
@@ -195,8 +199,8 @@ std::vector<int> descend(const ReducedGraph& curve, const ReducedGraph& skeleton
     }
 }
 
-std::vector<int> least_distorted(const ReducedGraph& curve, const ReducedGraph& skeleton_template, std::vector<int> partner,
-                                 const MatchingOptions& options) {
+std::vector<int> least_distorted(const ReducedGraph& curve, const ReducedGraph& skeleton_template,
+                                 std::vector<int> partner, const MatchingOptions& options) {
     return BranchAndBound(curve, skeleton_template, std::move(partner), options).run();
 }
 

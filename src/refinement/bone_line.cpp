@@ -23,7 +23,8 @@ std::optional<Line> fit_bone(const Centreline& centreline, double from, double t
         covariance += d * d.transpose();
     }
     line.direction = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().col(2);
-    const Vector3<double> outwards = (centreline.points.row(used.back()) - centreline.points.row(used.front())).transpose();
+    const Vector3<double> outwards =
+        (centreline.points.row(used.back()) - centreline.points.row(used.front())).transpose();
     if (line.direction.dot(outwards) < 0) line.direction = -line.direction;
     return line;
 }

@@ -27,7 +27,8 @@ Points<double> recentred(const Points<double>& line, const std::vector<std::opti
         const Vector3<double> shift = section->centroid - line.row(i).transpose();
         if (shift.norm() <= largest_shift * section->thickness) moved.row(i) = section->centroid.transpose();
     }
-    Points<double> smooth = moved; // sections of neighbouring points may cross at a bend: one pass of smoothing sorts them
+    Points<double> smooth =
+        moved; // sections of neighbouring points may cross at a bend: one pass of smoothing sorts them
     for (Eigen::Index i = 1; i + 1 < line.rows(); ++i)
         smooth.row(i) = 0.25 * moved.row(i - 1) + 0.5 * moved.row(i) + 0.25 * moved.row(i + 1);
     return smooth;

@@ -23,7 +23,8 @@ class Tracer {
 public:
     /// Contours where the field `height`, linear on each face, is zero.
     Tracer(const TriangleMesh<double>& mesh, const Triangles& adjacency, Eigen::VectorXd height)
-        : mesh_(mesh), adjacency_(adjacency), height_(std::move(height)), visited_(static_cast<std::size_t>(mesh.faces.rows()), false) {}
+        : mesh_(mesh), adjacency_(adjacency), height_(std::move(height)),
+          visited_(static_cast<std::size_t>(mesh.faces.rows()), false) {}
 
     std::vector<Contour> contours() {
         std::vector<Contour> out;
@@ -61,7 +62,8 @@ private:
 
     Contour trace(int start) {
         int f = start;
-        for (int next = f; (next = adjacency_(f, entry_edge(f))) >= 0 && next != start;) f = next; // to a hole's rim, if any
+        for (int next = f; (next = adjacency_(f, entry_edge(f))) >= 0 && next != start;)
+            f = next; // to a hole's rim, if any
         Contour contour;
         contour.points.push_back(crossing(f, entry_edge(f)));
         while (f >= 0 && !visited_[static_cast<std::size_t>(f)]) {
@@ -95,7 +97,8 @@ PlanarRelation relate(const Contour& contour, const Vector3<double>& point, cons
     PlanarRelation out;
     double angle = 0;
     for (std::size_t i = 0; i < contour.points.size(); ++i) {
-        const Vector3<double> a = contour.points[i] - point, b = contour.points[(i + 1) % contour.points.size()] - point;
+        const Vector3<double> a = contour.points[i] - point,
+                              b = contour.points[(i + 1) % contour.points.size()] - point;
         const double cross = normal.dot(a.cross(b));
         out.area += cross / 2;
         angle += std::atan2(cross, a.dot(b));
@@ -141,7 +144,7 @@ CrossSection measure(const Contour& contour, const TriangleMesh<double>& mesh, c
 
 std::optional<CrossSection> Slicer::around(const Vector3<double>& point, const Vector3<double>& normal,
                                            double reach) const {
-    const std::vector<Contour> contours = 
+    const std::vector<Contour> contours =
         Tracer(mesh_, adjacency_, (mesh_.vertices * normal).array() - point.dot(normal)).contours();
     const Contour* chosen = nullptr;
     PlanarRelation best;
@@ -149,10 +152,10 @@ std::optional<CrossSection> Slicer::around(const Vector3<double>& point, const V
         if (contour.points.size() < 3) continue;
         const PlanarRelation relation = relate(contour, point, normal);
         if (!relation.encloses && relation.distance > reach) continue;
-        const bool better = chosen == nullptr || (relation.encloses && !best.encloses) ||
-                            (relation.encloses == best.encloses && (relation.encloses
-                                                                        ? std::abs(relation.area) < std::abs(best.area)
-                                                                        : relation.distance < best.distance));
+        const bool better =
+            chosen == nullptr || (relation.encloses && !best.encloses) ||
+            (relation.encloses == best.encloses &&
+             (relation.encloses ? std::abs(relation.area) < std::abs(best.area) : relation.distance < best.distance));
         if (!better) continue;
         chosen = &contour;
         best = relation;

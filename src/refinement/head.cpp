@@ -17,7 +17,7 @@ struct Slice {
     CrossSection section;
     Vector3<double> centre; ///< of the contour
     Vector3<double> major, minor;
-    double diameter = 0;    ///< extent along `major`
+    double diameter = 0; ///< extent along `major`
 };
 
 /// Length-weighted mean and covariance of contours.
@@ -29,7 +29,8 @@ struct Moments {
     void add(const CrossSection& section, const Vector3<double>& origin) {
         const Eigen::Index n = section.points.rows();
         for (Eigen::Index i = 0; i < n; ++i) {
-            const Vector3<double> middle = (section.points.row(i) + section.points.row((i + 1) % n)).transpose() / 2 - origin;
+            const Vector3<double> middle =
+                (section.points.row(i) + section.points.row((i + 1) % n)).transpose() / 2 - origin;
             weight += section.lengths[i];
             first += section.lengths[i] * middle;
             second += section.lengths[i] * middle * middle.transpose();
@@ -69,8 +70,8 @@ std::vector<Slice> slices_of(const Slicer& slicer, const Vector3<double>& top, c
         auto slice = cut(slicer, at, up, 0.5 * height);
         if (!slice) break;
         at = slice->section.centroid; // follow the head, not the plumb line
-        // RB12's rules: shrunk markedly from the largest slice, or the longer axis turned from along the head to across the
-        // shoulders. Both only below the skull's widest part.
+        // RB12's rules: shrunk markedly from the largest slice, or the longer axis turned from along the head to across
+        // the shoulders. Both only below the skull's widest part.
         const bool throat = depth > 0.4 * height && slice->diameter < options.throat * largest;
         const bool turned = depth > 0.7 * height && !slices.empty() && slice->diameter > largest &&
                             std::abs(slice->major.dot(slices[slices.size() / 2].major)) < 0.5;
@@ -81,8 +82,9 @@ std::vector<Slice> slices_of(const Slicer& slicer, const Vector3<double>& top, c
     return slices;
 }
 
-/// How clearly the head faces `head.forward` (positive) or away (negative). Two signs: under the skull the jaw lies to the
-/// front, so that slices' centres move forward from top to bottom; and slices are egg-shaped, narrower at the front.
+/// How clearly the head faces `head.forward` (positive) or away (negative). Two signs: under the skull the jaw lies to
+/// the front, so that slices' centres move forward from top to bottom; and slices are egg-shaped, narrower at the
+/// front.
 double frontness(const std::vector<Slice>& slices, const HeadShape& head) {
     double egg = 0, perimeter = 0, n = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (std::size_t i = 0; i + 1 < slices.size(); ++i) {
@@ -101,6 +103,27 @@ double frontness(const std::vector<Slice>& slices, const HeadShape& head) {
     return (jaw / 4 + 4 * egg / perimeter) / head.length;
 }
 
+/// The thinnest section below the middle of the head and above shoulders or chest, found in steps of `step`.
+std::optional<Vector3<double>> find_throat(const Slicer& slicer, const HeadShape& head, double height, double step) {
+    constexpr double clearly = 1.15; // times thicker
+    double head_thickness = 0, thinnest = 0;
+    std::optional<Vector3<double>> throat;
+    Vector3<double> at = head.centroid;
+    for (double depth = 0; depth < 1.5 * height; depth += step, at -= step * head.up) {
+        const auto section = slicer.around(at, head.up, 0.5 * height);
+        if (!section) break;
+        at = section->centroid;
+        head_thickness = std::max(head_thickness, depth < 0.3 * height ? section->thickness : 0);
+        if (!throat || section->thickness < thinnest) {
+            throat = at;
+            thinnest = section->thickness;
+        } else if (section->thickness > clearly * thinnest && head_thickness > clearly * thinnest) {
+            return throat;
+        }
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 std::optional<HeadShape> measure_head(const Slicer& slicer, const Vector3<double>& top, const Vector3<double>& neck,
@@ -108,7 +131,8 @@ std::optional<HeadShape> measure_head(const Slicer& slicer, const Vector3<double
     HeadShape out;
     out.up = (top - neck).normalized();
     std::vector<Slice> slices;
-    for (int round = 0; round < 2; ++round) { // the top of the head says roughly where up is, its centroid says it better
+    for (int round = 0; round < 2;
+         ++round) { // the top of the head says roughly where up is, its centroid says it better
         slices = slices_of(slicer, top, neck, out.up, options);
         if (slices.size() < 5) return std::nullopt;
         Vector3<double> sum = Vector3<double>::Zero();
@@ -144,6 +168,7 @@ std::optional<HeadShape> measure_head(const Slicer& slicer, const Vector3<double
     if (out.length > options.longest * height) return std::nullopt;
     const double throat = (top - slices.back().centre).dot(out.up) / height;
     out.size = std::min(throat / adult_throat, out.length / (adult_length * height));
+    out.throat = find_throat(slicer, out, height, options.slice / 2 * height);
     std::size_t nose = 0;
     double farthest = 0;
     for (std::size_t i = 0; i + 1 < slices.size(); ++i) {

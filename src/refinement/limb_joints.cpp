@@ -25,6 +25,14 @@ void place_by_ratio(Placement& placement, const Limb& limb) {
     for (std::size_t i = 0; i < limb.joints.size(); ++i) placement.put(limb.joints[i], on(limb, arc_of(limb, i)));
 }
 
+void place_neck(Placement& placement, const Limb& limb, const HeadShape& head, const RefinementOptions& options) {
+    if (placement.joint(limb.joints.front()).role != neck || !head.throat) return;
+    const Vector3<double> place = placement.at(limb.joints.front());
+    const double height = (limb.line.points.bottomRows<1>().transpose() - place).norm();
+    const double higher = (*head.throat - place).dot(head.up) - options.neck_below_throat * height;
+    placement.put(limb.joints.front(), place + options.throat_weight * higher * head.up);
+}
+
 void place_wrist(Placement& placement, const Limb& limb, const RefinementOptions& options) {
     const auto found = placement.find(limb, wrist);
     if (!found || *found == 0) return;
@@ -45,9 +53,11 @@ void place_bend(Placement& placement, const Limb& limb, const RefinementOptions&
         const double here = arc_of(limb, i), inner = arc_of(limb, i - 1), outer = arc_of(limb, i + 1);
         const double inner_start = std::max(limb.attachment, inner + 0.15 * (here - inner));
         const auto upper = fit_bone(limb.line, inner_start, here - 0.2 * (here - inner), options.flatness);
-        const auto lower = fit_bone(limb.line, here + 0.2 * (outer - here), outer - 0.1 * (outer - here), options.flatness);
+        const auto lower =
+            fit_bone(limb.line, here + 0.2 * (outer - here), outer - 0.1 * (outer - here), options.flatness);
         if (!upper || !lower) continue;
-        const double angle = std::acos(std::clamp(upper->direction.dot(lower->direction), -1.0, 1.0)) * degrees_per_radian;
+        const double angle =
+            std::acos(std::clamp(upper->direction.dot(lower->direction), -1.0, 1.0)) * degrees_per_radian;
         const auto meeting = meeting_point(*upper, *lower);
         const Vector3<double> ratio = placement.at(limb.joints[i]);
         if (!meeting || (*meeting - ratio).norm() > 0.3 * (outer - inner)) continue;
@@ -66,7 +76,9 @@ void place_girdle(Placement& placement, const Limb& limb, const RefinementOption
                                outer - 0.15 * (outer - inner), options.flatness);
     const double length = limb.from_tip[0] - limb.from_tip[1];
     const Vector3<double> start = placement.at(next);
-    const auto towards = [&](const Vector3<double>& p) -> Vector3<double> { return start + length * (p - start).normalized(); };
+    const auto towards = [&](const Vector3<double>& p) -> Vector3<double> {
+        return start + length * (p - start).normalized();
+    };
     std::vector<Vector3<double>> ways;
     if (line) ways.push_back(start - length * line->direction);
     if (limb.attachment < outer - 0.3 * (outer - inner)) ways.push_back(towards(on(limb, limb.attachment)));

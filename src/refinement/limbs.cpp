@@ -34,8 +34,8 @@ double find_attachment(const Centreline& line, double own, double stretch) {
     return line.arc[0];
 }
 
-/// Centres of the rings around a limb, from `length` away from its end down to the end itself. Each is looked for near the
-/// last one: where the end touches another part of the body, that has rings at the same distance.
+/// Centres of the rings around a limb, from `length` away from its end down to the end itself. Each is looked for near
+/// the last one: where the end touches another part of the body, that has rings at the same distance.
 Points<double> ring_centres(const Slicer& slicer, const EndPoint& end, double length, double step) {
     const Eigen::VectorXd field = end.distance.cwiseMin(2 * length + 1);
     std::vector<Vector3<double>> centres{slicer.mesh().vertices.row(end.vertex).transpose()};
@@ -49,8 +49,8 @@ Points<double> ring_centres(const Slicer& slicer, const EndPoint& end, double le
     return out;
 }
 
-/// The limb's first bone is surely the limb's own up to its middle; nearer its outer joint, a folded elbow or knee widens
-/// the sections.
+/// The limb's first bone is surely the limb's own up to its middle; nearer its outer joint, a folded elbow or knee
+/// widens the sections.
 double attachment_of(const Limb& limb) {
     const double top = limb.from_tip.front(), next = limb.from_tip.size() > 1 ? limb.from_tip[1] : 0;
     return find_attachment(limb.line, next + 0.5 * (top - next), 0.3 * (top - next));

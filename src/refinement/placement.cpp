@@ -43,9 +43,7 @@ double Placement::rest_height(JointRole role) const {
     return joints.empty() ? 0 : sum / static_cast<double>(joints.size());
 }
 
-double arc_of(const Limb& limb, std::size_t i) {
-    return limb.line.arc[limb.line.arc.size() - 1] - limb.from_tip[i];
-}
+double arc_of(const Limb& limb, std::size_t i) { return limb.line.arc[limb.line.arc.size() - 1] - limb.from_tip[i]; }
 
 Vector3<double> on(const Limb& limb, double arc) { return point_at(limb.line.points, limb.line.arc, arc); }
 

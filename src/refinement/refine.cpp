@@ -6,6 +6,7 @@
 #include <skelgen/refinement/limbs.hpp>
 #include <skelgen/refinement/thickness_profile.hpp>
 
+#include "hip_anchor.hpp"
 #include "limb_joints.hpp"
 #include "placement.hpp"
 #include "trunk_joints.hpp"
@@ -21,7 +22,8 @@ bool is_head(const Limb& limb, const SkeletonTemplate& skeleton_template) {
 
 std::optional<HeadShape> head_of(const Limb& limb, const Slicer& slicer, const HeadOptions& options) {
     if (limb.joints.size() < 2) return std::nullopt; // no neck
-    return measure_head(slicer, limb.line.points.bottomRows<1>().transpose(), detail::on(limb, detail::arc_of(limb, 0)), options);
+    return measure_head(slicer, limb.line.points.bottomRows<1>().transpose(), detail::on(limb, detail::arc_of(limb, 0)),
+                        options);
 }
 
 /// Draws the head's limb again where the head is plainly larger than the template's: a child's. The neck lies that much
@@ -39,6 +41,7 @@ Placement find_limbs(const Slicer& slicer, const std::vector<EndPoint>& ends, co
                      const RefinementOptions& options) {
     const double scale = template_scale(skeleton_template, geodesic_diameter(ends));
     std::vector<Limb> limbs = trace_limbs(slicer, ends, skeleton_template, scale, options.centreline);
+    detail::anchor_hips(limbs, slicer.mesh(), ends, skeleton_template, scale, options.flatness);
     const double ratio = match_thickness_profiles(limbs, skeleton_template, options.thickness_profile);
     for (std::size_t i = 0; i < limbs.size(); ++i) {
         if (!is_head(limbs[i], skeleton_template)) continue;
@@ -64,24 +67,24 @@ RefinedJoints refine(const TriangleMesh<double>& mesh, const std::vector<EndPoin
     const Triangles adjacency = face_adjacency(mesh.faces);
     const Slicer slicer(mesh, adjacency);
     Placement placement = find_limbs(slicer, ends, skeleton_template, options);
+    RefinedJoints out;
     for (const Limb& limb : placement.limbs()) {
         place_by_ratio(placement, limb);
+        if (is_head(limb, skeleton_template)) out.head = head_of(limb, slicer, options.head);
+        if (is_head(limb, skeleton_template) && out.head) place_neck(placement, limb, *out.head, options);
         place_wrist(placement, limb, options);
         place_bend(placement, limb, options);
     }
     for (const Limb& limb : placement.limbs()) place_girdle(placement, limb, options);
     narrow_hips(placement);
     const int root = embedding.node_of_joint[static_cast<std::size_t>(placement.find(JointRole::pelvis))];
-    place_trunk(placement, slicer, curve.nodes.row(root).transpose());
+    place_trunk(placement, slicer, curve.nodes.row(root).transpose(), options);
     raise_crotch(placement, mesh, options);
 
-    RefinedJoints out;
     out.positions = placement.positions();
     out.trunk = trunk_of(placement, slicer);
-    for (const Limb& limb : placement.limbs()) {
-        if (is_head(limb, skeleton_template)) out.head = head_of(limb, slicer, options.head);
+    for (const Limb& limb : placement.limbs())
         out.tips.emplace_back(limb.joints.back(), limb.line.points.bottomRows<1>().transpose());
-    }
     return out;
 }
 

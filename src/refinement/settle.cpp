@@ -15,8 +15,9 @@ namespace {
 using enum JointRole;
 
 // Calibrated; as parts of the thigh, the upper arm and the bone from chest to neck.
-constexpr double knee_forward = 0.022, knee_outward = 0.018, hip_outwards = 0.02;
-constexpr double shoulder_forward = 0.035, shoulder_outwards = 0.025;
+constexpr double knee_forward = 0.034, knee_outward = 0.021, straight_knee_up = 0.0125, bent_knee_down = 0.04;
+constexpr double hip_outwards = 0.02;
+constexpr double shoulder_forward = 0.035, shoulder_outwards = 0.035;
 constexpr double neck_backward = 0.065;
 
 /// Positions of a skeleton's joints by role and side.
@@ -39,18 +40,21 @@ private:
 
 Vector3<double> normal_part(const Vector3<double>& v, const Vector3<double>& axis) { return v - v.dot(axis) * axis; }
 
-/// The front of a knee is where the foot points; the more it is bent, the less flesh there is to one side only.
+/// The front of a knee is where the foot points; the more it is bent, the less flesh there is to one side only, and the
+/// farther the fold of the skin lies towards the hip from the joint.
 void move_knee(Joints& joints, Side side) {
     Vector3<double>* const knee_at = joints.find(knee, side);
     const Vector3<double>*const hip_at = joints.find(hip, side), *const ankle_at = joints.find(ankle, side),
-                 *const foot_at = joints.find(foot, side);
+                                *const foot_at = joints.find(foot, side);
     if (!knee_at || !hip_at || !ankle_at || !foot_at) return;
     const Vector3<double> thigh = (*hip_at - *knee_at).normalized(), calf = (*knee_at - *ankle_at).normalized();
     const Vector3<double> up = (thigh + calf).normalized();
     const Vector3<double> forward = normal_part(*foot_at - *ankle_at, up).normalized(), left = up.cross(forward);
     if (!forward.allFinite() || !left.allFinite()) return;
-    const double length = std::max(0.0, thigh.dot(calf)) * (*hip_at - *knee_at).norm();
-    *knee_at += length * (knee_forward * forward + (side == Side::left ? knee_outward : -knee_outward) * left);
+    const double length = (*hip_at - *knee_at).norm(), straight = std::max(0.0, thigh.dot(calf));
+    *knee_at +=
+        length * (straight * (knee_forward * forward + (side == Side::left ? knee_outward : -knee_outward) * left) +
+                  (straight * straight_knee_up - (1 - straight) * bent_knee_down) * up);
 }
 
 /// A hip is a little farther down its thigh than the thigh's line goes on to.
@@ -63,7 +67,7 @@ void move_hip(Joints& joints, Side side) {
 /// The back of a neck and the front of the shoulders, by where shoulders, trunk and neck face.
 void move_shoulder_girdle(Joints& joints) {
     Vector3<double>*const neck_at = joints.find(neck), *const left_at = joints.find(shoulder, Side::left),
-            *const right_at = joints.find(shoulder, Side::right);
+                          *const right_at = joints.find(shoulder, Side::right);
     const Vector3<double>* const chest_at = joints.find(chest);
     if (!neck_at || !chest_at || !left_at || !right_at) return;
     const Vector3<double> up = *neck_at - *chest_at;
@@ -84,7 +88,8 @@ int counterpart(const SkeletonTemplate& skeleton_template, std::size_t j) {
     if (joint.side == Side::none) return -1;
     for (std::size_t k = 0; k < skeleton_template.joints.size(); ++k) {
         const TemplateJoint& other = skeleton_template.joints[k];
-        if (other.role == joint.role && other.side != joint.side && other.side != Side::none) return static_cast<int>(k);
+        if (other.role == joint.role && other.side != joint.side && other.side != Side::none)
+            return static_cast<int>(k);
     }
     return -1;
 }
@@ -119,7 +124,8 @@ double median_of_positive(std::vector<double> values) {
 void judge_joints(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template) {
     constexpr double half_by_other_side = 0.15, half_by_template = 0.3; // logarithms of ratios
     const auto lengths = bone_lengths(skeleton_template, [&](std::size_t j) { return skeleton.joints[j].position; });
-    const auto rest = bone_lengths(skeleton_template, [&](std::size_t j) { return skeleton_template.joints[j].position; });
+    const auto rest =
+        bone_lengths(skeleton_template, [&](std::size_t j) { return skeleton_template.joints[j].position; });
     std::vector<double> ratios(lengths.size(), 0);
     for (std::size_t j = 0; j < ratios.size(); ++j)
         if (rest[j] > 0) ratios[j] = lengths[j] / rest[j];
@@ -137,15 +143,22 @@ void judge_joints(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& s
             bone += by_side * by_side;
         }
         doubt[j] = std::max(doubt[j], bone);
-        const bool same_limb = skeleton_template.joints[static_cast<std::size_t>(parent)].side == skeleton_template.joints[j].side;
-        if (same_limb) doubt[static_cast<std::size_t>(parent)] = std::max(doubt[static_cast<std::size_t>(parent)], bone);
+        const bool same_limb =
+            skeleton_template.joints[static_cast<std::size_t>(parent)].side == skeleton_template.joints[j].side;
+        if (same_limb)
+            doubt[static_cast<std::size_t>(parent)] = std::max(doubt[static_cast<std::size_t>(parent)], bone);
     }
+    bool limb_misplaced = false;
     for (std::size_t j = 0; j < doubt.size(); ++j) {
         Joint<double>& joint = skeleton.joints[j];
         joint.confidence = 1 / (1 + doubt[j]);
-        if (joint.confidence < 0.1)
-            skeleton.quality.warnings.push_back("joint " + joint.name + " may be misplaced: its bones have unlikely lengths");
+        if (joint.confidence >= 0.1) continue;
+        limb_misplaced = limb_misplaced || skeleton_template.joints[j].side != Side::none;
+        skeleton.quality.warnings.push_back("joint " + joint.name +
+                                            " may be misplaced: its bones have unlikely lengths");
     }
+    constexpr double side_in_doubt = 0.8;
+    if (limb_misplaced) skeleton.quality.sides_confidence *= side_in_doubt;
 }
 
 void move_to_bones(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template) {
@@ -177,7 +190,8 @@ void balance_bones(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& 
         }
 }
 
-void keep_inside(KinematicSkeleton<double>& skeleton, const TriangleMesh<double>& mesh, const CurveSkeleton<double>& curve) {
+void keep_inside(KinematicSkeleton<double>& skeleton, const TriangleMesh<double>& mesh,
+                 const CurveSkeleton<double>& curve) {
     constexpr int steps = 20;
     for (Joint<double>& joint : skeleton.joints) {
         const auto is_inside = [&](const Vector3<double>& p) { return winding_number(mesh, p) > 0.5; };
@@ -185,7 +199,9 @@ void keep_inside(KinematicSkeleton<double>& skeleton, const TriangleMesh<double>
         Eigen::Index nearest = 0;
         (curve.nodes.rowwise() - joint.position.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
         const Vector3<double> start = joint.position, way = curve.nodes.row(nearest).transpose() - start;
-        const auto part = [&](int step) -> Vector3<double> { return start + std::min(step, steps) / double{steps} * way; };
+        const auto part = [&](int step) -> Vector3<double> {
+            return start + std::min(step, steps) / double{steps} * way;
+        };
         int step = 1;
         while (step < steps && !is_inside(part(step))) ++step;
         joint.position = is_inside(part(step + 1)) ? part(step + 1) : part(step); // not on the surface itself

@@ -1,6 +1,7 @@
 #include "trunk_joints.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace skelgen::detail {
 namespace {
@@ -28,6 +29,18 @@ double thigh_thickness(const Placement& placement) {
     return count > 0 ? sum / count : 0;
 }
 
+/// Mean angle in radians by which the thighs are raised from the prolonged trunk; 0 without legs.
+double hip_flexion(const Placement& placement, const Vector3<double>& trunk) {
+    double sum = 0, count = 0;
+    for (const Limb& limb : placement.limbs()) {
+        if (placement.joint(limb.joints.front()).role != hip || limb.joints.size() < 2) continue;
+        const Vector3<double> thigh = placement.at(limb.joints[1]) - placement.at(limb.joints[0]);
+        sum += std::acos(std::clamp(-thigh.normalized().dot(trunk.normalized()), -1.0, 1.0));
+        count += 1;
+    }
+    return count > 0 ? sum / count : 0;
+}
+
 } // namespace
 
 void narrow_hips(Placement& placement) {
@@ -44,17 +57,21 @@ void narrow_hips(Placement& placement) {
     placement.put(hips[1], centre - 0.5 * rest * across.normalized());
 }
 
-void place_trunk(Placement& placement, const Slicer& slicer, const Vector3<double>& root) {
+void place_trunk(Placement& placement, const Slicer& slicer, const Vector3<double>& root,
+                 const RefinementOptions& options) {
     const Vector3<double> low = placement.middle(hip).value_or(root);
     const bool has_neck = placement.find(neck) >= 0;
     const int top = has_neck ? placement.find(neck) : placement.find(chest);
     if (!has_neck) placement.put(top, placement.middle(shoulder).value_or(low));
     const Vector3<double> axis = placement.at(top) - low;
+    const double flexion = hip_flexion(placement, axis);
     const double rest_low = placement.rest_height(hip), rest_high = placement.joint(top).position.z();
     for (int j = 0; j < static_cast<int>(placement.size()); ++j) {
         const TemplateJoint& joint = placement.joint(j);
         if (j == top || (joint.role != pelvis && joint.role != waist && joint.role != chest)) continue;
-        const Vector3<double> p = low + (joint.position.z() - rest_low) / (rest_high - rest_low) * axis;
+        double height = (joint.position.z() - rest_low) / (rest_high - rest_low);
+        if (joint.role == waist) height -= options.waist_lowering * flexion;
+        const Vector3<double> p = low + height * axis;
         placement.put(j, p);
         if (joint.role != waist) continue;
         const auto section = slicer.around(p, axis.normalized(), 0.1 * placement.scale());

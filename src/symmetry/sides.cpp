@@ -82,8 +82,7 @@ SidesDecision decide_sides(const RefinedJoints& joints, const SkeletonTemplate& 
     Vector3<double> forward = Vector3<double>::Zero();
     for (const Side side : {Side::left, Side::right}) {
         const LegBones<double> leg = leg_bones(anatomy, side);
-        const Vector3<double> standing =
-            detail::without_component(standing_foot_direction(leg, up, across), up);
+        const Vector3<double> standing = detail::without_component(standing_foot_direction(leg, up, across), up);
         forward += standing;
         // up x forward is left: does the foot say that `across` points left?
         out.votes.push_back({"foot", options.foot * up.cross(standing).dot(across)});
@@ -104,15 +103,16 @@ SidesDecision decide_sides(const RefinedJoints& joints, const SkeletonTemplate& 
         return std::min(1.0, frontness) * up.cross(facing).dot(across);
     };
     if (joints.head)
-        out.votes.push_back({"head", options.head * vote_of_shape(joints.head->forward, joints.head->frontness / clear_head)});
+        out.votes.push_back(
+            {"head", options.head * vote_of_shape(joints.head->forward, joints.head->frontness / clear_head)});
     if (joints.trunk)
         out.votes.push_back(
             {"trunk", options.trunk * vote_of_shape(joints.trunk->forward, joints.trunk->frontness / clear_trunk)});
     out.swap_legs = sum(out.votes) < 0;
     out.confidence = confidence_of(out.votes);
 
-    // Where the feet say nothing, or are outvoted, the hips decide; where they speak, they know better than hips that a deep
-    // crouch hides.
+    // Where the feet say nothing, or are outvoted, the hips decide; where they speak, they know better than hips that a
+    // deep crouch hides.
     const Vector3<double> decided = out.swap_legs ? Vector3<double>(-across) : across;
     Vector3<double> left = up.cross(forward);
     if (!(left.norm() > 0.5) || left.dot(decided) < 0) left = decided;

@@ -10,16 +10,16 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 
 struct LimbRow {
-    double at;     ///< fraction of the bone
-    double side;   ///< half the width
-    double depth;  ///< half the depth
-    double fat;    ///< added to both per unit of Proportions::fat
-    double muscle; ///< added to both per unit of Proportions::muscle above the average
+    double at;       ///< fraction of the bone
+    double side;     ///< half the width
+    double depth;    ///< half the depth
+    double fat;      ///< added to both per unit of Proportions::fat
+    double muscle;   ///< added to both per unit of Proportions::muscle above the average
     double back = 0; ///< how far its middle lies behind the bone: the knee's joint is in its front half
 };
 
-/// The thickness along arms and legs relative to their joints is calibrated: it has the mean, the minima and the maxima that
-/// the straight limbs of FAUST's registered bodies have.
+/// The thickness along arms and legs relative to their joints is calibrated: it has the mean, the minima and the maxima
+/// that the straight limbs of FAUST's registered bodies have.
 template <std::size_t n>
 Tube limb_outline(const Proportions& p, const std::array<LimbRow, n>& rows, double woman_at_top, double length,
                   double low_cap, double high_cap) {
@@ -51,8 +51,8 @@ constexpr std::array<LimbRow, 7> forearm_rows{{{0.00, .0385, .0385, .014, .004},
                                                {0.92, .0231, .0308, .007, .000},
                                                {1.00, .0206, .0288, .006, .000}}};
 
-constexpr std::array<LimbRow, 7> thigh_rows{{{0.00, .0720, .0860, .022, .012},
-                                             {0.14, .0740, .0880, .026, .014},
+constexpr std::array<LimbRow, 7> thigh_rows{{{0.00, .0560, .0860, .022, .012},
+                                             {0.14, .0640, .0880, .026, .014},
                                              {0.34, .0742, .0822, .034, .016},
                                              {0.54, .0673, .0731, .036, .014},
                                              {0.74, .0599, .0650, .030, .010},
@@ -98,7 +98,9 @@ std::vector<Blob> upper_arm(const Proportions& p) {
     return blobs;
 }
 
-std::vector<Blob> forearm(const Proportions& p) { return {{limb_outline(p, forearm_rows, 0.10, p.forearm, 0.9, 0.8), 0}}; }
+std::vector<Blob> forearm(const Proportions& p) {
+    return {{limb_outline(p, forearm_rows, 0.10, p.forearm, 0.9, 0.8), 0}};
+}
 
 std::vector<Blob> thigh(const Proportions& p) {
     const double k = p.scale, full = k * (1 + 0.4 * p.fat - 0.03 * (1 - p.masculinity) - 0.10 * (1 - p.maturity));

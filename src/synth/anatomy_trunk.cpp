@@ -14,7 +14,7 @@ struct TrunkRow {
 
 /// Sections of the trunk from the perineum to the nape, without breasts, buttocks and shoulder blades.
 constexpr std::array<TrunkRow, 14> trunk_rows{{
-    {0.835, {0, .118, .066, .070}, {0, .126, .064, .074}, {0, .05, .04, .05}},
+    {0.850, {0, .118, .066, .070}, {0, .126, .064, .074}, {0, .05, .04, .05}},
     {0.880, {0, .158, .090, .092}, {0, .170, .086, .096}, {0, .09, .06, .08}},
     {0.940, {0, .169, .101, .092}, {0, .180, .096, .095}, {0, .10, .10, .08}},
     {1.000, {0, .160, .103, .085}, {0, .167, .099, .084}, {0, .11, .14, .07}},
@@ -36,7 +36,7 @@ public:
     Heights(const Proportions& p, const PosedSkeleton& s)
         : scale_(p.scale), knots_{{{0.872, s.rest_position(BodyJoint::left_hip).z()},
                                    {0.959, s.rest_position(BodyJoint::crotch).z()},
-                                   {1.025, s.rest_position(BodyJoint::waist).z()},
+                                   {1.056, s.rest_position(BodyJoint::waist).z()},
                                    {1.260, s.rest_position(BodyJoint::chest).z()},
                                    {1.485, s.rest_position(BodyJoint::neck).z()},
                                    {1.585, s.rest_position(BodyJoint::head).z() + skull_origin(p).z()}}} {}

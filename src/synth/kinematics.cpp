@@ -23,7 +23,8 @@ std::array<Vector3d, body_joint_count> rest_positions(const Proportions& p) {
     const double s = p.scale;
     const double root = p.ankle_height + p.calf + p.thigh + p.hip_drop;
     rest[0] = towards(0, -0.008 * s, root);
-    const double waist_forward = (0.003 + 0.042 * std::max(0.0, p.fat)) * s; // to the middle of its section, belly and all
+    const double waist_forward =
+        (0.003 + 0.042 * std::max(0.0, p.fat)) * s; // to the middle of its section, belly and all
     set(BodyJoint::waist, towards(0, -waist_forward, p.lower_spine));
     set(BodyJoint::chest, towards(0, waist_forward - 0.006 * s, p.upper_spine));
     set(BodyJoint::neck, towards(0, 0.014 * s, p.neck_base));

@@ -28,9 +28,10 @@ struct PosedSkeleton {
 /// +1 on the left, -1 on the right, 0 in the middle.
 [[nodiscard]] int side_of(BodyJoint joint);
 
-/// The point about which the skull is modelled, at the height of the nose and behind the middle of the head, from the head
-/// joint. The joint itself is where SMPL's regressor finds it, at the height of the mouth. Calibrated: upright people of
-/// FAUST have it 0.027 of their height above the neck joint, 0.037 in front of it and 0.028 below the tip of the nose.
+/// The point about which the skull is modelled, at the height of the nose and behind the middle of the head, from the
+/// head joint. The joint itself is where SMPL's regressor finds it, at the height of the mouth. Calibrated: upright
+/// people of FAUST have it 0.027 of their height above the neck joint, 0.037 in front of it and 0.028 below the tip of
+/// the nose.
 [[nodiscard]] Eigen::Vector3d skull_origin(const Proportions& proportions);
 
 /// Forward kinematics: bones keep their lengths in every pose (raised arms lift the shoulders about the chest).

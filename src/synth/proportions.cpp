@@ -79,8 +79,8 @@ Proportions proportions_of(const BodyShape& given) {
 
     // Of a man of 1.75 m, the sum of the heights scaled to the height asked for at the end. Grown-up lengths agree with
     // the mean that SMPL's joint regressor finds in registered scans of people: hips close together and low, the chest
-    // joint below the shoulders, the head joint low in the skull and forward of the neck. The waist is the project's own, a
-    // quarter of the way from the middle of the hips to the neck.
+    // joint below the shoulders, the head joint low in the skull and forward of the neck. The waist is the project's
+    // own, a little less than a third of the way from the middle of the hips to the neck.
     const double leg = shape.leg_length * (1 - 0.10 * child);
     const double torso = shape.torso_length * (1 + 0.02 * child + 0.01 * woman);
     const double head = shape.head_size * (1 + 0.42 * child);
@@ -88,8 +88,8 @@ Proportions proportions_of(const BodyShape& given) {
     p.calf = 0.405 * leg;
     p.thigh = 0.378 * leg;
     p.hip_drop = 0.087 * torso;
-    p.lower_spine = 0.066 * torso;
-    p.upper_spine = 0.235 * torso;
+    p.lower_spine = 0.097 * torso;
+    p.upper_spine = 0.204 * torso;
     p.neck_base = 0.225 * torso;
     p.neck = (0.049 - 0.015 * child) * head;
     p.head_top = 0.216 * head;

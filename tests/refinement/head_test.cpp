@@ -14,10 +14,11 @@ namespace {
 /// A head of height 0.24 above a neck along z, its crown at z = 0.24: facing y, with a jaw and narrower at the front.
 Mesh head_mesh() {
     const auto field = [](const Vec3& p) {
-        const double narrowing = 1 - 1.5 * p.y();                       // egg-shaped across
+        const double narrowing = 1 - 1.5 * p.y(); // egg-shaped across
         const Vec3 skull(p.x() / (0.075 * narrowing), p.y() / 0.1, (p.z() - 0.15) / 0.09);
         const Vec3 jaw(p.x() / 0.045, (p.y() - 0.045) / 0.04, (p.z() - 0.06) / 0.05);
-        const double neck = Vec3(p.x() / 0.05, (p.y() + 0.02) / 0.05, std::max(0.0, std::abs(p.z() + 0.05) - 0.1) / 0.02).norm();
+        const double neck =
+            Vec3(p.x() / 0.05, (p.y() + 0.02) / 0.05, std::max(0.0, std::abs(p.z() + 0.05) - 0.1) / 0.02).norm();
         return std::min({skull.norm(), jaw.norm(), neck}) - 1;
     };
     return level_set(field, Vec3(-0.15, -0.15, -0.2), Vec3(0.15, 0.15, 0.27), 0.011);
@@ -57,6 +58,24 @@ TEST_CASE("a head is as many times an adult's as its neck has been taken to be t
     REQUIRE(too_near.has_value());
     CHECK(as_adult->size == Approx(1).margin(0.2));
     CHECK(too_near->size / as_adult->size == Approx(1.5).epsilon(0.15));
+}
+
+TEST_CASE("the throat is where the neck is thinnest, above what it stands on") {
+    const auto field = [](const Vec3& p) { // a head on a neck that is thinnest at z = -0.01 and widens to shoulders
+        const Vec3 skull(p.x() / 0.075, p.y() / 0.1, (p.z() - 0.15) / 0.09);
+        const double neck = 0.045 + 4 * (p.z() + 0.01) * (p.z() + 0.01);
+        const double around = std::max(p.head<2>().norm() / neck, std::abs(p.z() + 0.04) / 0.12);
+        return std::min(skull.norm(), around) - 1;
+    };
+    const Mesh mesh = level_set(field, Vec3(-0.2, -0.2, -0.18), Vec3(0.2, 0.2, 0.26), 0.01);
+    const auto head = shape_of(mesh, Vec3(0, 0, 0.24), Vec3(0, 0, -0.03));
+    REQUIRE(head.has_value());
+    REQUIRE(head->throat.has_value());
+    CHECK((*head->throat - Vec3(0, 0, -0.01)).norm() < 0.015);
+
+    const auto bare = shape_of(head_mesh(), Vec3(0, 0, 0.24), Vec3(0, -0.02, 0)); // its neck ends without shoulders
+    REQUIRE(bare.has_value());
+    CHECK_FALSE(bare->throat.has_value());
 }
 
 TEST_CASE("a ball has no face") {

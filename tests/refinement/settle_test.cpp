@@ -15,7 +15,8 @@ namespace {
 KinematicSkeleton<double> rest_skeleton() {
     KinematicSkeleton<double> out;
     for (const TemplateJoint& joint : builtin_template("human21").joints)
-        out.joints.push_back({joint.name, joint.parent, Vec3(-joint.position.x(), joint.position.y(), joint.position.z()), 0});
+        out.joints.push_back(
+            {joint.name, joint.parent, Vec3(-joint.position.x(), joint.position.y(), joint.position.z()), 0});
     return out;
 }
 
@@ -41,11 +42,13 @@ CurveSkeleton<double> axis_curve() {
 
 } // namespace
 
-TEST_CASE("knees move to the front and outwards, shoulders to the front, the neck to the back, by the same on both sides") {
+TEST_CASE(
+    "knees move to the front and outwards, shoulders to the front, the neck to the back, by the same on both sides") {
     const KinematicSkeleton<double> before = rest_skeleton();
     KinematicSkeleton<double> after = before;
     move_to_bones(after, builtin_template("human21"));
-    const Vec3 left = at(after, "left_knee") - at(before, "left_knee"), right = at(after, "right_knee") - at(before, "right_knee");
+    const Vec3 left = at(after, "left_knee") - at(before, "left_knee"),
+               right = at(after, "right_knee") - at(before, "right_knee");
     CHECK(left.y() > 0.004);
     CHECK(left.x() < -0.003); // in space a person who looks along y has the left at -x
     CHECK(right.x() == Approx(-left.x()));
@@ -59,27 +62,34 @@ TEST_CASE("knees move to the front and outwards, shoulders to the front, the nec
         CHECK(at(after, name) == at(before, name));
 }
 
-TEST_CASE("a knee bent at a right angle stays") {
+TEST_CASE("a knee bent at a right angle moves towards the ankle alone") {
     KinematicSkeleton<double> skeleton = rest_skeleton();
     const Vec3 knee = at(skeleton, "left_knee");
     at(skeleton, "left_ankle") = knee + Vec3(0, -0.41, 0);
     at(skeleton, "left_foot") = knee + Vec3(0, -0.41, -0.13);
     move_to_bones(skeleton, builtin_template("human21"));
-    CHECK((at(skeleton, "left_knee") - knee).norm() < 0.001);
+    const Vec3 moved = at(skeleton, "left_knee") - knee;
+    const Vec3 along = Vec3(0, -1, -1).normalized(); // halfway between thigh and calf, outwards
+    CHECK(moved.dot(along) > 0.01);
+    CHECK((moved - moved.dot(along) * along).norm() < 0.001);
 }
 
 TEST_CASE("joints of likely bones are trusted, those of unlikely ones are not, and the worst are named") {
     KinematicSkeleton<double> skeleton = rest_skeleton();
+    skeleton.quality.sides_confidence = 1;
     judge_joints(skeleton, builtin_template("human21"));
+    CHECK(skeleton.quality.sides_confidence == 1);
     for (const Joint<double>& joint : skeleton.joints) CHECK(joint.confidence == Approx(1));
     CHECK(skeleton.quality.warnings.empty());
 
     at(skeleton, "left_knee") += Vec3(0, 0, 0.05);
-    at(skeleton, "right_hand") = at(skeleton, "right_wrist") + 3 * (at(skeleton, "right_hand") - at(skeleton, "right_wrist"));
+    at(skeleton, "right_hand") =
+        at(skeleton, "right_wrist") + 3 * (at(skeleton, "right_hand") - at(skeleton, "right_wrist"));
     judge_joints(skeleton, builtin_template("human21"));
     const auto confidence = [&](const char* name) {
         return skeleton.joints[static_cast<std::size_t>(find_joint(skeleton, name))].confidence;
     };
+    CHECK(skeleton.quality.sides_confidence == Approx(0.8)); // a misplaced hand may be the other one
     CHECK(confidence("left_knee") < 0.6);
     CHECK(confidence("right_hand") < 0.1);
     CHECK(confidence("right_wrist") < 0.1);

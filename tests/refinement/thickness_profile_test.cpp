@@ -17,7 +17,8 @@ double leg_thickness(double u) {
     return std::exp(-0.33 + bump(-0.1, 0.1, 0.29) + bump(0.65, 0.22, 0.5) + 0.95 * std::max(0.0, u - 0.7));
 }
 
-/// human21's left leg laid out straight, with a thickness that belongs to an ankle and a knee at these distances from the tip.
+/// human21's left leg laid out straight, with a thickness that belongs to an ankle and a knee at these distances from
+/// the tip.
 Limb leg(double ankle, double knee, double stoutness) {
     const SkeletonTemplate& human = builtin_template("human21");
     Limb limb;
@@ -25,10 +26,12 @@ Limb leg(double ankle, double knee, double stoutness) {
     for (int j = static_cast<int>(human.joints.size()) - 1; j >= 0; --j) {
         const TemplateJoint& joint = human.joints[static_cast<std::size_t>(j)];
         if (joint.side != Side::left) continue;
-        if (joint.role == JointRole::foot) from_tip = (*joint.tip - joint.position).norm();
+        if (joint.role == JointRole::foot)
+            from_tip = (*joint.tip - joint.position).norm();
         else if (joint.role == JointRole::ankle || joint.role == JointRole::knee || joint.role == JointRole::hip)
             from_tip += (joint.position - human.joints[static_cast<std::size_t>(limb.joints.front())].position).norm();
-        else continue;
+        else
+            continue;
         limb.joints.insert(limb.joints.begin(), j);
         limb.from_tip.insert(limb.from_tip.begin(), from_tip);
     }
@@ -40,7 +43,9 @@ Limb leg(double ankle, double knee, double stoutness) {
     limb.line.thickness.resize(n);
     for (Eigen::Index i = 0; i < n; ++i) {
         const double d = limb.line.arc[n - 1] - limb.line.arc[i];
-        const double u = d < ankle ? d / ankle - 1 : d < knee ? (d - ankle) / (knee - ankle) : 1 + (d - knee) / (knee - ankle);
+        const double u = d < ankle  ? d / ankle - 1
+                         : d < knee ? (d - ankle) / (knee - ankle)
+                                    : 1 + (d - knee) / (knee - ankle);
         limb.line.thickness[i] = stoutness * leg_thickness(u);
     }
     limb.line.area = limb.line.thickness;
@@ -67,8 +72,33 @@ TEST_CASE("the knee is found where the calf's and the thigh's thickness puts it,
         INFO("calf " << longer);
         CHECK((limbs[0].from_tip[1] - reference) / ((longer - 1) * (knee - ankle)) == Approx(1).margin(0.4));
         CHECK(ratio == Approx((limbs[0].from_tip[1] - limbs[0].from_tip[2]) / (knee - ankle)));
-        CHECK(limbs[0].from_tip[0] - limbs[0].from_tip[1] == Approx(ratio * (rest.from_tip[0] - knee))); // the thigh with it
+        const double thigh = (limbs[0].from_tip[0] - limbs[0].from_tip[1]) / (rest.from_tip[0] - knee);
+        CHECK(std::log(thigh) / std::log(ratio) > 0.4); // the thigh with it, half as much
+        CHECK(std::log(thigh) / std::log(ratio) < 1);
     }
+}
+
+TEST_CASE("where the trunk tells the upper end of the thigh, the thigh is as long as that, unless it is far off") {
+    const Limb rest = leg(0.2, 0.6, 1);
+    const double ankle = rest.from_tip[2], knee = rest.from_tip[1], hip = rest.from_tip[0];
+    const auto thigh_with_top = [&](double top, double deviation) {
+        std::vector<Limb> limbs{leg(ankle, knee, 0.05)};
+        limbs[0].top_by_trunk = top;
+        limbs[0].top_deviation = deviation;
+        match_thickness_profiles(limbs, builtin_template("human21"));
+        return limbs[0].from_tip[0];
+    };
+    std::vector<Limb> plain{leg(ankle, knee, 0.05)};
+    match_thickness_profiles(plain, builtin_template("human21"));
+    const double without = plain[0].from_tip[0], sharp = 0.02 * (hip - knee);
+    for (const double part : {-0.1, 0.1}) {
+        const double top = without + part * (hip - knee);
+        CHECK((thigh_with_top(top, sharp) - without) / (top - without) == Approx(0.9).margin(0.2));
+        CHECK(std::abs(thigh_with_top(top, 30 * sharp) - without) <
+              0.2 * std::abs(top - without)); // who is not sure, is not heard
+    }
+    const double hidden = knee + 0.1 * (hip - knee); // by a coat
+    CHECK(thigh_with_top(hidden, sharp) == Approx(without).epsilon(0.08));
 }
 
 TEST_CASE("a head has no such profile: it stays as it was, and says nothing of the scale") {

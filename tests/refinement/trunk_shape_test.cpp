@@ -32,7 +32,8 @@ TEST_CASE("a trunk faces to where it is rounder, however it is turned") {
         const Triangles adjacency = face_adjacency(turned.faces);
         const Slicer slicer(turned, adjacency);
         for (const double sense : {-1.0, 1.0}) {
-            const auto trunk = measure_trunk(slicer, Vec3::Zero(), turn * Vec3::UnitZ(), turn * Vec3(sense * 0.1, 0, 0.02));
+            const auto trunk =
+                measure_trunk(slicer, Vec3::Zero(), turn * Vec3::UnitZ(), turn * Vec3(sense * 0.1, 0, 0.02));
             REQUIRE(trunk.has_value());
             CHECK(trunk->forward.dot(turn * Vec3::UnitY()) > 0.99);
             CHECK(trunk->frontness > 0.002);

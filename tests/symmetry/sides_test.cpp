@@ -154,7 +154,8 @@ TEST_CASE("head and trunk tell the sides where feet and knees say nothing") {
             const auto row = static_cast<Eigen::Index>(j);
             joints.positions.row(row) = joints.positions.row(human[j].parent) - Eigen::RowVector3d(0, 0, 0.3);
             for (auto& [end, tip] : joints.tips)
-                if (end == static_cast<int>(j)) tip = joints.positions.row(row).transpose() - Vector3<double>(0, 0, 0.1);
+                if (end == static_cast<int>(j))
+                    tip = joints.positions.row(row).transpose() - Vector3<double>(0, 0, 0.1);
         }
     CHECK(decide(joints).confidence < 0.2);
     const auto exchanged = relabelled(joints, [](JointRole) { return true; });

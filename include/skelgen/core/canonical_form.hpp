@@ -98,10 +98,10 @@ inline Eigen::Matrix3d principal_rotation(const TriangleMesh<double>& mesh, cons
 
 } // namespace detail
 
-/// Brings a mesh into canonical form: moved to its centroid, turned to its principal axes, scaled to unit area, vertices
-/// and faces in geometric order. A body turned, moved, scaled or with its vertices and faces shuffled has the same
-/// canonical form up to rounding, which is what makes every later step indifferent to all of that.
-/// O(n log n). \throws Error bad_input when the surface has no area.
+/// Brings a mesh into canonical form: moved to its centroid, turned to its principal axes, scaled to unit area,
+/// vertices and faces in geometric order. A body turned, moved, scaled or with its vertices and faces shuffled has the
+/// same canonical form up to rounding, which is what makes every later step indifferent to all of that. O(n log n).
+/// \throws Error bad_input when the surface has no area.
 template <typename Scalar>
 [[nodiscard]] CanonicalMesh canonical_form(const TriangleMesh<Scalar>& mesh) {
     // Centring first keeps precision when the body stands a hundred body lengths from the origin.
@@ -119,9 +119,9 @@ template <typename Scalar>
     out.similarity.rotation = detail::principal_rotation(input, moments);
     out.similarity.scale = extent * std::sqrt(moments.area);
     out.similarity.origin = offset + extent * moments.centroid;
-    const Points<double> moved = ((input.vertices.rowwise() - moments.centroid.transpose()) *
-                                  out.similarity.rotation.transpose()) /
-                                 std::sqrt(moments.area);
+    const Points<double> moved =
+        ((input.vertices.rowwise() - moments.centroid.transpose()) * out.similarity.rotation.transpose()) /
+        std::sqrt(moments.area);
 
     out.input_vertex.resize(static_cast<std::size_t>(moved.rows()));
     std::iota(out.input_vertex.begin(), out.input_vertex.end(), 0);

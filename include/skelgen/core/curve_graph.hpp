@@ -17,7 +17,9 @@ struct CurveGraph {
     std::vector<std::vector<std::pair<int, Scalar>>> neighbours;
 
     [[nodiscard]] int size() const { return static_cast<int>(neighbours.size()); }
-    [[nodiscard]] int degree(int node) const { return static_cast<int>(neighbours[static_cast<std::size_t>(node)].size()); }
+    [[nodiscard]] int degree(int node) const {
+        return static_cast<int>(neighbours[static_cast<std::size_t>(node)].size());
+    }
 };
 
 template <typename Scalar>
@@ -72,8 +74,8 @@ template <typename Scalar>
     return out;
 }
 
-/// Per node the index of the source nearest along the graph (the lowest one among equals), -1 where none can be reached.
-/// O((k + edges) log k).
+/// Per node the index of the source nearest along the graph (the lowest one among equals), -1 where none can be
+/// reached. O((k + edges) log k).
 template <typename Scalar>
 [[nodiscard]] std::vector<int> nearest_source(const CurveGraph<Scalar>& graph, const std::vector<int>& sources) {
     using Claim = std::tuple<Scalar, int, int>; // distance, source, node

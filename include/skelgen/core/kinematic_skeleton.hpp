@@ -15,7 +15,8 @@ struct Joint {
     int parent = -1; ///< index into the joints, always smaller than the joint's own; -1 for the root
     Vector3<Scalar> position = Vector3<Scalar>::Zero();
     Scalar radius = 0; ///< mean distance from the joint to the surface around it, same unit as the position
-    double confidence = 1; ///< 0 to 1: how well its bones agree with those of the other side and with people's proportions
+    double confidence =
+        1; ///< 0 to 1: how well its bones agree with those of the other side and with people's proportions
 };
 
 /// The person's own directions. (left, forward, up) is a LEFT-handed triple: left x forward = -up.

@@ -22,8 +22,8 @@ template <typename Scalar>
 [[nodiscard]] Vector3<Scalar> point_at(const Points<Scalar>& line, const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& arc,
                                        Scalar s) {
     const Scalar* begin = arc.data();
-    const Eigen::Index i =
-        std::clamp<Eigen::Index>(std::upper_bound(begin, begin + arc.size(), s) - begin, 1, std::max<Eigen::Index>(arc.size() - 1, 1));
+    const Eigen::Index i = std::clamp<Eigen::Index>(std::upper_bound(begin, begin + arc.size(), s) - begin, 1,
+                                                    std::max<Eigen::Index>(arc.size() - 1, 1));
     if (line.rows() == 1) return line.row(0);
     const Scalar length = arc[i] - arc[i - 1];
     const Scalar t = length > 0 ? std::clamp((s - arc[i - 1]) / length, Scalar(0), Scalar(1)) : Scalar(0);
@@ -37,7 +37,8 @@ template <typename Scalar>
     const auto pieces = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(std::lround(arc[arc.size() - 1] / step)));
     Points<Scalar> out(pieces + 1, 3);
     for (Eigen::Index i = 0; i <= pieces; ++i)
-        out.row(i) = point_at(line, arc, arc[arc.size() - 1] * static_cast<Scalar>(i) / static_cast<Scalar>(pieces)).transpose();
+        out.row(i) =
+            point_at(line, arc, arc[arc.size() - 1] * static_cast<Scalar>(i) / static_cast<Scalar>(pieces)).transpose();
     return out;
 }
 

@@ -29,8 +29,8 @@ struct LoopDisplacement {
 
 } // namespace detail
 
-/// Embedding refinement (Au08 section 5): contraction drifts off centre; each node moves back by how far, on average over
-/// the boundary loops of its region, the surface has been displaced. `mesh` is the mesh that was contracted,
+/// Embedding refinement (Au08 section 5): contraction drifts off centre; each node moves back by how far, on average
+/// over the boundary loops of its region, the surface has been displaced. `mesh` is the mesh that was contracted,
 /// `contracted` its contracted vertices. Leaves have one loop, junctions three or more. O(faces).
 template <typename Scalar>
 [[nodiscard]] CurveSkeleton<Scalar> centre_nodes(const CurveSkeleton<Scalar>& curve, const TriangleMesh<Scalar>& mesh,

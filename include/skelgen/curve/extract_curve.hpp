@@ -19,11 +19,10 @@ struct CurveOptions {
     PruningOptions pruning;
 };
 
-/// The curve skeleton of a manifold surface of unit area: contraction, surgery, centring, leaf extension, pruning. `proxy`
-/// stands in for `mesh` (see build_proxy) in all but the regions, which index the vertices of `mesh`, and the leaves, which
-/// end on it; `surface` as from surface_graph(mesh). \throws Error as its steps do.
+/// The curve skeleton of a manifold surface of unit area: contraction, surgery, centring, leaf extension, pruning.
+/// `proxy` stands in for `mesh` (see build_proxy) in all but the regions, which index the vertices of `mesh`, and the
+/// leaves, which end on it; `surface` as from surface_graph(mesh). \throws Error as its steps do.
 [[nodiscard]] CurveSkeleton<double> extract_curve(const TriangleMesh<double>& mesh, const CurveGraph<double>& surface,
-                                                  const Proxy& proxy,
-                                                  const CurveOptions& options = {});
+                                                  const Proxy& proxy, const CurveOptions& options = {});
 
 } // namespace skelgen

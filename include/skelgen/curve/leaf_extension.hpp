@@ -8,7 +8,8 @@ namespace skelgen {
 
 /// How a limb's end is found.
 struct LeafExtensionOptions {
-    double anchor = 0.05; ///< how far back on the curve to stand when looking for the end, relative to the largest distance
+    double anchor =
+        0.05; ///< how far back on the curve to stand when looking for the end, relative to the largest distance
 };
 
 namespace detail {
@@ -37,10 +38,10 @@ std::vector<int> largest_connected_part(const CurveGraph<Scalar>& surface, const
 
 } // namespace detail
 
-/// Contraction shortens limbs; this gives every leaf a last node at the end of its limb: the vertex of the leaf's region
-/// that lies farthest from a point a little way back on the curve. Regions index the vertices of `mesh`; of a region in
-/// several pieces only the largest counts, since where two limbs touch a few vertices may have gone to the wrong one.
-/// `surface` as from surface_graph(mesh). O(k^2 log k + n).
+/// Contraction shortens limbs; this gives every leaf a last node at the end of its limb: the vertex of the leaf's
+/// region that lies farthest from a point a little way back on the curve. Regions index the vertices of `mesh`; of a
+/// region in several pieces only the largest counts, since where two limbs touch a few vertices may have gone to the
+/// wrong one. `surface` as from surface_graph(mesh). O(k^2 log k + n).
 template <typename Scalar>
 [[nodiscard]] CurveSkeleton<Scalar> extend_leaves(const CurveSkeleton<Scalar>& curve, const TriangleMesh<Scalar>& mesh,
                                                   const CurveGraph<Scalar>& surface,

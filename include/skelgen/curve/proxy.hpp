@@ -15,12 +15,13 @@ struct ProxyOptions {
 /// A stand-in for a mesh.
 struct Proxy {
     TriangleMesh<double> mesh;
-    std::vector<int> source; ///< per vertex a nearby vertex of the original mesh on the same sheet of surface, -1 if unknown
+    std::vector<int>
+        source; ///< per vertex a nearby vertex of the original mesh on the same sheet of surface, -1 if unknown
 };
 
-/// A well-shaped triangulation of a manifold surface with about `options.vertices` vertices, however coarse, fine or thin
-/// the input's triangles: isotropic remeshing with one target edge length (Botsch & Kobbelt 2004): collapse short edges,
-/// split long ones, flip towards valence six, relax tangentially. Same topology as the input. Bounds the cost of
+/// A well-shaped triangulation of a manifold surface with about `options.vertices` vertices, however coarse, fine or
+/// thin the input's triangles: isotropic remeshing with one target edge length (Botsch & Kobbelt 2004): collapse short
+/// edges, split long ones, flip towards valence six, relax tangentially. Same topology as the input. Bounds the cost of
 /// contraction and spares it degenerate triangles.
 /// O(n log n). \throws Error bad_input when `mesh` is not manifold.
 [[nodiscard]] Proxy build_proxy(const TriangleMesh<double>& mesh, const ProxyOptions& options = {});

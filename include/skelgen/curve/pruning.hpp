@@ -6,7 +6,8 @@
 namespace skelgen {
 
 /// Lengths of the leaf branches to cut, relative to the largest distance between two nodes (LF20 section 3.1). Two
-/// levels: a foot can be as short as a spur on the head, but only once the heel's spur is gone does it continue the leg.
+/// levels: a foot can be as short as a spur on the head, but only once the heel's spur is gone does it continue the
+/// leg.
 struct PruningOptions {
     double spur = 0.015;  ///< heels and similar artefacts
     double branch = 0.06; ///< fingers, ears, nose
@@ -49,7 +50,8 @@ CurveSkeleton<Scalar> without_branch(const CurveSkeleton<Scalar>& curve, const s
         if (index[v] < 0) continue;
         index[v] = kept;
         out.nodes.row(kept) = curve.nodes.row(static_cast<Eigen::Index>(v));
-        if (static_cast<std::size_t>(kept) != v) out.regions[static_cast<std::size_t>(kept)] = std::move(out.regions[v]);
+        if (static_cast<std::size_t>(kept) != v)
+            out.regions[static_cast<std::size_t>(kept)] = std::move(out.regions[v]);
         if (!curve.radii.empty()) out.radii[static_cast<std::size_t>(kept)] = curve.radii[v];
         ++kept;
     }

@@ -22,9 +22,9 @@ struct Embedding {
 };
 
 /// Embeds the template in a pruned curve skeleton (LF20 section 3.1): reduced graphs, spectral matching, merging of
-/// unmatched junctions into the matched neighbour with the most branches. Which of two like limbs is the left one is not
-/// known yet. \throws Error no_skeleton when a node of the reduced template finds no partner, or two of its joints that
-/// are neighbours no path between them.
+/// unmatched junctions into the matched neighbour with the most branches. Which of two like limbs is the left one is
+/// not known yet. \throws Error no_skeleton when a node of the reduced template finds no partner, or two of its joints
+/// that are neighbours no path between them.
 [[nodiscard]] Embedding embed(const CurveSkeleton<double>& curve, const SkeletonTemplate& skeleton_template,
                               const MatchingOptions& options = {});
 

@@ -12,10 +12,10 @@ namespace skelgen {
 
 /// A graph without its nodes of degree 2: what a curve skeleton and a template have in common (LF20 section 3.1).
 struct ReducedGraph {
-    std::vector<int> origin;   ///< per node, its index in the curve skeleton or the template
-    std::vector<int> degree;   ///< number of branches at each node
+    std::vector<int> origin;    ///< per node, its index in the curve skeleton or the template
+    std::vector<int> degree;    ///< number of branches at each node
     std::vector<double> radius; ///< of each end the limb's thickness there, 0 where unknown, same unit as the distances
-    Eigen::MatrixXd distances; ///< geodesic distances between the nodes along the full graph, largest scaled to 1
+    Eigen::MatrixXd distances;  ///< geodesic distances between the nodes along the full graph, largest scaled to 1
 };
 
 /// Reduced graph of a curve skeleton. O(k^2 log k).

@@ -13,9 +13,9 @@ struct TrunkShape {
     double frontness = 0; ///< how much narrower than its back the belly is, in trunk lengths; 0: no difference
 };
 
-/// Measures the trunk between the middle of the hips and the neck by sections at a fifth to two fifths of its height: there
-/// the back is broad and flat and the belly, fat or thin, is rounder. `across`: from hip to hip, any sense. None when there is
-/// no section, or when `across` runs along the spine. O(n + m).
+/// Measures the trunk between the middle of the hips and the neck by sections at a fifth to two fifths of its height:
+/// there the back is broad and flat and the belly, fat or thin, is rounder. `across`: from hip to hip, any sense. None
+/// when there is no section, or when `across` runs along the spine. O(n + m).
 [[nodiscard]] std::optional<TrunkShape> measure_trunk(const Slicer& slicer, const Vector3<double>& hips,
                                                       const Vector3<double>& neck, const Vector3<double>& across);
 

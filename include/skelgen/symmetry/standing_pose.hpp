@@ -45,8 +45,8 @@ Scalar angle_to_line(const Vector3<Scalar>& from, const Vector3<Scalar>& to, con
 } // namespace detail
 
 /// Where the foot points when the leg is brought into the standing pose (LF20 section 3.3): `up` and the hip-to-hip
-/// direction `across` (either sense) are orthogonal unit vectors. A leg bent by less than `straight` (sine of the angle)
-/// is turned by its foot instead of its knee.
+/// direction `across` (either sense) are orthogonal unit vectors. A leg bent by less than `straight` (sine of the
+/// angle) is turned by its foot instead of its knee.
 template <typename Scalar>
 [[nodiscard]] Vector3<Scalar> standing_foot_direction(LegBones<Scalar> leg, const Vector3<Scalar>& up,
                                                       const Vector3<Scalar>& across, Scalar straight = Scalar(0.25)) {

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <skelgen/refinement/thickness_profile.hpp>
+
+namespace skelgen::detail {
+
+/// Mean logarithm of a limb's thickness where its coordinate u runs from -0.6 to 1.6 in steps of 0.1: -1 at the tip, 0
+/// at wrist or ankle, 1 at elbow or knee, 2 at shoulder or hip. Up to a constant. Calibrated: the straight limbs of 50
+/// registered bodies.
+using Profile = std::array<double, 23>;
+extern const Profile leg_profile, arm_profile;
+
+/// Value of the profile at u; none beyond its ends.
+[[nodiscard]] std::optional<double> value_at(const Profile& profile, double u);
+
+/// Distances of a limb's joints from its tip.
+struct Stretch {
+    double outer = 0, middle = 0, inner = 0; ///< wrist, elbow, shoulder; or ankle, knee, hip
+
+    [[nodiscard]] double u(double from_tip) const {
+        if (from_tip < outer) return from_tip / outer - 1;
+        if (from_tip < middle) return (from_tip - outer) / (middle - outer);
+        return 1 + (from_tip - middle) / (inner - middle);
+    }
+};
+
+struct Sample {
+    double from_tip = 0, log_thickness = 0;
+};
+
+/// How well a stretched profile fits.
+struct Fit {
+    double misfit = std::numeric_limits<double>::infinity(); ///< mean squared difference, in squared deviations
+    double stoutness = 0;                                    ///< mean difference of the logarithms
+};
+
+/// Compares the samples with the profile stretched over them. Robust: sections across a fold or a sleeve count for no
+/// more than three deviations.
+[[nodiscard]] Fit fit(const std::vector<Sample>& samples, const Profile& profile, const Stretch& stretch,
+                      double deviation);
+
+inline constexpr double far_off = 4; ///< squared deviations beyond which the end that the trunk tells counts for little
+
+/// The upper end of a limb as the trunk tells it: distance from the tip, and the standard deviation of the logarithm of
+/// the upper bone's length that follows.
+struct Top {
+    double from_tip = 0, deviation = 0;
+};
+
+/// Of the upper bone's length on a leg of that stoutness: where legs are stout, they touch, and part lower than others.
+[[nodiscard]] double deviation_of(const Top& top, double stoutness, const Stretch& stretch);
+
+/// The stretch of the profile that fits the samples, the template's own one (`rest`) and the top best, by search on a
+/// grid and on a finer one around its best.
+[[nodiscard]] Stretch best_stretch(const std::vector<Sample>& samples, const Profile& profile, const Stretch& rest,
+                                   const std::optional<Top>& top, const ThicknessProfileOptions& options);
+
+} // namespace skelgen::detail

@@ -1,0 +1,48 @@
+#include <cmath>
+
+#include <skelgen/core/geodesics.hpp>
+#include <skelgen/refinement/fork.hpp>
+
+#include "catch.hpp"
+#include "shapes.hpp"
+
+using namespace skelgen;
+using namespace skelgen::test;
+
+namespace {
+
+EndPoint end_near(const Mesh& mesh, const Vec3& place) {
+    EndPoint end;
+    Eigen::Index nearest = 0;
+    (mesh.vertices.rowwise() - place.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+    end.vertex = static_cast<int>(nearest);
+    const std::vector<double> distance = shortest_paths(surface_graph(mesh), end.vertex).distance;
+    end.distance = Eigen::Map<const Eigen::VectorXd>(distance.data(), static_cast<Eigen::Index>(distance.size()));
+    return end;
+}
+
+} // namespace
+
+TEST_CASE("two tubes part where their inner sides meet, below their axes' meeting point") {
+    const double radius = 0.12, step = 0.035;
+    for (const double apart : {0.35, 0.6}) { // each foot from the middle, for legs of height 1
+        const Vec3 top(0, 0, 1), left(apart, 0, 0), right(-apart, 0, 0);
+        const Mesh mesh = tubes({{top, left}, {top, right}, {top, Vec3(0, 0, 2)}}, radius, step);
+        const auto fork =
+            fork_between(mesh, end_near(mesh, left - Vec3(0, 0, radius)), end_near(mesh, right - Vec3(0, 0, radius)));
+        REQUIRE(fork.has_value());
+        const double height = 1 - radius * std::hypot(1, apart) / apart;
+        CHECK((*fork - Vec3(0, 0, height)).norm() < 1.5 * step);
+    }
+}
+
+TEST_CASE("what is not joined has no fork") {
+    Mesh mesh = tubes({{Vec3(0, 0, 0), Vec3(0, 0, 1)}}, 0.1, 0.05);
+    const Mesh other = tubes({{Vec3(2, 0, 0), Vec3(2, 0, 1)}}, 0.1, 0.05);
+    const Eigen::Index n = mesh.vertices.rows(), m = mesh.faces.rows();
+    mesh.vertices.conservativeResize(n + other.vertices.rows(), 3);
+    mesh.vertices.bottomRows(other.vertices.rows()) = other.vertices;
+    mesh.faces.conservativeResize(m + other.faces.rows(), 3);
+    mesh.faces.bottomRows(other.faces.rows()) = other.faces.array() + static_cast<int>(n);
+    CHECK_FALSE(fork_between(mesh, end_near(mesh, Vec3(0, 0, 0)), end_near(mesh, Vec3(2, 0, 0))).has_value());
+}
