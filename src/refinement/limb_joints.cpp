@@ -52,7 +52,8 @@ void place_bend(Placement& placement, const Limb& limb, const RefinementOptions&
         if (role != elbow && role != knee) continue;
         const double here = arc_of(limb, i), inner = arc_of(limb, i - 1), outer = arc_of(limb, i + 1);
         const double inner_start = std::max(limb.attachment, inner + 0.15 * (here - inner));
-        const auto upper = fit_bone(limb.line, inner_start, here - 0.2 * (here - inner), options.flatness);
+        auto upper = fit_bone(limb.line, inner_start, here - 0.2 * (here - inner), options.flatness);
+        if (!upper) upper = fit_bone(limb.line, inner_start, here, options.flatness); // little of it is on its own
         const auto lower =
             fit_bone(limb.line, here + 0.2 * (outer - here), outer - 0.1 * (outer - here), options.flatness);
         if (!upper || !lower) continue;

@@ -15,75 +15,79 @@ namespace {
 constexpr double first_u = -0.6, step_u = 0.1;
 constexpr double end_weight = 0.3; // of samples on hand and foot, whose shape changes most
 
-class Matcher {
-public:
-    Matcher(const std::vector<Sample>& samples, const Profile& profile, const Stretch& rest,
-            const std::optional<Top>& top, const ThicknessProfileOptions& options)
-        : samples_(samples), profile_(profile), rest_(rest), top_(top), options_(options) {}
+double square(double x) { return x * x; }
 
-    [[nodiscard]] Stretch best() const {
-        constexpr double widest = 0.3, step = 0.03; // of logarithms: lengths from 3/4 to 4/3
-        const auto coarse = search(0, 0, widest, step);
-        const auto fine = search(coarse.log_outer, coarse.log_middle, step, step / 6);
-        return stretch(fine.log_outer, fine.log_middle);
+/// What a stretch of the profile costs on one limb: squared deviations of the thickness and of the lengths.
+class Cost {
+public:
+    Cost(const MatchedLimb& limb, const Profile& profile, const ThicknessProfileOptions& options)
+        : limb_(limb), profile_(profile), options_(options) {}
+
+    /// Ratios are logarithms, to the limb at rest.
+    [[nodiscard]] Stretch stretch(double outer_ratio, double bone_ratio) const {
+        const double outer = limb_.rest.outer * std::exp(outer_ratio), bone = std::exp(bone_ratio);
+        const double middle = outer + bone * lower_bone();
+        return {outer, middle, middle + bone * upper_bone()};
+    }
+
+    [[nodiscard]] double operator()(double outer_ratio, double bone_ratio) const {
+        const Stretch s = stretch(outer_ratio, bone_ratio);
+        constexpr double far_misfit =
+            2; // beyond it, a limb is unlike the profile (in trousers, in armour) and tells less
+        const Fit f = fit(limb_.samples, profile_, s, options_.thickness_deviation);
+        return options_.independent_samples * far_misfit * std::log1p(f.misfit / far_misfit) +
+               square(outer_ratio / options_.end_deviation) +
+               square(std::log(s.middle / limb_.rest.middle) / options_.limb_deviation) +
+               square(bone_ratio / options_.bone_deviation) + disproportion(s, f.stoutness);
     }
 
 private:
-    struct Candidate {
-        double log_outer = 0, log_middle = 0, cost = std::numeric_limits<double>::infinity();
-    };
-
-    [[nodiscard]] double bone_ratio(const Stretch& s) const {
-        return (s.middle - s.outer) / (rest_.middle - rest_.outer);
-    }
-
-    [[nodiscard]] Stretch stretch(double log_outer, double log_middle) const {
-        Stretch s{rest_.outer * std::exp(log_outer), rest_.middle * std::exp(log_middle), 0};
-        s.inner = s.middle + std::max(bone_ratio(s), 0.1) * (rest_.inner - rest_.middle);
-        return s;
-    }
-
-    [[nodiscard]] double cost(double log_outer, double log_middle) const {
-        const Stretch s = stretch(log_outer, log_middle);
-        const double bone = bone_ratio(s);
-        if (bone < 0.5) return std::numeric_limits<double>::infinity();
-        constexpr double far_misfit =
-            2; // beyond it, a limb is unlike the profile (in trousers, in armour) and tells less
-        const auto square = [](double x) { return x * x; };
-        const Fit f = fit(samples_, profile_, s, options_.thickness_deviation);
-        return options_.independent_samples * far_misfit * std::log1p(f.misfit / far_misfit) +
-               square(log_outer / options_.end_deviation) + square(log_middle / options_.limb_deviation) +
-               square(std::log(bone) / options_.bone_deviation) + disproportion(s, f.stoutness);
-    }
+    [[nodiscard]] double lower_bone() const { return limb_.rest.middle - limb_.rest.outer; }
+    [[nodiscard]] double upper_bone() const { return limb_.rest.inner - limb_.rest.middle; }
 
     /// Of the upper bone, whose upper end is known, to the lower one. Clothes hide that end: far off, it says little.
     [[nodiscard]] double disproportion(const Stretch& s, double stoutness) const {
-        if (!top_) return 0;
-        const double upper = std::max(top_->from_tip - s.middle, 0.1 * (rest_.inner - rest_.middle));
-        const double x = std::log(upper / (bone_ratio(s) * (rest_.inner - rest_.middle)));
-        const double dev = deviation_of(*top_, stoutness, s);
-        const double xx = x * x / (options_.proportion_deviation * options_.proportion_deviation + dev * dev);
+        if (!limb_.top) return 0;
+        const double upper = std::max(limb_.top->from_tip - s.middle, 0.1 * upper_bone());
+        const double x = std::log(upper / (s.inner - s.middle));
+        const double deviation = deviation_of(*limb_.top, stoutness, s);
+        const double xx = x * x / (square(options_.proportion_deviation) + square(deviation));
         return far_off * std::log1p(xx / far_off);
     }
 
-    [[nodiscard]] Candidate search(double log_outer, double log_middle, double reach, double step) const {
-        Candidate best{log_outer, log_middle, cost(log_outer, log_middle)};
-        const int steps = static_cast<int>(std::lround(reach / step));
-        for (int i = -steps; i <= steps; ++i)
-            for (int j = -steps; j <= steps; ++j) {
-                const Candidate next{log_outer + i * step, log_middle + j * step,
-                                     cost(log_outer + i * step, log_middle + j * step)};
-                if (next.cost < best.cost) best = next;
-            }
-        return best;
-    }
-
-    const std::vector<Sample>& samples_;
+    const MatchedLimb& limb_;
     const Profile& profile_;
-    Stretch rest_;
-    std::optional<Top> top_;
     ThicknessProfileOptions options_;
 };
+
+/// Logarithms of lengths to those at rest: of the lower bones, and of each limb from joint to tip.
+struct Ratios {
+    double bone = 0;
+    std::vector<double> outer;
+    double cost = std::numeric_limits<double>::infinity();
+};
+
+/// The cheapest ratios on a grid of that step around `centre`.
+Ratios search(const std::vector<Cost>& costs, const Ratios& centre, double reach, double step) {
+    const int steps = static_cast<int>(std::lround(reach / step));
+    Ratios best;
+    for (int i = -steps; i <= steps; ++i) {
+        Ratios next{centre.bone + i * step, centre.outer, 0};
+        for (std::size_t k = 0; k < costs.size(); ++k) {
+            double least = std::numeric_limits<double>::infinity();
+            for (int j = -steps; j <= steps; ++j) {
+                const double outer = centre.outer[k] + j * step, cost = costs[k](outer, next.bone);
+                if (cost < least) {
+                    least = cost;
+                    next.outer[k] = outer;
+                }
+            }
+            next.cost += least;
+        }
+        if (next.cost < best.cost) best = next;
+    }
+    return best;
+}
 
 } // namespace
 
@@ -130,9 +134,16 @@ double deviation_of(const Top& top, double stoutness, const Stretch& s) {
     return top.deviation + growth * std::max(0.0, std::exp(stoutness) / (s.middle - s.outer) - slim);
 }
 
-Stretch best_stretch(const std::vector<Sample>& samples, const Profile& profile, const Stretch& rest,
-                     const std::optional<Top>& top, const ThicknessProfileOptions& options) {
-    return Matcher(samples, profile, rest, top, options).best();
+std::vector<Stretch> best_stretches(const std::vector<MatchedLimb>& limbs, const Profile& profile,
+                                    const ThicknessProfileOptions& options) {
+    constexpr double widest = 0.3, step = 0.03; // lengths from 3/4 to 4/3
+    std::vector<Cost> costs;
+    for (const MatchedLimb& limb : limbs) costs.emplace_back(limb, profile, options);
+    const Ratios coarse = search(costs, {0, std::vector<double>(limbs.size(), 0.0)}, widest, step);
+    const Ratios fine = search(costs, coarse, step, step / 6);
+    std::vector<Stretch> stretches;
+    for (std::size_t k = 0; k < limbs.size(); ++k) stretches.push_back(costs[k].stretch(fine.outer[k], fine.bone));
+    return stretches;
 }
 
 } // namespace skelgen::detail

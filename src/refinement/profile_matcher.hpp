@@ -55,9 +55,17 @@ struct Top {
 /// Of the upper bone's length on a leg of that stoutness: where legs are stout, they touch, and part lower than others.
 [[nodiscard]] double deviation_of(const Top& top, double stoutness, const Stretch& stretch);
 
-/// The stretch of the profile that fits the samples, the template's own one (`rest`) and the top best, by search on a
-/// grid and on a finer one around its best.
-[[nodiscard]] Stretch best_stretch(const std::vector<Sample>& samples, const Profile& profile, const Stretch& rest,
-                                   const std::optional<Top>& top, const ThicknessProfileOptions& options);
+/// A limb whose thickness is compared with the profile.
+struct MatchedLimb {
+    std::vector<Sample> samples;
+    Stretch rest; ///< the template's own
+    std::optional<Top> top;
+};
+
+/// The stretch of the profile for each of the limbs, both arms or both legs, that fit their samples, the template's
+/// proportions and the tops best, with lower bones equally many times longer than at rest. By search on a grid and on a
+/// finer one around its best.
+[[nodiscard]] std::vector<Stretch> best_stretches(const std::vector<MatchedLimb>& limbs, const Profile& profile,
+                                                  const ThicknessProfileOptions& options);
 
 } // namespace skelgen::detail

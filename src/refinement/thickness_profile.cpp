@@ -50,21 +50,25 @@ std::optional<ProfiledLimb> profiled(Limb& limb, const SkeletonTemplate& skeleto
                         *middle, *outer, {limb.from_tip[*outer], limb.from_tip[*middle], limb.from_tip[*inner]}};
 }
 
-/// Moves the limb's attachment outwards to where its sections become a third thicker than the profile has them: nearer
-/// the trunk they are a coat's or a skirt's.
+/// Moves the limb's attachment outwards to where, seen from the trunk, its sections cease to be a third thicker than
+/// the profile has them: nearer the trunk they are a coat's or a skirt's. A fold is thick, too, but not all the way to
+/// the trunk.
 void move_attachment(Limb& limb, const Profile& profile, const Stretch& stretch, double stoutness) {
-    const double too_thick = std::log(1.35), beyond_the_fold = 1.2; // of u: a bent knee is thick, too
+    const double too_thick = std::log(1.35), knee_or_elbow = 1.2; // of u
     const double end = limb.line.arc[limb.line.arc.size() - 1];
-    int in_a_row = 0;
-    for (Eigen::Index i = limb.line.arc.size(); i-- > 0 && limb.line.arc[i] > limb.attachment;) {
+    int more_too_thick = 0, most = 2; // sections, counted from the trunk
+    double attachment = limb.attachment;
+    for (Eigen::Index i = 0; i + 1 < limb.line.arc.size(); ++i) {
+        if (limb.line.arc[i] <= limb.attachment || !(limb.line.thickness[i] > 0)) continue;
         const double u = stretch.u(end - limb.line.arc[i]);
-        if (u < beyond_the_fold || !(limb.line.thickness[i] > 0)) continue;
+        if (u < knee_or_elbow) break;
         const double expected = value_at(profile, u).value_or(profile.back());
-        in_a_row = std::log(limb.line.thickness[i]) > expected + stoutness + too_thick ? in_a_row + 1 : 0;
-        if (in_a_row < 3) continue;
-        limb.attachment = limb.line.arc[i + 3];
-        return;
+        more_too_thick += std::log(limb.line.thickness[i]) > expected + stoutness + too_thick ? 1 : -1;
+        if (more_too_thick <= most) continue;
+        most = more_too_thick;
+        attachment = limb.line.arc[i + 1];
     }
+    limb.attachment = attachment;
 }
 
 std::optional<Top> top_of(const ProfiledLimb& p) {
@@ -72,17 +76,27 @@ std::optional<Top> top_of(const ProfiledLimb& p) {
     return Top{*p.limb->top_by_trunk, p.limb->top_deviation / (p.rest.inner - p.rest.middle)};
 }
 
-/// Puts the limb's joints from elbow or knee outwards where they fit best.
-void move_outer_joints(ProfiledLimb& p, const ThicknessProfileOptions& options) {
-    const Profile& profile = p.leg ? detail::leg_profile : detail::arm_profile;
-    const std::vector<Sample> samples = samples_of(*p.limb);
-    const Stretch found = detail::best_stretch(samples, profile, p.rest, top_of(p), options);
-    p.fit = detail::fit(samples, profile, found, options.thickness_deviation);
-    move_attachment(*p.limb, profile, found, p.fit.stoutness);
-    std::vector<double>& from_tip = p.limb->from_tip;
-    for (std::size_t i = p.outer; i < from_tip.size(); ++i) from_tip[i] *= found.outer / p.rest.outer;
-    from_tip[p.middle] = found.middle;
-    p.bone_ratio = (found.middle - found.outer) / (p.rest.middle - p.rest.outer);
+/// Puts the joints of both arms or both legs, from elbow or knee outwards, where they fit best.
+void move_outer_joints(std::vector<ProfiledLimb>& limbs, bool leg, const ThicknessProfileOptions& options) {
+    const Profile& profile = leg ? detail::leg_profile : detail::arm_profile;
+    std::vector<ProfiledLimb*> pair;
+    std::vector<detail::MatchedLimb> matched;
+    for (ProfiledLimb& p : limbs)
+        if (p.leg == leg) {
+            pair.push_back(&p);
+            matched.push_back({samples_of(*p.limb), p.rest, top_of(p)});
+        }
+    if (pair.empty()) return;
+    const std::vector<Stretch> found = detail::best_stretches(matched, profile, options);
+    for (std::size_t k = 0; k < pair.size(); ++k) {
+        ProfiledLimb& p = *pair[k];
+        p.fit = detail::fit(matched[k].samples, profile, found[k], options.thickness_deviation);
+        move_attachment(*p.limb, profile, found[k], p.fit.stoutness);
+        std::vector<double>& from_tip = p.limb->from_tip;
+        for (std::size_t i = p.outer; i < from_tip.size(); ++i) from_tip[i] *= found[k].outer / p.rest.outer;
+        from_tip[p.middle] = found[k].middle;
+        p.bone_ratio = (found[k].middle - found[k].outer) / (p.rest.middle - p.rest.outer);
+    }
 }
 
 /// Geometric mean of the ratios that `use` selects; 1 for none.
@@ -134,7 +148,7 @@ double match_thickness_profiles(std::vector<Limb>& limbs, const SkeletonTemplate
     std::vector<ProfiledLimb> all;
     for (Limb& limb : limbs)
         if (const auto p = profiled(limb, skeleton_template)) all.push_back(*p);
-    for (ProfiledLimb& p : all) move_outer_joints(p, options);
+    for (const bool leg : {false, true}) move_outer_joints(all, leg, options);
     for (const ProfiledLimb& p : all) {
         const double ratio = mean_ratio(all, [&](const ProfiledLimb& q) { return q.leg == p.leg; });
         const double by_ratio = upper_ratio(ratio) * (p.rest.inner - p.rest.middle);

@@ -101,6 +101,36 @@ TEST_CASE("where the trunk tells the upper end of the thigh, the thigh is as lon
     CHECK(thigh_with_top(hidden, sharp) == Approx(without).epsilon(0.08));
 }
 
+TEST_CASE("both legs' calves are equally long") {
+    const Limb rest = leg(0.2, 0.6, 1);
+    const double ankle = rest.from_tip[2], calf = rest.from_tip[1] - ankle;
+    std::vector<Limb> limbs{leg(ankle, ankle + 0.95 * calf, 0.05), leg(1.1 * ankle, 1.1 * ankle + 1.05 * calf, 0.05)};
+    match_thickness_profiles(limbs, builtin_template("human21"));
+    const auto found_calf = [&](std::size_t i) { return limbs[i].from_tip[1] - limbs[i].from_tip[2]; };
+    CHECK(found_calf(0) == Approx(found_calf(1)));
+    CHECK(found_calf(0) == Approx(calf).epsilon(0.06));
+    CHECK(limbs[1].from_tip[2] > 1.03 * limbs[0].from_tip[2]); // each foot in its own shoe
+}
+
+TEST_CASE("a coat moves a limb's attachment outwards, a fold does not") {
+    const Limb rest = leg(0.2, 0.6, 1);
+    const double ankle = rest.from_tip[2], knee = rest.from_tip[1], thigh = rest.from_tip[0] - knee;
+    const auto attachment = [&](double from, double to) { // parts of the thigh that are thick, from the knee
+        std::vector<Limb> limbs{leg(ankle, knee, 0.05)};
+        Centreline& line = limbs[0].line;
+        const double end = line.arc[line.arc.size() - 1];
+        for (Eigen::Index i = 0; i < line.arc.size(); ++i) {
+            const double part = (end - line.arc[i] - knee) / thigh;
+            if (part > from && part < to) line.thickness[i] *= 2;
+        }
+        match_thickness_profiles(limbs, builtin_template("human21"));
+        return (end - limbs[0].attachment - knee) / thigh;
+    };
+    const double untouched = attachment(2, 3);
+    CHECK(attachment(0.5, 2) == Approx(0.5).margin(0.1));
+    CHECK(attachment(0.3, 0.5) == Approx(untouched).margin(0.05));
+}
+
 TEST_CASE("a head has no such profile: it stays as it was, and says nothing of the scale") {
     const SkeletonTemplate& human = builtin_template("human21");
     Limb head = leg(0.2, 0.6, 1);
