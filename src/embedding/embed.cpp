@@ -108,4 +108,20 @@ Embedding embed(const CurveSkeleton<double>& curve, const SkeletonTemplate& skel
     return out;
 }
 
+double unmatched_reach(const CurveSkeleton<double>& curve, const Embedding& embedding) {
+    CurveGraph<double> graph = curve_graph(curve);
+    double matched = 0;
+    std::vector<std::pair<int, double>> on_chains;
+    for (const Chain& chain : embedding.chains)
+        for (std::size_t i = 0; i < chain.nodes.size(); ++i) {
+            on_chains.emplace_back(chain.nodes[i], 0.0);
+            if (i > 0) matched += (curve.nodes.row(chain.nodes[i]) - curve.nodes.row(chain.nodes[i - 1])).norm();
+        }
+    graph.neighbours.push_back(std::move(on_chains)); // a node at no distance from all of them
+    double reach = 0;
+    for (const double d : shortest_paths(graph, graph.size() - 1).distance)
+        if (std::isfinite(d)) reach = std::max(reach, d);
+    return matched > 0 ? reach / matched : 0;
+}
+
 } // namespace skelgen

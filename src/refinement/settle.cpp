@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <skelgen/core/adjacency.hpp>
+#include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/refinement/cross_section.hpp>
 
@@ -193,9 +195,15 @@ void balance_bones(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& 
 void keep_inside(KinematicSkeleton<double>& skeleton, const TriangleMesh<double>& mesh,
                  const CurveSkeleton<double>& curve) {
     constexpr int steps = 20;
-    for (Joint<double>& joint : skeleton.joints) {
-        const auto is_inside = [&](const Vector3<double>& p) { return winding_number(mesh, p) > 0.5; };
-        if (is_inside(joint.position)) continue;
+    const auto is_inside = [&](const Vector3<double>& p) { return winding_number(mesh, p) > 0.5; };
+    std::vector<Joint<double>*> outside;
+    for (Joint<double>& joint : skeleton.joints)
+        if (!is_inside(joint.position)) outside.push_back(&joint);
+    if (6 * outside.size() > skeleton.joints.size())
+        throw Error(ErrorCode::no_skeleton, "no human body: " + std::to_string(outside.size()) +
+                                                " joints of its skeleton would lie outside of it");
+    for (Joint<double>* const moved : outside) {
+        Joint<double>& joint = *moved;
         Eigen::Index nearest = 0;
         (curve.nodes.rowwise() - joint.position.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
         const Vector3<double> start = joint.position, way = curve.nodes.row(nearest).transpose() - start;

@@ -160,6 +160,25 @@ TEST_CASE("a curve with the arms leaving the spine at two junctions embeds all t
     }
 }
 
+TEST_CASE("what goes on beyond the embedded template is measured") {
+    CurveSkeleton<double> curve = human_curve();
+    const Embedding bare = embed(curve, builtin_template("human21"));
+    CHECK(unmatched_reach(curve, bare) == 0);
+    double matched = 0;
+    for (const Chain& chain : bare.chains)
+        for (std::size_t i = 1; i < chain.nodes.size(); ++i)
+            matched += (curve.nodes.row(chain.nodes[i]) - curve.nodes.row(chain.nodes[i - 1])).norm();
+    // A tail of two pieces, 0.02 and 0.03 long, in the middle of a calf.
+    const int calf = bare.chains.back().nodes[bare.chains.back().nodes.size() / 2];
+    const auto n = static_cast<int>(curve.nodes.rows());
+    curve.nodes.conservativeResize(n + 2, 3);
+    curve.nodes.row(n) = curve.nodes.row(calf) + Eigen::RowVector3d(0, -0.02, 0);
+    curve.nodes.row(n + 1) = curve.nodes.row(n) + Eigen::RowVector3d(0, -0.03, 0);
+    curve.edges.push_back({calf, n});
+    curve.edges.push_back({n, n + 1});
+    CHECK(unmatched_reach(curve, bare) == Approx(0.05 / matched));
+}
+
 TEST_CASE("a curve with too few ends and junctions is no skeleton") {
     CHECK(error_of(path_of(2)) == ErrorCode::no_skeleton);
     CHECK(error_of(path_of(50)) == ErrorCode::no_skeleton);

@@ -4,6 +4,7 @@
 #include <skelgen/core/error.hpp>
 #include <skelgen/extract.hpp>
 #include <skelgen/io/template_json.hpp>
+#include <skelgen/synth/objects.hpp>
 
 #include "catch.hpp"
 #include "mesh_changes.hpp"
@@ -71,6 +72,13 @@ TEST_CASE("a sphere, a torus, a cube, a tetrahedron and a Y are no bodies") {
                              {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}})) == ErrorCode::no_skeleton);
     CHECK(error_of(three_tubes()) == ErrorCode::no_skeleton);
     CHECK(error_of(capsule(0.2, 4)) == ErrorCode::no_skeleton);
+}
+
+TEST_CASE("furniture, animals, parts of a body and two bodies at once are not one body") {
+    for (const std::string& name : object_names()) {
+        INFO(name);
+        CHECK(error_of(synthesize_object(name, 12000)) == ErrorCode::no_skeleton);
+    }
 }
 
 TEST_CASE("a flat sheet and a soup of separate triangles are refused, not crashed on") {

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include <skelgen/core/error.hpp>
 #include <skelgen/io/template_json.hpp>
 #include <skelgen/refinement/settle.hpp>
 
@@ -132,13 +133,24 @@ TEST_CASE("a bone that is half as long as its counterpart has been missed: the c
 TEST_CASE("a joint outside is moved in and reported, one inside stays") {
     const Mesh mesh = capsule(0.3, 4);
     KinematicSkeleton<double> skeleton;
-    skeleton.joints = {{"inside", -1, Vec3(0.1, 0, 1), 0}, {"outside", 0, Vec3(0.5, 0, 2.1), 0}};
+    skeleton.joints.assign(6, {"inside", -1, Vec3(0.1, 0, 1), 0});
+    skeleton.joints[3] = {"outside", 0, Vec3(0.5, 0, 2.1), 0};
     keep_inside(skeleton, mesh, axis_curve());
     CHECK(skeleton.joints[0].position == Vec3(0.1, 0, 1));
-    CHECK(skeleton.joints[1].position.head<2>().norm() < 0.3);
-    CHECK((skeleton.joints[1].position - Vec3(0.5, 0, 2.1)).norm() < 0.35); // no farther than it takes
+    CHECK(skeleton.joints[3].position.head<2>().norm() < 0.3);
+    CHECK((skeleton.joints[3].position - Vec3(0.5, 0, 2.1)).norm() < 0.35); // no farther than it takes
     REQUIRE(skeleton.quality.warnings.size() == 1);
     CHECK(skeleton.quality.warnings[0].find("outside") != std::string::npos);
+}
+
+TEST_CASE("with more than one joint in six outside it is no body") {
+    const Mesh mesh = capsule(0.3, 4);
+    KinematicSkeleton<double> skeleton;
+    skeleton.joints.assign(11, {"inside", -1, Vec3(0.1, 0, 1), 0});
+    skeleton.joints[3].position = Vec3(0.5, 0, 2.1);
+    CHECK_NOTHROW(keep_inside(skeleton, mesh, axis_curve()));
+    skeleton.joints[3].position = skeleton.joints[4].position = Vec3(0.5, 0, 2.1);
+    CHECK_THROWS_AS(keep_inside(skeleton, mesh, axis_curve()), Error);
 }
 
 TEST_CASE("a joint's radius is that of the tube around its bone") {

@@ -28,4 +28,8 @@ struct Embedding {
 [[nodiscard]] Embedding embed(const CurveSkeleton<double>& curve, const SkeletonTemplate& skeleton_template,
                               const MatchingOptions& options = {});
 
+/// How far the curve goes on beyond the chains, as a part of their total length: a person's arm is a sixth of it, and
+/// what fingers, hair and clothes add is less. O(k log k).
+[[nodiscard]] double unmatched_reach(const CurveSkeleton<double>& curve, const Embedding& embedding);
+
 } // namespace skelgen

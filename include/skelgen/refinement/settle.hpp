@@ -31,7 +31,8 @@ void move_to_bones(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& 
 void balance_bones(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template);
 
 /// Moves joints that landed outside the surface to the nearest place inside on the way to the curve skeleton, with a
-/// warning each and half their confidence. O(joints n).
+/// warning each and half their confidence. \throws Error no_skeleton where that is more than one joint in six: no body
+/// has so many there. O(joints n).
 void keep_inside(KinematicSkeleton<double>& skeleton, const TriangleMesh<double>& mesh,
                  const CurveSkeleton<double>& curve);
 
