@@ -1,8 +1,10 @@
 #include <skelgen/extract.hpp>
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <unordered_set>
+#include <utility>
 
 #include <skelgen/core/canonical_form.hpp>
 #include <skelgen/core/error.hpp>
@@ -42,21 +44,24 @@ void check_surface(const TriangleMesh<Scalar>& mesh) {
         throw Error(ErrorCode::bad_input, "a face refers to a vertex that does not exist; repair the mesh");
 }
 
+/// The shape is no body's: another curve would not change that.
+struct Refusal : Error {
+    explicit Refusal(const std::string& what) : Error(ErrorCode::no_skeleton, what) {}
+};
+
 /// A body reaches far for its surface: toe to fingertip takes 1.34 (very heavy, or in a coat) to 1.85 times (thin) the
 /// square root of its area; a ball 0.9, a dog 1.2, two people hand in hand 2.2. `diameter` is geodesic, for unit area.
 void check_slender(double diameter) {
     constexpr double least = 1.26, most = 2.1;
-    if (diameter < least)
-        throw Error(ErrorCode::no_skeleton, "no human body: too compact a shape for one with arms and legs");
-    if (diameter > most) throw Error(ErrorCode::no_skeleton, "no single human body: too thin and long a shape for one");
+    if (diameter < least) throw Refusal("no human body: too compact a shape for one with arms and legs");
+    if (diameter > most) throw Refusal("no single human body: too thin and long a shape for one");
 }
 
 /// What goes on as far as an arm and belongs to no limb is another body's.
 void check_alone(double unmatched_reach) {
     constexpr double arm = 0.17;
     if (unmatched_reach > arm)
-        throw Error(ErrorCode::no_skeleton,
-                    "no single human body: a limb is left over; separate bodies that are joined to others");
+        throw Refusal("no single human body: a limb is left over; separate bodies that are joined to others");
 }
 
 /// From the pipeline's canonical coordinates back to the caller's.
@@ -129,26 +134,88 @@ BodyCurve find_body_curve(const TriangleMesh<Scalar>& mesh, const ExtractOptions
     return out;
 }
 
-/// Embeds the template in `curve`. Where a limb has been lost on the way to the curve, finer proxies are tried, and
-/// `curve` is the one that serves. \throws Error no_skeleton when none does.
-Embedding embed_patiently(const TriangleMesh<double>& mesh, const CurveGraph<double>& surface,
-                          CurveSkeleton<double>& curve, const SkeletonTemplate& wanted, const ExtractOptions& options) {
-    constexpr int attempts = 3; // each half as fine again as the last one
-    ProxyOptions finer = options.proxy;
-    for (int attempt = 1;; ++attempt) {
-        try {
-            return embed(curve, wanted, options.matching);
-        } catch (const Error& error) {
-            if (error.code() != ErrorCode::no_skeleton || attempt == attempts) throw;
-        }
-        finer.vertices += finer.vertices / 2;
-        curve = extract_curve(mesh, surface, build_proxy(mesh, finer), options.curve);
-    }
-}
-
 /// Independent cycles of a connected curve.
 int loops(const CurveSkeleton<double>& curve) {
     return static_cast<int>(curve.edges.size()) - static_cast<int>(curve.nodes.rows()) + 1;
+}
+
+/// Where limbs touch, the curve runs on from one to the other.
+void doubt_loops(KinematicSkeleton<double>& skeleton, int loops) {
+    constexpr double often_wrong = 0.7;
+    if (loops == 0) return;
+    skeleton.quality.sides_confidence *= often_wrong;
+    for (Joint<double>& joint : skeleton.joints) joint.confidence *= often_wrong;
+    skeleton.quality.warnings.push_back("the body touches itself: its curve skeleton has " + std::to_string(loops) +
+                                        (loops == 1 ? " loop" : " loops") + ", limbs may be mistaken");
+}
+
+/// The second half of the pipeline: the template laid into the curve, and the joints that follow from it.
+struct Fit {
+    KinematicSkeleton<double> skeleton;
+    double geodesic_diameter = 0;
+    int misplaced = 0; ///< joints whose bones have unlikely lengths
+};
+
+Fit fit_skeleton(const TriangleMesh<double>& mesh, const CurveGraph<double>& surface,
+                 const CurveSkeleton<double>& curve, const SkeletonTemplate& wanted, const ExtractOptions& options,
+                 StageTimings& timings) {
+    Stopwatch stage;
+    const Embedding embedding = embed(curve, wanted, options.matching);
+    check_alone(unmatched_reach(curve, embedding));
+    timings.embed += stage.lap();
+
+    Fit out;
+    const std::vector<EndPoint> ends = find_end_points(mesh, surface, curve, embedding, wanted);
+    out.geodesic_diameter = geodesic_diameter(ends);
+    check_slender(out.geodesic_diameter);
+    const RefinedJoints joints = refine(mesh, ends, curve, embedding, wanted, options.refinement);
+    timings.refine += stage.lap();
+
+    const SidesDecision sides = decide_sides(joints, wanted, options.sides);
+    out.skeleton = assemble(joints, wanted, sides);
+    out.misplaced = judge_joints(out.skeleton, wanted);
+    move_to_bones(out.skeleton, wanted);
+    balance_bones(out.skeleton, wanted);
+    keep_inside(out.skeleton, mesh, curve);
+    measure_radii(out.skeleton, mesh);
+    out.skeleton.quality.matched_nodes = embedding.matched_nodes;
+    doubt_loops(out.skeleton, loops(curve));
+    timings.sides += stage.lap();
+    return out;
+}
+
+/// Fits the skeleton to `curve`. Where that fails or looks wrong, a limb has been lost or a junction shifted on the way
+/// to the curve: finer proxies are tried, and `curve` is the one that serves best. \throws Error no_skeleton when none
+/// does.
+Fit fit_patiently(const BodyCurve& found, CurveSkeleton<double>& curve, const SkeletonTemplate& wanted,
+                  const ExtractOptions& options, StageTimings& timings) {
+    constexpr int attempts = 3; // each half as fine again as the last one
+    constexpr int suspicious = 3;
+    std::optional<Fit> best;
+    std::optional<Error> failure;
+    ProxyOptions finer = options.proxy;
+    CurveSkeleton<double> next = curve;
+    for (int attempt = 1;; ++attempt) {
+        try {
+            Fit fit = fit_skeleton(found.body.mesh, found.surface, next, wanted, options, timings);
+            if (!best || fit.misplaced < best->misplaced) {
+                best = std::move(fit);
+                curve = next;
+            }
+        } catch (const Refusal&) {
+            throw;
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::no_skeleton) throw;
+            if (!failure) failure = error;
+        }
+        if (attempt == attempts || (best && best->misplaced < suspicious)) break;
+        finer.vertices += finer.vertices / 2;
+        Stopwatch stage;
+        next = extract_curve(found.body.mesh, found.surface, build_proxy(found.body.mesh, finer), options.curve);
+        timings.curve += stage.lap();
+    }
+    if (!best) throw *failure;
+    return *std::move(best);
 }
 
 } // namespace
@@ -167,44 +234,20 @@ Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const Extr
         options.skeleton_template.joints.empty() ? builtin_template("human21") : options.skeleton_template;
     validate_template(wanted);
 
-    auto [similarity, body, surface, curve] = find_body_curve(mesh, options);
+    BodyCurve found = find_body_curve(mesh, options);
     Extraction<Scalar> out;
     out.timings.curve = stage.lap();
 
-    const Embedding embedding = embed_patiently(body.mesh, surface, curve, wanted, options);
-    check_alone(unmatched_reach(curve, embedding));
-    out.timings.embed = stage.lap();
+    CurveSkeleton<double> curve = std::move(found.curve);
+    Fit fit = fit_patiently(found, curve, wanted, options, out.timings);
+    if (found.body.dropped_pieces > 0)
+        fit.skeleton.quality.warnings.push_back(std::to_string(found.body.dropped_pieces) +
+                                                " pieces not connected to the body were left out");
 
-    const std::vector<EndPoint> ends = find_end_points(body.mesh, surface, curve, embedding, wanted);
-    check_slender(geodesic_diameter(ends));
-    const RefinedJoints joints = refine(body.mesh, ends, curve, embedding, wanted, options.refinement);
-    out.timings.refine = stage.lap();
-
-    const SidesDecision sides = decide_sides(joints, wanted, options.sides);
-    KinematicSkeleton<double> skeleton = assemble(joints, wanted, sides);
-    judge_joints(skeleton, wanted);
-    move_to_bones(skeleton, wanted);
-    balance_bones(skeleton, wanted);
-    keep_inside(skeleton, body.mesh, curve);
-    measure_radii(skeleton, body.mesh);
-    skeleton.quality.matched_nodes = embedding.matched_nodes;
-    if (loops(curve) > 0) {
-        constexpr double often_wrong = 0.7;
-        skeleton.quality.sides_confidence *= often_wrong;
-        for (Joint<double>& joint : skeleton.joints) joint.confidence *= often_wrong;
-        skeleton.quality.warnings.push_back("the body touches itself: its curve skeleton has " +
-                                            std::to_string(loops(curve)) + (loops(curve) == 1 ? " loop" : " loops") +
-                                            ", limbs may be mistaken");
-    }
-    if (body.dropped_pieces > 0)
-        skeleton.quality.warnings.push_back(std::to_string(body.dropped_pieces) +
-                                            " pieces not connected to the body were left out");
-    out.timings.sides = stage.lap();
-
-    const BackToInput<Scalar> back(similarity);
-    out.skeleton = back.skeleton(skeleton);
-    out.curve = back.curve(settle_limb_ends(curve, body.mesh), body.source);
-    out.geodesic_diameter = similarity.scale * geodesic_diameter(ends);
+    const BackToInput<Scalar> back(found.similarity);
+    out.skeleton = back.skeleton(fit.skeleton);
+    out.curve = back.curve(settle_limb_ends(curve, found.body.mesh), found.body.source);
+    out.geodesic_diameter = found.similarity.scale * fit.geodesic_diameter;
     out.timings.total = total.lap();
     return out;
 }

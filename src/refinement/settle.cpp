@@ -123,7 +123,7 @@ double median_of_positive(std::vector<double> values) {
 
 } // namespace
 
-void judge_joints(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template) {
+int judge_joints(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template) {
     constexpr double half_by_other_side = 0.15, half_by_template = 0.3; // logarithms of ratios
     const auto lengths = bone_lengths(skeleton_template, [&](std::size_t j) { return skeleton.joints[j].position; });
     const auto rest =
@@ -150,17 +150,20 @@ void judge_joints(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& s
         if (same_limb)
             doubt[static_cast<std::size_t>(parent)] = std::max(doubt[static_cast<std::size_t>(parent)], bone);
     }
+    int misplaced = 0;
     bool limb_misplaced = false;
     for (std::size_t j = 0; j < doubt.size(); ++j) {
         Joint<double>& joint = skeleton.joints[j];
         joint.confidence = 1 / (1 + doubt[j]);
         if (joint.confidence >= 0.1) continue;
+        ++misplaced;
         limb_misplaced = limb_misplaced || skeleton_template.joints[j].side != Side::none;
         skeleton.quality.warnings.push_back("joint " + joint.name +
                                             " may be misplaced: its bones have unlikely lengths");
     }
     constexpr double side_in_doubt = 0.8;
     if (limb_misplaced) skeleton.quality.sides_confidence *= side_in_doubt;
+    return misplaced;
 }
 
 void move_to_bones(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template) {

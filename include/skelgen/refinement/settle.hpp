@@ -15,8 +15,8 @@ namespace skelgen {
 /// a third from the template's; short bones count for less. On real and synthetic bodies 98 of 100 joints above 0.7 lie
 /// within 3 % of the geodesic diameter from the true place, 94 of those between 0.1 and 0.7, 66 of those below. Joints
 /// below 0.1 are named in a warning; where one of an arm or a leg is among them, it may lie on the other side:
-/// `sides_confidence` falls to 0.8 of itself.
-void judge_joints(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template);
+/// `sides_confidence` falls to 0.8 of itself. \returns how many there are.
+int judge_joints(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template);
 
 /// Moves joints from the middle of their sections to their bones, which lie off the middle where flesh covers them
 /// unevenly: a knee to the front and the outside of it, and towards the ankle when it is bent, hip and shoulder
