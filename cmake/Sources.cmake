@@ -16,6 +16,7 @@ set(skelgen_headers
     include/skelgen/core/template_rules.hpp
     include/skelgen/curve/centring.hpp
     include/skelgen/curve/contraction.hpp
+    include/skelgen/curve/cut_surface.hpp
     include/skelgen/curve/extract_curve.hpp
     include/skelgen/curve/laplacian.hpp
     include/skelgen/curve/leaf_extension.hpp
@@ -26,6 +27,7 @@ set(skelgen_headers
     include/skelgen/curve/pruning.hpp
     include/skelgen/curve/surgery.hpp
     include/skelgen/embedding/embed.hpp
+    include/skelgen/embedding/loop_cuts.hpp
     include/skelgen/embedding/reduced_graph.hpp
     include/skelgen/embedding/spectral_matching.hpp
     include/skelgen/evaluation/evaluate.hpp
@@ -75,11 +77,13 @@ set(skelgen_sources
     src/core/geodesics.cpp
     src/core/template_rules.cpp
     src/curve/contraction.cpp
+    src/curve/cut_surface.cpp
     src/curve/extract_curve.cpp
     src/curve/medial_balls.cpp
     src/curve/proxy.cpp
     src/curve/surgery.cpp
     src/embedding/embed.cpp
+    src/embedding/loop_cuts.cpp
     src/embedding/reduced_graph.cpp
     src/embedding/spectral_matching.cpp
     src/evaluation/evaluate.cpp
@@ -89,6 +93,8 @@ set(skelgen_sources
     src/evaluation/summarise.cpp
     src/evaluation/truth_file.cpp
     src/extract.cpp
+    src/extract/body_curve.cpp
+    src/extract/fit_skeleton.cpp
     src/io/atomic_file.cpp
     src/io/curve_formats.cpp
     src/io/curve_json.cpp

@@ -17,6 +17,7 @@
 #include <skelgen/core/template_rules.hpp>
 #include <skelgen/curve/centring.hpp>
 #include <skelgen/curve/contraction.hpp>
+#include <skelgen/curve/cut_surface.hpp>
 #include <skelgen/curve/extract_curve.hpp>
 #include <skelgen/curve/laplacian.hpp>
 #include <skelgen/curve/leaf_extension.hpp>
@@ -27,6 +28,7 @@
 #include <skelgen/curve/pruning.hpp>
 #include <skelgen/curve/surgery.hpp>
 #include <skelgen/embedding/embed.hpp>
+#include <skelgen/embedding/loop_cuts.hpp>
 #include <skelgen/embedding/reduced_graph.hpp>
 #include <skelgen/embedding/spectral_matching.hpp>
 #include <skelgen/evaluation/evaluate.hpp>

@@ -86,6 +86,7 @@ Embedding embed(const CurveSkeleton<double>& curve, const SkeletonTemplate& skel
         reduced_curve, reduced_template, descend(reduced_curve, reduced_template, rounded, options), options);
 
     Embedding out;
+    out.distortion = distortion(reduced_curve, reduced_template, partner, options);
     out.node_of_joint.assign(skeleton_template.joints.size(), -1);
     const CurveGraph<double> graph = curve_graph(curve);
     std::vector<int> matched(at(graph.size()), -1);

@@ -49,7 +49,8 @@ double pair_distortion(const ReducedGraph& curve, const ReducedGraph& skeleton_t
                   skeleton_template.distances(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(l)));
 }
 
-/// Sum of the squared differences of distances, degrees and thicknesses.
+} // namespace
+
 double distortion(const ReducedGraph& curve, const ReducedGraph& skeleton_template, const std::vector<int>& partner,
                   const MatchingOptions& options) {
     double total = 0;
@@ -60,6 +61,8 @@ double distortion(const ReducedGraph& curve, const ReducedGraph& skeleton_templa
     }
     return total;
 }
+
+namespace {
 
 /// Depth-first search through all assignments, leaving out what is already more distorted than the best one known.
 class BranchAndBound {

@@ -161,7 +161,7 @@ int judge_joints(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& sk
         skeleton.quality.warnings.push_back("joint " + joint.name +
                                             " may be misplaced: its bones have unlikely lengths");
     }
-    constexpr double side_in_doubt = 0.8;
+    constexpr double side_in_doubt = 0.75;
     if (limb_misplaced) skeleton.quality.sides_confidence *= side_in_doubt;
     return misplaced;
 }

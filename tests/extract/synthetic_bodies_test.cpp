@@ -4,6 +4,7 @@
 #include <skelgen/extract.hpp>
 #include <skelgen/io/template_json.hpp>
 #include <skelgen/synth/body.hpp>
+#include <skelgen/synth/sets.hpp>
 
 #include "catch.hpp"
 #include "extract/same_skeleton.hpp"
@@ -196,6 +197,26 @@ TEST_CASE("faults of a scan do little harm") {
 
     const Mesh holed = without_faces(body.mesh, 1000, 3);
     CHECK(difference(extract_skeleton(holed), expected).joint < another_section);
+}
+
+TEST_CASE("a body whose limbs have grown together is cut where they touch") {
+    int seen = 0;
+    for (const BodyPlan& plan : body_set("joined", 1)) {
+        if (plan.name != "hands-clasped-woman" && plan.name != "heels-together-man") continue;
+        ++seen;
+        INFO(plan.name);
+        const SynthBody body = synthesize_body(plan);
+        const Extraction<double> out = extract_skeleton(body.mesh);
+        REQUIRE(out.skeleton.joints.size() == body.truth.joints.size());
+        for (std::size_t j = 0; j < body.truth.joints.size(); ++j) {
+            INFO(out.skeleton.joints[j].name);
+            CHECK((out.skeleton.joints[j].position - body.truth.joints[j]).norm() < 0.04 * out.geodesic_diameter);
+        }
+        CHECK(out.skeleton.quality.sides_confidence <= 0.8);
+        REQUIRE_FALSE(out.skeleton.quality.warnings.empty());
+        CHECK(out.skeleton.quality.warnings.front().find("touches itself") != std::string::npos);
+    }
+    CHECK(seen == 2);
 }
 
 TEST_CASE("the curve's regions index the input's vertices, each once") {

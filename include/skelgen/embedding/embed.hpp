@@ -19,6 +19,7 @@ struct Embedding {
     std::vector<int> node_of_joint; ///< per template joint its curve node, -1 for joints of degree 2
     std::vector<Chain> chains;      ///< every bone of the template belongs to exactly one
     int matched_nodes = 0;
+    double distortion = 0; ///< of distances, degrees and thicknesses, see distortion()
 };
 
 /// Embeds the template in a pruned curve skeleton (LF20 section 3.1): reduced graphs, spectral matching, merging of

@@ -28,6 +28,11 @@ struct MatchingOptions {
 /// (m n) x (m n), symmetric and non-negative. O((m n)^2). \throws Error internal when no eigenvector is found.
 [[nodiscard]] std::vector<int> spectral_assignment(const Eigen::MatrixXd& affinities, int template_nodes);
 
+/// Sum of the squared differences of distances, degrees and thicknesses between the template's nodes and their
+/// partners. `partner` without -1.
+[[nodiscard]] double distortion(const ReducedGraph& curve, const ReducedGraph& skeleton_template,
+                                const std::vector<int>& partner, const MatchingOptions& options = {});
+
 /// Repairs what the relaxation's greedy rounding gets wrong where a limb is folded: as long as it lowers the sum of the
 /// squared differences of distances (and degrees), two template nodes exchange partners, or one takes a free curve
 /// node. `partner` as from spectral_assignment, without -1. O(n^4) per step, few steps.

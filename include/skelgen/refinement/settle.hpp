@@ -13,9 +13,9 @@ namespace skelgen {
 /// Sets every joint's confidence by the bones that meet in it: 1 where they are as long as those of the other side and
 /// as the template's at the skeleton's own scale; about half where they differ by a sixth from the other side's, or by
 /// a third from the template's; short bones count for less. On real and synthetic bodies 98 of 100 joints above 0.7 lie
-/// within 3 % of the geodesic diameter from the true place, 94 of those between 0.1 and 0.7, 66 of those below. Joints
+/// within 3 % of the geodesic diameter from the true place, 94 of those between 0.1 and 0.7, 30 of those below. Joints
 /// below 0.1 are named in a warning; where one of an arm or a leg is among them, it may lie on the other side:
-/// `sides_confidence` falls to 0.8 of itself. \returns how many there are.
+/// `sides_confidence` falls to 0.75 of itself. \returns how many there are.
 int judge_joints(KinematicSkeleton<double>& skeleton, const SkeletonTemplate& skeleton_template);
 
 /// Moves joints from the middle of their sections to their bones, which lie off the middle where flesh covers them

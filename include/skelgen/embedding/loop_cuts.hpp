@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include <skelgen/core/curve_skeleton.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/embedding/spectral_matching.hpp>
+
+namespace skelgen {
+
+/// Where a loop of a curve skeleton is to be opened: the surface of one list of curve nodes from that of the other.
+struct LoopCut {
+    std::vector<int> limb;  ///< along a branch of the loop, from the cut on, no farther than halfway to its other end
+    std::vector<int> other; ///< what is not nearer to that other end
+};
+
+/// Where the loops of a body that touches itself are to be opened, so that the template fits what remains best: a loop
+/// is cut in the middle of one of its branches (hands clasped), or where a branch comes out of what it touches (a hand
+/// on a thigh). Beam search over the cuts of one loop after the other by the distortion of the embedding. \returns as
+/// many cuts as the curve has independent cycles; none when it is a tree, or when no set of cuts lets the template in.
+[[nodiscard]] std::vector<LoopCut> find_loop_cuts(const CurveSkeleton<double>& curve,
+                                                  const SkeletonTemplate& skeleton_template,
+                                                  const MatchingOptions& options = {});
+
+} // namespace skelgen

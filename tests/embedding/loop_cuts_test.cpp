@@ -1,0 +1,92 @@
+#include <algorithm>
+
+#include <skelgen/embedding/loop_cuts.hpp>
+#include <skelgen/io/template_json.hpp>
+
+#include "catch.hpp"
+#include "embedding/human_curve.hpp"
+
+using namespace skelgen;
+using namespace skelgen::test;
+
+namespace {
+
+const SkeletonTemplate& human() { return builtin_template("human21"); }
+
+int joint(const std::string& name) {
+    const auto& joints = human().joints;
+    const auto found = std::find_if(joints.begin(), joints.end(), [&](const auto& j) { return j.name == name; });
+    REQUIRE(found != joints.end());
+    return static_cast<int>(found - joints.begin());
+}
+
+/// The node of human_curve() at this place.
+int node_at(const CurveSkeleton<double>& curve, const Vector3<double>& p) {
+    Eigen::Index node = 0;
+    REQUIRE((curve.nodes.rowwise() - p.transpose()).rowwise().norm().minCoeff(&node) < 1e-12);
+    return static_cast<int>(node);
+}
+
+int tip(const CurveSkeleton<double>& curve, const std::string& name) {
+    return node_at(curve, *human().joints[static_cast<std::size_t>(joint(name))].tip);
+}
+
+int middle_of_bone(const CurveSkeleton<double>& curve, const std::string& a, const std::string& b) {
+    return node_at(curve, 0.5 * (human().joints[static_cast<std::size_t>(joint(a))].position +
+                                 human().joints[static_cast<std::size_t>(joint(b))].position));
+}
+
+bool contains(const std::vector<int>& nodes, int node) {
+    return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+}
+
+} // namespace
+
+TEST_CASE("a tree has no loop to cut") { CHECK(find_loop_cuts(human_curve(), human()).empty()); }
+
+TEST_CASE("clasped hands are cut between the hands") {
+    CurveSkeleton<double> curve = human_curve();
+    const int left = tip(curve, "left_hand"), right = tip(curve, "right_hand");
+    curve.nodes.row(left) << 0.02, -0.2, 1.2;
+    curve.nodes.row(right) << -0.02, -0.2, 1.2;
+    for (const char* side : {"left", "right"})
+        for (const char* name : {"_hand", "_wrist"})
+            curve.nodes.row(joint(std::string(side) + name)) << (side[0] == 'l' ? 0.1 : -0.1), -0.2, 1.2;
+    curve.edges.push_back({std::min(left, right), std::max(left, right)});
+    const std::vector<LoopCut> cuts = find_loop_cuts(curve, human());
+    REQUIRE(cuts.size() == 1);
+    const bool of_left = contains(cuts[0].limb, left);
+    CHECK(contains(cuts[0].limb, of_left ? left : right));
+    CHECK(contains(cuts[0].other, of_left ? right : left));
+    CHECK_FALSE(contains(cuts[0].limb, joint("chest")));
+}
+
+TEST_CASE("a hand on a thigh is cut from the thigh, and stays with its arm") {
+    CurveSkeleton<double> curve = human_curve();
+    const int hand = tip(curve, "left_hand"), thigh = middle_of_bone(curve, "left_hip", "left_knee");
+    curve.edges.push_back({std::min(hand, thigh), std::max(hand, thigh)});
+    const std::vector<LoopCut> cuts = find_loop_cuts(curve, human());
+    REQUIRE(cuts.size() == 1);
+    CHECK(cuts[0].limb.front() == hand);
+    CHECK(contains(cuts[0].limb, joint("left_hand")));
+    CHECK(contains(cuts[0].other, thigh));
+    CHECK(contains(cuts[0].other, joint("left_knee")));
+    CHECK_FALSE(contains(cuts[0].other, joint("left_elbow")));
+    CHECK_FALSE(contains(cuts[0].other, joint("left_shoulder")));
+}
+
+TEST_CASE("both hands on the thighs are two cuts") {
+    CurveSkeleton<double> curve = human_curve();
+    for (const std::string side : {"left", "right"}) {
+        const int hand = tip(curve, side + "_hand");
+        const int thigh = middle_of_bone(curve, side + "_hip", side + "_knee");
+        curve.edges.push_back({std::min(hand, thigh), std::max(hand, thigh)});
+    }
+    const std::vector<LoopCut> cuts = find_loop_cuts(curve, human());
+    REQUIRE(cuts.size() == 2);
+    std::vector<int> firsts{cuts[0].limb.front(), cuts[1].limb.front()};
+    std::sort(firsts.begin(), firsts.end());
+    std::vector<int> hands{tip(curve, "left_hand"), tip(curve, "right_hand")};
+    std::sort(hands.begin(), hands.end());
+    CHECK(firsts == hands);
+}
