@@ -39,17 +39,19 @@ Fit fit_touching_body(BodyCurve& found, const SkeletonTemplate& wanted, const Ex
     const int contacts = detail::loops(found.curve);
     std::optional<BodyCurve> parted = detail::part_contacts(found, wanted, options);
     timings.curve += stage.lap();
-    if (parted) try {
-            Fit fit = fit_skeleton(*parted, wanted, options, timings);
-            doubt_contacts(fit.skeleton, contacts, true);
-            found = *std::move(parted);
-            return fit;
-        } catch (const Error& error) {
-            if (error.code() != ErrorCode::no_skeleton) throw;
-        }
-    Fit fit = fit_skeleton(found, wanted, options, timings);
-    doubt_contacts(fit.skeleton, contacts, false);
-    return fit;
+    std::optional<Fit> fit;
+    try {
+        if (parted) fit = fit_skeleton(*parted, wanted, options, timings);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::no_skeleton) throw;
+    }
+    const bool cut = fit.has_value();
+    if (cut)
+        found = *std::move(parted);
+    else
+        fit = fit_skeleton(found, wanted, options, timings);
+    doubt_contacts(fit->skeleton, contacts, cut);
+    return *std::move(fit);
 }
 
 Fit fit_body(BodyCurve& found, const SkeletonTemplate& wanted, const ExtractOptions& options, StageTimings& timings) {

@@ -160,7 +160,9 @@ struct Opening {
 std::vector<LoopCut> find_loop_cuts(const CurveSkeleton<double>& curve, const SkeletonTemplate& skeleton_template,
                                     const MatchingOptions& options) {
     constexpr std::size_t beam = 6;
+    constexpr std::ptrdiff_t most_loops = 6;
     const auto loops = static_cast<std::ptrdiff_t>(curve.edges.size()) - curve.nodes.rows() + 1;
+    if (loops < 1 || loops > most_loops) return {};
     std::vector<Opening> openings{Opening{}};
     for (std::ptrdiff_t level = 0; level < loops; ++level) {
         std::vector<Opening> next;
@@ -180,7 +182,7 @@ std::vector<LoopCut> find_loop_cuts(const CurveSkeleton<double>& curve, const Sk
         if (next.size() > beam) next.resize(beam);
         openings = std::move(next);
     }
-    if (loops < 1 || openings.empty() || !std::isfinite(openings.front().distortion)) return {};
+    if (openings.empty() || !std::isfinite(openings.front().distortion)) return {};
     return openings.front().cuts;
 }
 

@@ -90,3 +90,11 @@ TEST_CASE("both hands on the thighs are two cuts") {
     std::sort(hands.begin(), hands.end());
     CHECK(firsts == hands);
 }
+
+TEST_CASE("a curve with many loops is left as it is") {
+    CurveSkeleton<double> curve = human_curve();
+    const int foot = tip(curve, "left_foot");
+    for (const char* name : {"waist", "chest", "neck", "head", "left_elbow", "right_elbow", "right_knee"})
+        curve.edges.push_back({joint(name), foot});
+    CHECK(find_loop_cuts(curve, human()).empty());
+}

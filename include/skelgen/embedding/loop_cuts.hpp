@@ -17,7 +17,8 @@ struct LoopCut {
 /// Where the loops of a body that touches itself are to be opened, so that the template fits what remains best: a loop
 /// is cut in the middle of one of its branches (hands clasped), or where a branch comes out of what it touches (a hand
 /// on a thigh). Beam search over the cuts of one loop after the other by the distortion of the embedding. \returns as
-/// many cuts as the curve has independent cycles; none when it is a tree, or when no set of cuts lets the template in.
+/// many cuts as the curve has independent cycles; none when it is a tree, when it has more than six of them (a scan's
+/// tunnels are no contacts), or when no set of cuts lets the template in.
 [[nodiscard]] std::vector<LoopCut> find_loop_cuts(const CurveSkeleton<double>& curve,
                                                   const SkeletonTemplate& skeleton_template,
                                                   const MatchingOptions& options = {});
