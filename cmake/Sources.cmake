@@ -6,6 +6,7 @@ set(skelgen_headers
     include/skelgen/core/canonical_form.hpp
     include/skelgen/core/curve_graph.hpp
     include/skelgen/core/curve_skeleton.hpp
+    include/skelgen/core/denoise.hpp
     include/skelgen/core/error.hpp
     include/skelgen/core/geodesics.hpp
     include/skelgen/core/geometry.hpp
@@ -74,6 +75,7 @@ set(skelgen_headers
 )
 
 set(skelgen_sources
+    src/core/denoise.cpp
     src/core/geodesics.cpp
     src/core/template_rules.cpp
     src/curve/contraction.cpp

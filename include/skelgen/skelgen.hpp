@@ -7,6 +7,7 @@
 #include <skelgen/core/canonical_form.hpp>
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/curve_skeleton.hpp>
+#include <skelgen/core/denoise.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geodesics.hpp>
 #include <skelgen/core/geometry.hpp>

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include <skelgen/core/denoise.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geodesics.hpp>
 #include <skelgen/core/geometry.hpp>
@@ -86,7 +87,9 @@ std::optional<BodyCurve> with_cuts(const BodyCurve& found, const std::vector<Loo
 template <typename Scalar>
 BodyCurve find_body_curve(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options) {
     check_surface(mesh);
-    const CanonicalMesh canonical = canonical_form(mesh);
+    TriangleMesh<double> clean{mesh.vertices.template cast<double>(), mesh.faces};
+    remove_noise(clean);
+    const CanonicalMesh canonical = canonical_form(clean);
     BodyCurve out{canonical.similarity, largest_manifold_part(canonical.mesh), {}, {}};
     out.surface = surface_graph(out.body.mesh);
     const Proxy proxy = build_proxy(out.body.mesh, options.proxy);

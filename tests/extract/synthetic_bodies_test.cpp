@@ -1,5 +1,7 @@
 // What must not change a skeleton, on bodies made by code.
 
+#include <random>
+
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/extract.hpp>
 #include <skelgen/io/template_json.hpp>
@@ -194,6 +196,12 @@ TEST_CASE("faults of a scan do little harm") {
     const Extraction<double> out = extract_skeleton(littered);
     CHECK(difference(out, expected).joint < another_section);
     CHECK_FALSE(out.skeleton.quality.warnings.empty());
+
+    Mesh noisy = body.mesh; // by a quarter of an edge's length
+    std::mt19937 random(1);
+    std::normal_distribution<double> noise(0, 0.012);
+    for (double& x : noisy.vertices.reshaped()) x += noise(random);
+    CHECK(difference(extract_skeleton(noisy), expected).joint < another_section);
 
     const Mesh holed = without_faces(body.mesh, 1000, 3);
     CHECK(difference(extract_skeleton(holed), expected).joint < another_section);
