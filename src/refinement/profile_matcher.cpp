@@ -70,7 +70,8 @@ struct Ratios {
 /// The cheapest ratios on a grid of that step around `centre`.
 Ratios search(const std::vector<Cost>& costs, const Ratios& centre, double reach, double step) {
     const int steps = static_cast<int>(std::lround(reach / step));
-    Ratios best;
+    Ratios best = centre;
+    best.cost = std::numeric_limits<double>::infinity();
     for (int i = -steps; i <= steps; ++i) {
         Ratios next{centre.bone + i * step, centre.outer, 0};
         for (std::size_t k = 0; k < costs.size(); ++k) {
@@ -123,7 +124,7 @@ Fit fit(const std::vector<Sample>& samples, const Profile& profile, const Stretc
     double sum = 0, weights = 0;
     for (const Residual& r : residuals) {
         const double far = (r.value - offset) / deviation;
-        sum += r.weight * std::min(far * far, 9.0);
+        sum += r.weight * std::min(far * far, worst_misfit);
         weights += r.weight;
     }
     return {sum / weights, offset};

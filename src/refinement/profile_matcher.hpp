@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -33,14 +32,16 @@ struct Sample {
     double from_tip = 0, log_thickness = 0;
 };
 
+inline constexpr double worst_misfit = 9; ///< of a sample, in squared deviations: what is farther off counts no more
+
 /// How well a stretched profile fits.
 struct Fit {
-    double misfit = std::numeric_limits<double>::infinity(); ///< mean squared difference, in squared deviations
-    double stoutness = 0;                                    ///< mean difference of the logarithms
+    double misfit = worst_misfit; ///< mean squared difference, in squared deviations
+    double stoutness = 0;         ///< mean difference of the logarithms
 };
 
 /// Compares the samples with the profile stretched over them. Robust: sections across a fold or a sleeve count for no
-/// more than three deviations.
+/// more than three deviations. Without samples on the profile the misfit is the worst, the stoutness 0.
 [[nodiscard]] Fit fit(const std::vector<Sample>& samples, const Profile& profile, const Stretch& stretch,
                       double deviation);
 

@@ -112,6 +112,22 @@ TEST_CASE("both legs' calves are equally long") {
     CHECK(limbs[1].from_tip[2] > 1.03 * limbs[0].from_tip[2]); // each foot in its own shoe
 }
 
+TEST_CASE("a leg without a section of its own follows the other one") {
+    const Limb rest = leg(0.2, 0.6, 1);
+    const double ankle = rest.from_tip[2], calf = rest.from_tip[1] - ankle;
+    std::vector<Limb> alone{leg(ankle, ankle + 1.05 * calf, 0.05)}, both = alone, none;
+    both.push_back(both[0]);
+    both[1].line.thickness.setZero();
+    none = {both[1], both[1]};
+    for (std::vector<Limb>* limbs : {&alone, &both, &none})
+        match_thickness_profiles(*limbs, builtin_template("human21"));
+    const auto found_calf = [](const Limb& limb) { return limb.from_tip[1] - limb.from_tip[2]; };
+    CHECK(found_calf(both[0]) == Approx(found_calf(both[1])));
+    CHECK(found_calf(both[0]) > calf);
+    CHECK(found_calf(alone[0]) > found_calf(both[0])); // which says that it is as usual
+    CHECK(found_calf(none[0]) == Approx(calf));
+}
+
 TEST_CASE("a coat moves a limb's attachment outwards, a fold does not") {
     const Limb rest = leg(0.2, 0.6, 1);
     const double ankle = rest.from_tip[2], knee = rest.from_tip[1], thigh = rest.from_tip[0] - knee;
