@@ -17,7 +17,7 @@
 namespace skelgen {
 namespace {
 
-using detail::BackToInput, detail::BodyCurve, detail::find_body_curve, detail::Fit, detail::fit_skeleton,
+using detail::BackToInput, detail::BodyCurve, detail::find_body_curve, detail::SkeletonFit, detail::fit_skeleton,
     detail::Stopwatch;
 
 /// Where limbs touch, it may have been cut in the wrong place, and uncut, the curve runs on from one to the other.
@@ -32,14 +32,14 @@ void doubt_contacts(KinematicSkeleton<double>& skeleton, int contacts, bool cut)
 
 /// Fits the skeleton to a body that touches itself: to its surface cut there, or, where that fails, as it is. `found`
 /// becomes what served.
-Fit fit_touching_body(BodyCurve& found, const SkeletonTemplate& wanted, const ExtractOptions& options,
-                      StageTimings& timings) {
+SkeletonFit fit_touching_body(BodyCurve& found, const SkeletonTemplate& wanted, const ExtractOptions& options,
+                              StageTimings& timings) {
     Stopwatch stage;
     detail::refuse_company(found.curve, wanted, options.matching);
-    const int contacts = detail::loops(found.curve);
+    const int contacts = cycle_count(found.curve);
     std::optional<BodyCurve> parted = detail::part_contacts(found, wanted, options);
     timings.curve += stage.lap();
-    std::optional<Fit> fit;
+    std::optional<SkeletonFit> fit;
     try {
         if (parted) fit = fit_skeleton(*parted, wanted, options, timings);
     } catch (const Error& error) {
@@ -54,9 +54,10 @@ Fit fit_touching_body(BodyCurve& found, const SkeletonTemplate& wanted, const Ex
     return *std::move(fit);
 }
 
-Fit fit_body(BodyCurve& found, const SkeletonTemplate& wanted, const ExtractOptions& options, StageTimings& timings) {
-    return detail::loops(found.curve) > 0 ? fit_touching_body(found, wanted, options, timings)
-                                          : fit_skeleton(found, wanted, options, timings);
+SkeletonFit fit_body(BodyCurve& found, const SkeletonTemplate& wanted, const ExtractOptions& options,
+                     StageTimings& timings) {
+    return cycle_count(found.curve) > 0 ? fit_touching_body(found, wanted, options, timings)
+                                        : fit_skeleton(found, wanted, options, timings);
 }
 
 } // namespace
@@ -79,7 +80,7 @@ Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const Extr
     Extraction<Scalar> out;
     out.timings.curve = stage.lap();
 
-    Fit fit = fit_body(found, wanted, options, out.timings);
+    SkeletonFit fit = fit_body(found, wanted, options, out.timings);
     if (found.body.dropped_pieces > 0)
         fit.skeleton.quality.warnings.push_back(std::to_string(found.body.dropped_pieces) +
                                                 " pieces not connected to the body were left out");

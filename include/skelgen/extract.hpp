@@ -1,6 +1,7 @@
 #pragma once
 
 #include <skelgen/core/curve_skeleton.hpp>
+#include <skelgen/core/denoise.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/core/skeleton_template.hpp>
@@ -34,6 +35,7 @@ struct Extraction {
 struct ExtractOptions {
     SkeletonTemplate skeleton_template; ///< empty: the built-in `human21`
     int threads = 1;                    ///< the result does not depend on it
+    DenoiseOptions denoise;
     ProxyOptions proxy;
     CurveOptions curve;
     MatchingOptions matching;
@@ -42,14 +44,15 @@ struct ExtractOptions {
 };
 
 /// Finds the kinematic skeleton of one human body: any pose, orientation and unit. Computes in double precision
-/// whatever the scalar. Floating pieces and holes are survived; the largest piece is used. \throws Error bad_input when
-/// `mesh` is no usable surface, no_skeleton when no body can be found in it.
+/// whatever the scalar. Floating pieces, holes and noise are survived; the largest piece is used, and cut where it
+/// touches itself. \throws Error bad_input when `mesh` is no usable surface, no_skeleton when no body can be found in
+/// it.
 template <typename Scalar>
 [[nodiscard]] Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options = {});
 
 /// The curve skeleton alone, of a body or anything else: the first half of `extract_skeleton`, in the input's
-/// coordinates. The regions hold every vertex of the largest piece exactly once. Of `options`, `proxy` and `curve`
-/// count. \throws Error bad_input when `mesh` is no usable surface.
+/// coordinates. The regions hold every vertex of the largest piece exactly once. Of `options`, `denoise`, `proxy` and
+/// `curve` count. \throws Error bad_input when `mesh` is no usable surface.
 template <typename Scalar>
 [[nodiscard]] CurveSkeleton<Scalar> find_curve_skeleton(const TriangleMesh<Scalar>& mesh,
                                                         const ExtractOptions& options = {});

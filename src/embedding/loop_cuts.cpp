@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -148,6 +147,9 @@ double distortion_of(const CurveSkeleton<double>& curve, const SkeletonTemplate&
     }
 }
 
+/// Distortions that differ by rounding alone are equal, so that a turned body is cut in the same places.
+double graded(double distortion) { return std::floor(1e9 * distortion); }
+
 /// Some loops opened.
 struct Opening {
     std::vector<LoopCut> cuts;
@@ -160,11 +162,11 @@ struct Opening {
 std::vector<LoopCut> find_loop_cuts(const CurveSkeleton<double>& curve, const SkeletonTemplate& skeleton_template,
                                     const MatchingOptions& options) {
     constexpr std::size_t beam = 6;
-    constexpr std::ptrdiff_t most_loops = 6;
-    const auto loops = static_cast<std::ptrdiff_t>(curve.edges.size()) - curve.nodes.rows() + 1;
+    constexpr int most_loops = 6;
+    const int loops = cycle_count(curve);
     if (loops < 1 || loops > most_loops) return {};
     std::vector<Opening> openings{Opening{}};
-    for (std::ptrdiff_t level = 0; level < loops; ++level) {
+    for (int level = 0; level < loops; ++level) {
         std::vector<Opening> next;
         for (const Opening& opening : openings)
             for (const Candidate& found : candidates(without_edges(curve, opening.edges))) {
@@ -177,8 +179,9 @@ std::vector<LoopCut> find_loop_cuts(const CurveSkeleton<double>& curve, const Sk
                 wider.distortion = distortion_of(without_edges(curve, wider.edges), skeleton_template, options);
                 next.push_back(std::move(wider));
             }
-        std::stable_sort(next.begin(), next.end(),
-                         [](const Opening& a, const Opening& b) { return a.distortion < b.distortion; });
+        std::stable_sort(next.begin(), next.end(), [](const Opening& a, const Opening& b) {
+            return graded(a.distortion) < graded(b.distortion);
+        });
         if (next.size() > beam) next.resize(beam);
         openings = std::move(next);
     }

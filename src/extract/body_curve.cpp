@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include <skelgen/core/denoise.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geodesics.hpp>
 #include <skelgen/core/geometry.hpp>
@@ -78,7 +77,7 @@ std::optional<BodyCurve> with_cuts(const BodyCurve& found, const std::vector<Loo
     out.body.dropped_pieces = found.body.dropped_pieces;
     out.surface = surface_graph(out.body.mesh);
     out.curve = extract_curve(out.body.mesh, out.surface, build_proxy(out.body.mesh, options.proxy), options.curve);
-    if (loops(out.curve) >= loops(found.curve)) return std::nullopt;
+    if (cycle_count(out.curve) >= cycle_count(found.curve)) return std::nullopt;
     return out;
 }
 
@@ -88,7 +87,7 @@ template <typename Scalar>
 BodyCurve find_body_curve(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options) {
     check_surface(mesh);
     TriangleMesh<double> clean{mesh.vertices.template cast<double>(), mesh.faces};
-    remove_noise(clean);
+    remove_noise(clean, options.denoise);
     const CanonicalMesh canonical = canonical_form(clean);
     BodyCurve out{canonical.similarity, largest_manifold_part(canonical.mesh), {}, {}};
     out.surface = surface_graph(out.body.mesh);
@@ -101,7 +100,7 @@ BodyCurve find_body_curve(const TriangleMesh<Scalar>& mesh, const ExtractOptions
 std::optional<BodyCurve> part_contacts(const BodyCurve& found, const SkeletonTemplate& wanted,
                                        const ExtractOptions& options) {
     std::optional<BodyCurve> out = found;
-    while (out && loops(out->curve) > 0) {
+    while (out && cycle_count(out->curve) > 0) {
         const std::vector<LoopCut> cuts = find_loop_cuts(out->curve, wanted, options.matching);
         out = cuts.empty() ? std::nullopt : with_cuts(*out, cuts, options);
     }

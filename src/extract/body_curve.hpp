@@ -22,11 +22,6 @@ struct BodyCurve {
 template <typename Scalar>
 [[nodiscard]] BodyCurve find_body_curve(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options);
 
-/// Independent cycles of a connected curve: how often the body touches itself.
-[[nodiscard]] inline int loops(const CurveSkeleton<double>& curve) {
-    return static_cast<int>(curve.edges.size()) - static_cast<int>(curve.nodes.rows()) + 1;
-}
-
 /// The body with its surface cut where it touches itself, and the curve that then has no loops; none when no way to cut
 /// it lets the template in.
 [[nodiscard]] std::optional<BodyCurve> part_contacts(const BodyCurve& found, const SkeletonTemplate& wanted,

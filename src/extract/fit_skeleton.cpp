@@ -42,14 +42,17 @@ void check_proportions(int misplaced, const SkeletonTemplate& wanted) {
                                                 " joints of its skeleton would have bones of unlikely lengths");
 }
 
-Fit fit_once(const TriangleMesh<double>& mesh, const CurveGraph<double>& surface, const CurveSkeleton<double>& curve,
-             const SkeletonTemplate& wanted, const ExtractOptions& options, StageTimings& timings) {
+/// Fits the skeleton to `curve`, and adds to `timings`. `surface` as from surface_graph(mesh). \throws Error
+/// no_skeleton.
+SkeletonFit fit_once(const TriangleMesh<double>& mesh, const CurveGraph<double>& surface,
+                     const CurveSkeleton<double>& curve, const SkeletonTemplate& wanted, const ExtractOptions& options,
+                     StageTimings& timings) {
     Stopwatch stage;
     const Embedding embedding = embed(curve, wanted, options.matching);
     check_alone(unmatched_reach(curve, embedding));
     timings.embed += stage.lap();
 
-    Fit out;
+    SkeletonFit out;
     const std::vector<EndPoint> ends = find_end_points(mesh, surface, curve, embedding, wanted);
     out.geodesic_diameter = geodesic_diameter(ends);
     check_slender(out.geodesic_diameter);
@@ -71,17 +74,17 @@ Fit fit_once(const TriangleMesh<double>& mesh, const CurveGraph<double>& surface
 
 } // namespace
 
-Fit fit_skeleton(BodyCurve& found, const SkeletonTemplate& wanted, const ExtractOptions& options,
-                 StageTimings& timings) {
+SkeletonFit fit_skeleton(BodyCurve& found, const SkeletonTemplate& wanted, const ExtractOptions& options,
+                         StageTimings& timings) {
     constexpr int attempts = 3;   // each half as fine again as the last one
     constexpr int suspicious = 3; // joints misplaced
-    std::optional<Fit> best;
+    std::optional<SkeletonFit> best;
     std::optional<Error> failure;
     ProxyOptions finer = options.proxy;
     CurveSkeleton<double> curve = found.curve;
     for (int attempt = 1;; ++attempt) {
         try {
-            Fit fit = fit_once(found.body.mesh, found.surface, curve, wanted, options, timings);
+            SkeletonFit fit = fit_once(found.body.mesh, found.surface, curve, wanted, options, timings);
             if (!best || fit.misplaced < best->misplaced) {
                 best = std::move(fit);
                 found.curve = curve;

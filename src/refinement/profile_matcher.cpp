@@ -34,7 +34,7 @@ public:
         const Stretch s = stretch(outer_ratio, bone_ratio);
         constexpr double far_misfit =
             2; // beyond it, a limb is unlike the profile (in trousers, in armour) and tells less
-        const Fit f = fit(limb_.samples, profile_, s, options_.thickness_deviation);
+        const ProfileFit f = fit(limb_.samples, profile_, s, options_.thickness_deviation);
         return options_.independent_samples * far_misfit * std::log1p(f.misfit / far_misfit) +
                square(outer_ratio / options_.end_deviation) +
                square(std::log(s.middle / limb_.rest.middle) / options_.limb_deviation) +
@@ -99,7 +99,7 @@ std::optional<double> value_at(const Profile& profile, double u) {
     return profile[i] + (x - static_cast<double>(i)) * (profile[i + 1] - profile[i]);
 }
 
-Fit fit(const std::vector<Sample>& samples, const Profile& profile, const Stretch& stretch, double deviation) {
+ProfileFit fit(const std::vector<Sample>& samples, const Profile& profile, const Stretch& stretch, double deviation) {
     struct Residual {
         double value, weight;
     };

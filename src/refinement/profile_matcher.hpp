@@ -35,15 +35,15 @@ struct Sample {
 inline constexpr double worst_misfit = 9; ///< of a sample, in squared deviations: what is farther off counts no more
 
 /// How well a stretched profile fits.
-struct Fit {
+struct ProfileFit {
     double misfit = worst_misfit; ///< mean squared difference, in squared deviations
     double stoutness = 0;         ///< mean difference of the logarithms
 };
 
 /// Compares the samples with the profile stretched over them. Robust: sections across a fold or a sleeve count for no
 /// more than three deviations. Without samples on the profile the misfit is the worst, the stoutness 0.
-[[nodiscard]] Fit fit(const std::vector<Sample>& samples, const Profile& profile, const Stretch& stretch,
-                      double deviation);
+[[nodiscard]] ProfileFit fit(const std::vector<Sample>& samples, const Profile& profile, const Stretch& stretch,
+                             double deviation);
 
 inline constexpr double far_off = 4; ///< squared deviations beyond which the end that the trunk tells counts for little
 

@@ -10,7 +10,7 @@
 namespace skelgen {
 namespace {
 
-using detail::Fit, detail::Profile, detail::Sample, detail::Stretch, detail::Top, detail::value_at;
+using detail::ProfileFit, detail::Profile, detail::Sample, detail::Stretch, detail::Top, detail::value_at;
 
 /// Thickness of the limb where its sections are its own.
 std::vector<Sample> samples_of(const Limb& limb) {
@@ -36,7 +36,7 @@ struct ProfiledLimb {
     std::size_t inner, middle, outer;
     Stretch rest;
     double bone_ratio = 1;
-    Fit fit = {};
+    ProfileFit fit = {};
 };
 
 std::optional<ProfiledLimb> profiled(Limb& limb, const SkeletonTemplate& skeleton_template) {

@@ -91,6 +91,28 @@ TEST_CASE("both hands on the thighs are two cuts") {
     CHECK(firsts == hands);
 }
 
+TEST_CASE("a turned curve is cut in the same places, also where left and right are equally good") {
+    CurveSkeleton<double> curve = human_curve();
+    for (const std::string side : {"left", "right"}) {
+        const int hand = tip(curve, side + "_hand");
+        const int thigh = middle_of_bone(curve, side + "_hip", side + "_knee");
+        curve.edges.push_back({std::min(hand, thigh), std::max(hand, thigh)});
+    }
+    const std::vector<LoopCut> expected = find_loop_cuts(curve, human());
+    REQUIRE(expected.size() == 2);
+    for (const double angle : {0.3, 1.1, 2.7, 4.4}) {
+        CurveSkeleton<double> turned = curve;
+        const Vector3<double> axis = Vector3<double>(1, 2, angle).normalized();
+        turned.nodes = curve.nodes * Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+        const std::vector<LoopCut> cuts = find_loop_cuts(turned, human());
+        REQUIRE(cuts.size() == 2);
+        for (std::size_t i = 0; i < 2; ++i) {
+            CHECK(cuts[i].limb == expected[i].limb);
+            CHECK(cuts[i].other == expected[i].other);
+        }
+    }
+}
+
 TEST_CASE("a curve with many loops is left as it is") {
     CurveSkeleton<double> curve = human_curve();
     const int foot = tip(curve, "left_foot");

@@ -35,6 +35,12 @@ template <typename Scalar>
     return graph;
 }
 
+/// Independent cycles of a connected curve: 0 for a tree.
+template <typename Scalar>
+[[nodiscard]] int cycle_count(const CurveSkeleton<Scalar>& curve) {
+    return static_cast<int>(curve.edges.size()) - static_cast<int>(curve.nodes.rows()) + 1;
+}
+
 /// Shortest paths from one node: distances (infinite where there is no path) and predecessors (-1 at the source).
 template <typename Scalar = double>
 struct ShortestPaths {
