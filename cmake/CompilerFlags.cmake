@@ -9,6 +9,7 @@ target_compile_options(
   skelgen_flags
   INTERFACE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion;-Wnon-virtual-dtor>
             $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> # GCC 12 sees faults in std::string's operator+ that are not there
+            $<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Debug>>:-Wno-maybe-uninitialized> # and everywhere under sanitizers
             $<$<CXX_COMPILER_ID:MSVC>:/W4;/permissive->)
 
 if(SKELGEN_WERROR)

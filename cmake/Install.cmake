@@ -1,17 +1,29 @@
-# Installs the library, its headers, the program and the package that find_package(skelgen) reads.
+# Installs the libraries, their headers, the program and the package that find_package(skelgen) reads.
 include(CMakePackageConfigHelpers)
 
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/skelgen")
 
-install(TARGETS skelgen EXPORT skelgen-targets FILE_SET HEADERS)
+# One export set a part: whoever finds skelgen alone needs no library of a part.
+install(TARGETS skelgen_core skelgen EXPORT skelgen-targets FILE_SET HEADERS)
+install(EXPORT skelgen-targets NAMESPACE skelgen:: DESTINATION "${package_dir}")
+foreach(part IN ITEMS render evaluation synth)
+  if(TARGET skelgen_${part})
+    install(TARGETS skelgen_${part} EXPORT skelgen-${part}-targets FILE_SET HEADERS)
+    install(EXPORT skelgen-${part}-targets NAMESPACE skelgen:: DESTINATION "${package_dir}")
+  endif()
+endforeach()
 if(TARGET skelgen-cli)
   install(TARGETS skelgen-cli)
 endif()
-install(EXPORT skelgen-targets NAMESPACE skelgen:: DESTINATION "${package_dir}")
 
+if(BUILD_SHARED_LIBS)
+  set(SKELGEN_STATIC OFF)
+else()
+  set(SKELGEN_STATIC ON)
+endif()
 configure_package_config_file(cmake/skelgen-config.cmake.in "${PROJECT_BINARY_DIR}/skelgen-config.cmake"
                               INSTALL_DESTINATION "${package_dir}")
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/skelgen-config-version.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/skelgen-config.cmake" "${PROJECT_BINARY_DIR}/skelgen-config-version.cmake"
         DESTINATION "${package_dir}")
-install(DIRECTORY data/schema DESTINATION "${CMAKE_INSTALL_DATADIR}/skelgen")
+install(DIRECTORY data/schema data/templates DESTINATION "${CMAKE_INSTALL_DATADIR}/skelgen")

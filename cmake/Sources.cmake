@@ -1,69 +1,158 @@
 # Every file that is built or installed, by name: a file more or less is then a change that CMake sees. The tests are
 # listed in tests/CMakeLists.txt.
 
-set(skelgen_headers
+set(skelgen_core_headers
+    include/skelgen/anatomy/complete.hpp
+    include/skelgen/anatomy/confidence.hpp
+    include/skelgen/anatomy/equal_bones.hpp
+    include/skelgen/anatomy/impl/complete.hpp
+    include/skelgen/anatomy/impl/confidence.hpp
+    include/skelgen/anatomy/impl/equal_bones.hpp
+    include/skelgen/anatomy/impl/inside.hpp
+    include/skelgen/anatomy/impl/joint_offsets.hpp
+    include/skelgen/anatomy/impl/radii.hpp
+    include/skelgen/anatomy/inside.hpp
+    include/skelgen/anatomy/joint_offsets.hpp
+    include/skelgen/anatomy/radii.hpp
     include/skelgen/core/adjacency.hpp
-    include/skelgen/core/canonical_form.hpp
+    include/skelgen/core/builtin_templates.hpp
     include/skelgen/core/curve_graph.hpp
     include/skelgen/core/curve_skeleton.hpp
-    include/skelgen/core/denoise.hpp
     include/skelgen/core/error.hpp
     include/skelgen/core/geodesics.hpp
     include/skelgen/core/geometry.hpp
+    include/skelgen/core/header_only.hpp
+    include/skelgen/core/impl/builtin_templates.hpp
+    include/skelgen/core/impl/curve_graph.hpp
+    include/skelgen/core/impl/geodesics.hpp
+    include/skelgen/core/impl/geometry.hpp
+    include/skelgen/core/impl/template_rules.hpp
     include/skelgen/core/kinematic_skeleton.hpp
     include/skelgen/core/mesh.hpp
+    include/skelgen/core/options.hpp
+    include/skelgen/core/outcome.hpp
     include/skelgen/core/polyline.hpp
+    include/skelgen/core/precision.hpp
     include/skelgen/core/skeleton_template.hpp
+    include/skelgen/core/stage_timings.hpp
     include/skelgen/core/template_rules.hpp
     include/skelgen/curve/centring.hpp
     include/skelgen/curve/contraction.hpp
-    include/skelgen/curve/cut_surface.hpp
-    include/skelgen/curve/extract_curve.hpp
+    include/skelgen/curve/find_curve.hpp
+    include/skelgen/curve/impl/centring.hpp
+    include/skelgen/curve/impl/contraction.hpp
+    include/skelgen/curve/impl/find_curve.hpp
+    include/skelgen/curve/impl/laplacian.hpp
+    include/skelgen/curve/impl/leaf_extension.hpp
+    include/skelgen/curve/impl/limb_ends.hpp
+    include/skelgen/curve/impl/medial_balls.hpp
+    include/skelgen/curve/impl/proxy.hpp
+    include/skelgen/curve/impl/pruning.hpp
+    include/skelgen/curve/impl/regions.hpp
+    include/skelgen/curve/impl/surgery.hpp
     include/skelgen/curve/laplacian.hpp
     include/skelgen/curve/leaf_extension.hpp
     include/skelgen/curve/limb_ends.hpp
-    include/skelgen/curve/manifold_parts.hpp
     include/skelgen/curve/medial_balls.hpp
     include/skelgen/curve/proxy.hpp
     include/skelgen/curve/pruning.hpp
+    include/skelgen/curve/regions.hpp
     include/skelgen/curve/surgery.hpp
     include/skelgen/embedding/embed.hpp
+    include/skelgen/embedding/impl/embed.hpp
+    include/skelgen/embedding/impl/loop_cuts.hpp
+    include/skelgen/embedding/impl/part_contacts.hpp
+    include/skelgen/embedding/impl/reduced_graph.hpp
+    include/skelgen/embedding/impl/spectral_matching.hpp
     include/skelgen/embedding/loop_cuts.hpp
+    include/skelgen/embedding/part_contacts.hpp
     include/skelgen/embedding/reduced_graph.hpp
     include/skelgen/embedding/spectral_matching.hpp
-    include/skelgen/evaluation/evaluate.hpp
-    include/skelgen/evaluation/report.hpp
-    include/skelgen/evaluation/statistics.hpp
     include/skelgen/extract.hpp
-    include/skelgen/io/atomic_file.hpp
-    include/skelgen/io/cgal_adaptor.hpp
-    include/skelgen/io/curve_formats.hpp
-    include/skelgen/io/mesh_format.hpp
-    include/skelgen/io/openmesh_adaptor.hpp
-    include/skelgen/io/polygon_mesh.hpp
-    include/skelgen/io/read_mesh.hpp
-    include/skelgen/io/skeleton_json.hpp
-    include/skelgen/io/template_json.hpp
-    include/skelgen/io/write_mesh.hpp
+    include/skelgen/impl/extract.hpp
+    include/skelgen/refinement/bone_line.hpp
     include/skelgen/refinement/centreline.hpp
     include/skelgen/refinement/cross_section.hpp
     include/skelgen/refinement/end_points.hpp
     include/skelgen/refinement/fork.hpp
     include/skelgen/refinement/head.hpp
+    include/skelgen/refinement/hip_anchor.hpp
+    include/skelgen/refinement/impl/bone_line.hpp
+    include/skelgen/refinement/impl/centreline.hpp
+    include/skelgen/refinement/impl/cross_section.hpp
+    include/skelgen/refinement/impl/end_points.hpp
+    include/skelgen/refinement/impl/fork.hpp
+    include/skelgen/refinement/impl/head.hpp
+    include/skelgen/refinement/impl/hip_anchor.hpp
+    include/skelgen/refinement/impl/limb_joints.hpp
+    include/skelgen/refinement/impl/limbs.hpp
+    include/skelgen/refinement/impl/placement.hpp
+    include/skelgen/refinement/impl/profile_matcher.hpp
+    include/skelgen/refinement/impl/refine.hpp
+    include/skelgen/refinement/impl/thickness_profile.hpp
+    include/skelgen/refinement/impl/trunk_joints.hpp
+    include/skelgen/refinement/impl/trunk_shape.hpp
+    include/skelgen/refinement/limb_joints.hpp
     include/skelgen/refinement/limbs.hpp
+    include/skelgen/refinement/placement.hpp
+    include/skelgen/refinement/profile_matcher.hpp
     include/skelgen/refinement/refine.hpp
-    include/skelgen/refinement/settle.hpp
     include/skelgen/refinement/thickness_profile.hpp
+    include/skelgen/refinement/trunk_joints.hpp
     include/skelgen/refinement/trunk_shape.hpp
+    include/skelgen/surface/body.hpp
+    include/skelgen/surface/canonical_form.hpp
+    include/skelgen/surface/cut_surface.hpp
+    include/skelgen/surface/denoise.hpp
+    include/skelgen/surface/impl/body.hpp
+    include/skelgen/surface/impl/canonical_form.hpp
+    include/skelgen/surface/impl/cut_surface.hpp
+    include/skelgen/surface/impl/denoise.hpp
+    include/skelgen/surface/impl/manifold_parts.hpp
+    include/skelgen/surface/impl/prepare.hpp
+    include/skelgen/surface/manifold_parts.hpp
+    include/skelgen/surface/prepare.hpp
+    include/skelgen/surface/similarity.hpp
+    include/skelgen/symmetry/impl/sides.hpp
+    include/skelgen/symmetry/impl/standing_pose.hpp
+    include/skelgen/symmetry/sides.hpp
+    include/skelgen/symmetry/standing_pose.hpp
+    include/skelgen/version.hpp
+)
+
+set(skelgen_io_headers
+    include/skelgen/io/atomic_file.hpp
+    include/skelgen/io/cgal_adaptor.hpp
+    include/skelgen/io/curve_formats.hpp
+    include/skelgen/io/half_edge_mesh.hpp
+    include/skelgen/io/mesh_format.hpp
+    include/skelgen/io/openmesh_adaptor.hpp
+    include/skelgen/io/polygon_mesh.hpp
+    include/skelgen/io/read_file.hpp
+    include/skelgen/io/read_mesh.hpp
+    include/skelgen/io/skeleton_json.hpp
+    include/skelgen/io/template_json.hpp
+    include/skelgen/io/truth_json.hpp
+    include/skelgen/io/write_mesh.hpp
+    include/skelgen/skelgen.hpp
+)
+
+set(skelgen_render_headers
     include/skelgen/render/contact_sheet.hpp
     include/skelgen/render/image.hpp
     include/skelgen/render/png.hpp
     include/skelgen/render/render_scene.hpp
     include/skelgen/render/scene.hpp
     include/skelgen/render/view.hpp
-    include/skelgen/skelgen.hpp
-    include/skelgen/symmetry/sides.hpp
-    include/skelgen/symmetry/standing_pose.hpp
+)
+
+set(skelgen_evaluation_headers
+    include/skelgen/evaluation/evaluate.hpp
+    include/skelgen/evaluation/report.hpp
+    include/skelgen/evaluation/statistics.hpp
+)
+
+set(skelgen_synth_headers
     include/skelgen/synth/body.hpp
     include/skelgen/synth/garment.hpp
     include/skelgen/synth/objects.hpp
@@ -71,36 +160,21 @@ set(skelgen_headers
     include/skelgen/synth/scan_faults.hpp
     include/skelgen/synth/sets.hpp
     include/skelgen/synth/shape.hpp
-    include/skelgen/version.hpp
 )
 
 set(skelgen_sources
-    src/core/denoise.cpp
-    src/core/geodesics.cpp
-    src/core/template_rules.cpp
-    src/curve/contraction.cpp
-    src/curve/cut_surface.cpp
-    src/curve/extract_curve.cpp
-    src/curve/medial_balls.cpp
-    src/curve/proxy.cpp
-    src/curve/surgery.cpp
-    src/embedding/embed.cpp
-    src/embedding/loop_cuts.cpp
-    src/embedding/reduced_graph.cpp
-    src/embedding/spectral_matching.cpp
-    src/evaluation/evaluate.cpp
-    src/evaluation/report.cpp
-    src/evaluation/score.cpp
-    src/evaluation/statistics.cpp
-    src/evaluation/summarise.cpp
-    src/evaluation/truth_file.cpp
-    src/extract.cpp
-    src/extract/body_curve.cpp
-    src/extract/fit_skeleton.cpp
+    src/instantiate/anatomy.cpp
+    src/instantiate/core.cpp
+    src/instantiate/curve.cpp
+    src/instantiate/embedding.cpp
+    src/instantiate/extract.cpp
+    src/instantiate/refinement.cpp
+    src/instantiate/surface.cpp
+    src/instantiate/symmetry.cpp
     src/io/atomic_file.cpp
     src/io/curve_formats.cpp
     src/io/curve_json.cpp
-    src/io/json_file.cpp
+    src/io/json_values.cpp
     src/io/leftovers.cpp
     src/io/mesh_format.cpp
     src/io/obj_parser.cpp
@@ -108,28 +182,17 @@ set(skelgen_sources
     src/io/ply_header.cpp
     src/io/ply_parser.cpp
     src/io/polygon_mesh.cpp
+    src/io/read_file.cpp
     src/io/read_mesh.cpp
     src/io/skeleton_json.cpp
     src/io/stl_parser.cpp
     src/io/template_json.cpp
     src/io/temporary_name.cpp
+    src/io/truth_json.cpp
     src/io/write_mesh.cpp
-    src/refinement/bone_line.cpp
-    src/refinement/centreline.cpp
-    src/refinement/cross_section.cpp
-    src/refinement/end_points.cpp
-    src/refinement/fork.cpp
-    src/refinement/head.cpp
-    src/refinement/hip_anchor.cpp
-    src/refinement/limb_joints.cpp
-    src/refinement/limbs.cpp
-    src/refinement/placement.cpp
-    src/refinement/profile_matcher.cpp
-    src/refinement/refine.cpp
-    src/refinement/settle.cpp
-    src/refinement/thickness_profile.cpp
-    src/refinement/trunk_joints.cpp
-    src/refinement/trunk_shape.cpp
+)
+
+set(skelgen_render_sources
     src/render/body.cpp
     src/render/canvas.cpp
     src/render/check.cpp
@@ -143,7 +206,15 @@ set(skelgen_sources
     src/render/svg.cpp
     src/render/view.cpp
     src/render/xml_text.cpp
-    src/symmetry/sides.cpp
+)
+
+set(skelgen_evaluation_sources
+    src/evaluation/evaluate.cpp
+    src/evaluation/joint_positions.cpp
+    src/evaluation/report.cpp
+    src/evaluation/score.cpp
+    src/evaluation/statistics.cpp
+    src/evaluation/summarise.cpp
 )
 
 set(skelgen_synth_sources
@@ -166,24 +237,26 @@ set(skelgen_synth_sources
     src/synth/surface_mesher.cpp
 )
 
+# Relative to apps/skelgen.
 set(skelgen_cli_sources
-    apps/skelgen/batch.cpp
-    apps/skelgen/batch_inputs.cpp
-    apps/skelgen/batch_summary.cpp
-    apps/skelgen/console.cpp
-    apps/skelgen/curve.cpp
-    apps/skelgen/evaluate.cpp
-    apps/skelgen/extract.cpp
-    apps/skelgen/extract_file.cpp
-    apps/skelgen/load_scene.cpp
-    apps/skelgen/main.cpp
-    apps/skelgen/progress_bar.cpp
-    apps/skelgen/render.cpp
-    apps/skelgen/synth.cpp
-    apps/skelgen/worker_pool.cpp
+    batch.cpp
+    batch_inputs.cpp
+    batch_summary.cpp
+    console.cpp
+    curve.cpp
+    extract.cpp
+    extract_file.cpp
+    main.cpp
+    progress_bar.cpp
+    worker_pool.cpp
 )
-
-set(skelgen_templates
-    data/templates/human21.json
-    data/templates/pinocchio18.json
+set(skelgen_cli_render_sources
+    load_scene.cpp
+    render.cpp
+)
+set(skelgen_cli_evaluation_sources
+    evaluate.cpp
+)
+set(skelgen_cli_synth_sources
+    synth.cpp
 )

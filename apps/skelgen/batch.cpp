@@ -17,12 +17,10 @@
 #include "progress_bar.hpp"
 #include "worker_pool.hpp"
 
-namespace skelgen {
+namespace skelgen::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using cli::BatchItem;
-using cli::SummaryLine;
 
 constexpr int status_some_failed = 5;
 
@@ -37,28 +35,31 @@ struct BatchCommand {
     bool quiet = false;
 };
 
-void make_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error || !fs::is_directory(folder))
-        throw Error(ErrorCode::usage, folder.string() + ": cannot be made a folder: " +
-                                          (error ? error.message() : "it is a file") + "; choose another one with -o");
-}
-
 // --------------------------------------------------------------------------------------------- in a worker process
 
 std::string to_status(ErrorCode code) {
-    if (code == ErrorCode::bad_input) return "bad_input";
-    return code == ErrorCode::no_skeleton ? "no_skeleton" : "internal";
+    switch (code) {
+    case ErrorCode::internal:
+        break;
+    case ErrorCode::usage:
+        return "usage";
+    case ErrorCode::bad_input:
+        return "bad_input";
+    case ErrorCode::no_skeleton:
+        return "no_skeleton";
+    case ErrorCode::not_written:
+        return "not_written";
+    }
+    return "internal";
 }
 
 /// Extracts one mesh to its output file.
 SummaryLine process(const BatchItem& item, const ExtractOptions& options) {
     SummaryLine line{item.file, "ok", "", 0, 0, {}};
     try {
-        const auto result = cli::in_file(item.mesh, [&] { return cli::extract_file(item.mesh, options); });
+        const auto result = in_file(item.mesh, [&] { return extract_file(item.mesh, options); });
         make_folder(item.output.parent_path());
-        cli::in_file(item.output, [&] { write_file_atomically(item.output, result.json); });
+        in_file(item.output, [&] { io::write_file_atomically(item.output, result.json); });
         line.faces = result.provenance.mesh->faces;
         line.warnings = result.extraction.skeleton.quality.warnings;
     } catch (const Error& error) {
@@ -83,7 +84,7 @@ std::vector<std::string> names(const std::vector<BatchItem>& items) {
 }
 
 /// Without --resume a batch starts over: nothing that an earlier run left may pass for a result of this one.
-void start_over(const std::vector<BatchItem>& items, const cli::BatchSummary& summary) {
+void start_over(const std::vector<BatchItem>& items, const BatchSummary& summary) {
     std::error_code error; // what cannot be removed cannot be replaced either: its mesh will fail
     for (const BatchItem& item : items) fs::remove(item.output, error);
     summary.update(names(items), {});
@@ -94,7 +95,7 @@ std::optional<SummaryLine> recover_line(const BatchItem& item) {
     std::error_code error;
     if (!fs::exists(item.output, error)) return std::nullopt;
     try {
-        const SkeletonDocument document = read_skeleton_document(item.output);
+        const io::SkeletonDocument document = io::read_skeleton_document(item.output);
         const auto& [mesh, timings] = document.provenance;
         return SummaryLine{item.file,
                            "ok",
@@ -108,8 +109,8 @@ std::optional<SummaryLine> recover_line(const BatchItem& item) {
 }
 
 /// Brings the summary in order after a run that was cut off. Returns the items still to be done.
-std::vector<BatchItem> resume(const std::vector<BatchItem>& items, const cli::BatchSummary& summary) {
-    const cli::SummaryLines known = summary.read();
+std::vector<BatchItem> resume(const std::vector<BatchItem>& items, const BatchSummary& summary) {
+    const SummaryLines known = summary.read();
     std::vector<BatchItem> left;
     std::vector<SummaryLine> recovered;
     for (const BatchItem& item : items) {
@@ -136,13 +137,13 @@ std::string seconds_text(double seconds) {
 /// Takes down what becomes of each mesh.
 class Recorder {
 public:
-    Recorder(const std::vector<BatchItem>& items, const cli::BatchSummary& summary, const BatchCommand& command)
+    Recorder(const std::vector<BatchItem>& items, const BatchSummary& summary, const BatchCommand& command)
         : items_(items), summary_(summary), timeout_seconds_(command.timeout_seconds),
           bar_(items.size(), !command.quiet) {
         bar_.show(0, 0);
     }
 
-    void record(std::size_t index, const cli::JobOutcome& outcome) {
+    void record(std::size_t index, const JobOutcome& outcome) {
         const SummaryLine line = to_line(items_[index], outcome);
         if (line.status != "ok") take_failure(items_[index], line);
         summary_.append(line);
@@ -154,18 +155,18 @@ public:
     void clear_bar() const { bar_.clear(); }
 
 private:
-    [[nodiscard]] SummaryLine to_line(const BatchItem& item, const cli::JobOutcome& outcome) const {
+    [[nodiscard]] SummaryLine to_line(const BatchItem& item, const JobOutcome& outcome) const {
         SummaryLine line{item.file, "", "", outcome.seconds, 0, {}};
         switch (outcome.end) {
-        case cli::JobEnd::done:
-            line = cli::parse_summary_line(outcome.result);
+        case JobEnd::done:
+            line = parse_summary_line(outcome.result);
             line.seconds = outcome.seconds;
             break;
-        case cli::JobEnd::crashed:
+        case JobEnd::crashed:
             line.status = "crash";
             line.error = item.mesh.string() + ": " + outcome.result + "; a fault of skelgen's own, please report it";
             break;
-        case cli::JobEnd::timed_out:
+        case JobEnd::timed_out:
             line.status = "timeout";
             line.error = item.mesh.string() + ": took longer than " + seconds_text(timeout_seconds_) +
                          " s; use a smaller mesh or a longer --timeout";
@@ -178,35 +179,35 @@ private:
         ++failed_;
         std::error_code error;
         fs::remove(item.output, error); // a worker may have been killed just after it wrote the file
-        remove_leftovers(item.output.parent_path());
+        io::remove_leftovers(item.output.parent_path());
         bar_.clear();
-        cli::print_error(line.error);
+        print_error(line.error);
     }
 
     const std::vector<BatchItem>& items_;
-    const cli::BatchSummary& summary_;
+    const BatchSummary& summary_;
     double timeout_seconds_;
-    cli::ProgressBar bar_;
+    ProgressBar bar_;
     std::size_t done_ = 0;
     std::size_t failed_ = 0;
 };
 
 void clean_up(const std::vector<BatchItem>& items, const fs::path& output_folder) {
-    remove_leftovers(output_folder);
-    for (const fs::path& folder : output_folders(items)) remove_leftovers(folder);
+    io::remove_leftovers(output_folder);
+    for (const fs::path& folder : output_folders(items)) io::remove_leftovers(folder);
 }
 
 /// Returns the exit status.
 int run(const BatchCommand& command) {
     ExtractOptions options;
-    options.skeleton_template = cli::in_file("--template", [&] { return load_template(command.skeleton_template); });
+    options.skeleton_template = in_file("--template", [&] { return load_template(command.skeleton_template); });
     const fs::path folder = command.output_folder;
-    const auto all = cli::find_batch_items(command.inputs, folder);
-    const auto items = cli::take_shard(all, cli::parse_shard(command.shard));
+    const auto all = find_batch_items(command.inputs, folder);
+    const auto items = take_shard(all, parse_shard(command.shard));
     make_folder(folder);
     clean_up(items, folder);
 
-    const cli::BatchSummary summary(folder);
+    const BatchSummary summary(folder);
     std::vector<BatchItem> left = items;
     if (command.resume)
         left = resume(items, summary);
@@ -214,10 +215,10 @@ int run(const BatchCommand& command) {
         start_over(items, summary);
 
     Recorder recorder(left, summary, command);
-    const int signal = cli::run_in_workers(
+    const int signal = run_in_workers(
         left.size(), {command.jobs, command.timeout_seconds},
-        [&](std::size_t i) { return cli::to_json(process(left[i], options)); },
-        [&](std::size_t i, const cli::JobOutcome& outcome) { recorder.record(i, outcome); });
+        [&](std::size_t i) { return to_json(process(left[i], options)); },
+        [&](std::size_t i, const JobOutcome& outcome) { recorder.record(i, outcome); });
 
     recorder.clear_bar();
     clean_up(left, folder);
@@ -260,4 +261,4 @@ void add_batch_command(CLI::App& app) {
     });
 }
 
-} // namespace skelgen
+} // namespace skelgen::cli

@@ -1,13 +1,11 @@
 #include "batch_inputs.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <charconv>
 #include <fnmatch.h>
-#include <string_view>
 
 #include <skelgen/core/error.hpp>
+#include <skelgen/io/mesh_format.hpp>
 
 namespace skelgen::cli {
 namespace {
@@ -22,14 +20,6 @@ struct FoundMesh {
 
 bool is_hidden(const fs::path& path) { return path.filename().native().front() == '.'; }
 
-bool has_mesh_extension(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    constexpr std::array<std::string_view, 4> known{".off", ".obj", ".ply", ".stl"};
-    return std::find(known.begin(), known.end(), extension) != known.end();
-}
-
 /// All meshes below `folder`, in any order.
 std::vector<FoundMesh> meshes_below(const fs::path& folder) {
     std::vector<FoundMesh> found;
@@ -41,7 +31,7 @@ std::vector<FoundMesh> meshes_below(const fs::path& folder) {
             continue;
         }
         std::error_code gone; // a file that vanishes meanwhile is no mesh
-        if (has_mesh_extension(entry->path()) && entry->is_regular_file(gone))
+        if (io::mesh_format_of(entry->path()) && entry->is_regular_file(gone))
             found.push_back({entry->path(), entry->path().lexically_relative(folder)});
     }
     if (error)
@@ -104,7 +94,8 @@ std::vector<FoundMesh> find_meshes(const std::string& input) {
     else
         found = {{input, fs::path(input).filename()}};
     if (found.empty())
-        throw Error(ErrorCode::bad_input, input + ": holds no mesh (.off, .obj, .ply or .stl); check the name");
+        throw Error(ErrorCode::bad_input,
+                    input + ": holds no mesh (" + io::mesh_extensions_text() + "); check the name");
     return found;
 }
 

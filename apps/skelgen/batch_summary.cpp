@@ -62,8 +62,9 @@ std::string to_text(const SummaryLines& lines) {
 }
 
 [[noreturn]] void throw_cannot_append(const std::filesystem::path& file, int error) {
-    throw Error(ErrorCode::usage, file.string() + ": cannot be written: " + std::generic_category().message(error) +
-                                      "; make room, or choose another output folder");
+    throw Error(io::write_error_code(error), file.string() +
+                                                 ": cannot be written: " + std::generic_category().message(error) +
+                                                 "; make room, or choose another output folder");
 }
 
 /// Whether a line was cut off at the file's end, by a process killed in the middle of writing it.
@@ -119,7 +120,7 @@ SummaryLines BatchSummary::update(const std::vector<std::string>& files, const s
     SummaryLines all = read_lines(file_);
     for (const std::string& file : files) all.erase(file);
     for (const SummaryLine& line : lines) all[line.file] = line;
-    in_file(file_, [&] { write_file_atomically(file_, to_text(all)); });
+    in_file(file_, [&] { io::write_file_atomically(file_, to_text(all)); });
     return all;
 }
 

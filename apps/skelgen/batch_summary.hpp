@@ -11,7 +11,7 @@ namespace skelgen::cli {
 /// What became of one mesh of a batch.
 struct SummaryLine {
     std::string file;   ///< BatchItem::file
-    std::string status; ///< "ok", "bad_input", "no_skeleton", "internal", "timeout" or "crash"
+    std::string status; ///< "ok", an error's code ("bad_input", "no_skeleton", ...), "timeout" or "crash"
     std::string error;  ///< one sentence; empty when all is well
     double seconds = 0;
     std::int64_t faces = 0;
@@ -32,11 +32,12 @@ class BatchSummary {
 public:
     explicit BatchSummary(std::filesystem::path folder);
 
-    /// Adds a line at the end, in one write. \throws Error usage when it cannot be written.
+    /// Adds a line at the end, in one write. \throws Error with `io::write_error_code` when it cannot be written.
     void append(const SummaryLine& line) const;
 
     /// Removes the lines of `files` and puts `lines` in; then there is one line per file, the last one, ordered by
-    /// file. Returns all that is in it. The file is replaced as a whole. \throws Error usage when it cannot be written.
+    /// file. Returns all that is in it. The file is replaced as a whole.
+    /// \throws Error with `io::write_error_code` when it cannot be written.
     SummaryLines update(const std::vector<std::string>& files, const std::vector<SummaryLine>& lines) const;
 
     /// One line per file, the last one.

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace skelgen {
+namespace skelgen::cli {
 
 // One function per command: it adds the subcommand with its options, and the callback that does the work. Callbacks
 // throw skelgen::Error, its text beginning with the file concerned, or CLI::RuntimeError with an exit status when
@@ -15,4 +15,4 @@ void add_curve_command(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_synth_command(CLI::App& app);
 
-} // namespace skelgen
+} // namespace skelgen::cli

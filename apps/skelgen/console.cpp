@@ -23,8 +23,8 @@ void write_to_standard_output(std::string_view text) {
     errno = 0;
     const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
     if (written && std::fflush(stdout) == 0) return;
-    throw Error(ErrorCode::usage, "standard output: cannot be written: " + std::generic_category().message(errno) +
-                                      "; name a file with -o");
+    throw Error(ErrorCode::not_written, "standard output: cannot be written: " +
+                                            std::generic_category().message(errno) + "; name a file with -o");
 }
 
 } // namespace
@@ -35,7 +35,16 @@ void print_warning(std::string_view what) { print_line("warning", what); }
 
 void write_result(const std::string& path, std::string_view text) {
     if (path.empty() || path == "-") return write_to_standard_output(text);
-    in_file(path, [&] { write_file_atomically(path, text); });
+    in_file(path, [&] { io::write_file_atomically(path, text); });
+}
+
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!error && std::filesystem::is_directory(folder)) return;
+    throw Error(error ? io::write_error_code(error.value()) : ErrorCode::usage,
+                folder.string() + ": cannot be made a folder: " + (error ? error.message() : "it is a file") +
+                    "; choose another one with -o");
 }
 
 void require_different_files(const std::filesystem::path& input, const std::string& output) {

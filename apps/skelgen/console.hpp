@@ -17,8 +17,12 @@ void print_error(std::string_view what);
 void print_warning(std::string_view what);
 
 /// Writes a result to the file, wholly or not at all; to standard output if `path` is empty or "-".
-/// \throws Error usage, its text beginning with the file's name, when it cannot be written.
+/// \throws Error with `io::write_error_code`, its text beginning with the file's name, when it cannot be written.
 void write_result(const std::string& path, std::string_view text);
+
+/// Makes a folder and those above it, where they are not there.
+/// \throws Error with `io::write_error_code`, its text beginning with the folder's name, when that cannot be done.
+void make_folder(const std::filesystem::path& folder);
 
 /// Refuses to replace the input by the output.
 /// \throws Error usage when both are the same file.

@@ -7,7 +7,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 
-namespace skelgen {
+namespace skelgen::cli {
 namespace {
 
 struct CurveCommand {
@@ -16,11 +16,11 @@ struct CurveCommand {
 };
 
 void run(const CurveCommand& command) {
-    cli::require_different_files(command.mesh, command.output);
+    require_different_files(command.mesh, command.output);
     const CurveSkeleton<double> curve =
-        cli::in_file(command.mesh, [&] { return find_curve_skeleton(read_mesh<double>(command.mesh)); });
-    if (command.output == "-") return cli::write_result("-", curve_to_json(curve));
-    cli::in_file(command.output, [&] { write_curve(command.output, curve); });
+        in_file(command.mesh, [&] { return find_curve_skeleton(read_mesh<double>(command.mesh)); });
+    if (command.output == "-") return write_result("-", io::curve_to_json(curve));
+    in_file(command.output, [&] { write_curve(command.output, curve); });
 }
 
 } // namespace
@@ -36,4 +36,4 @@ void add_curve_command(CLI::App& app) {
     sub->callback([command] { run(*command); });
 }
 
-} // namespace skelgen
+} // namespace skelgen::cli

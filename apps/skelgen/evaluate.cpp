@@ -8,7 +8,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 
-namespace skelgen {
+namespace skelgen::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -24,10 +24,10 @@ struct EvaluateCommand {
 
 /// Whether it is the truth file of something of which there should be no skeleton file.
 bool is_of_no_body(const fs::path& truth) {
-    return fs::is_regular_file(truth) && cli::in_file(truth, [&] { return read_ground_truth(truth).not_a_body; });
+    return fs::is_regular_file(truth) && in_file(truth, [&] { return io::read_ground_truth(truth).not_a_body; });
 }
 
-std::vector<SetScore> evaluate(const EvaluateCommand& command) {
+std::vector<evaluation::SetScore> evaluate(const EvaluateCommand& command) {
     std::optional<fs::path> meshes;
     if (!command.meshes.empty()) meshes = command.meshes;
     if (!fs::exists(command.truth))
@@ -37,33 +37,34 @@ std::vector<SetScore> evaluate(const EvaluateCommand& command) {
     if (fs::exists(command.prediction) && fs::is_directory(command.truth) != fs::is_directory(command.prediction))
         throw Error(ErrorCode::usage, command.prediction + ": TRUTH and PREDICTION are not both files or both folders");
     if (fs::is_directory(command.truth)) return evaluate_folders(command.truth, command.prediction, meshes);
-    const MeshScore score = evaluate_file(command.truth, command.prediction, meshes);
-    return {SetScore{score.name, {score}}};
+    const evaluation::MeshScore score = evaluate_file(command.truth, command.prediction, meshes);
+    return {evaluation::SetScore{score.name, {score}}};
 }
 
-std::string report(const EvaluateCommand& command, const std::vector<SetScore>& sets) {
+std::string report(const EvaluateCommand& command, const std::vector<evaluation::SetScore>& sets) {
     std::string text;
-    for (const SetScore& set : sets) {
+    for (const evaluation::SetScore& set : sets) {
         if (command.per_mesh)
-            for (const MeshScore& mesh : set.meshes) text += mesh_score_line(set.name, mesh) + "\n";
-        text += summary_to_text(summarise(set));
+            for (const evaluation::MeshScore& mesh : set.meshes)
+                text += evaluation::mesh_score_line(set.name, mesh) + "\n";
+        text += evaluation::summary_to_text(evaluation::summarise(set));
     }
     return text;
 }
 
-std::string csv(const std::vector<SetScore>& sets) {
-    std::vector<SetSummary> summaries;
-    for (const SetScore& set : sets) summaries.push_back(summarise(set));
-    return summaries_to_csv(summaries);
+std::string csv(const std::vector<evaluation::SetScore>& sets) {
+    std::vector<evaluation::SetSummary> summaries;
+    for (const evaluation::SetScore& set : sets) summaries.push_back(evaluation::summarise(set));
+    return evaluation::summaries_to_csv(summaries);
 }
 
 void run(const EvaluateCommand& command) {
     if (command.csv == "-" && command.json == "-")
         throw Error(ErrorCode::usage, "--csv and --json: both go to standard output; name a file for one");
-    const std::vector<SetScore> sets = evaluate(command);
-    if (!command.csv.empty()) cli::write_result(command.csv, csv(sets));
-    if (!command.json.empty()) cli::write_result(command.json, scores_to_json(sets, command.per_mesh));
-    if (command.csv != "-" && command.json != "-") cli::write_result("-", report(command, sets));
+    const std::vector<evaluation::SetScore> sets = evaluate(command);
+    if (!command.csv.empty()) write_result(command.csv, csv(sets));
+    if (!command.json.empty()) write_result(command.json, evaluation::scores_to_json(sets, command.per_mesh));
+    if (command.csv != "-" && command.json != "-") write_result("-", report(command, sets));
 }
 
 } // namespace
@@ -90,4 +91,4 @@ void add_evaluate_command(CLI::App& app) {
     sub->callback([command] { run(*command); });
 }
 
-} // namespace skelgen
+} // namespace skelgen::cli

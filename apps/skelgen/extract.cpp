@@ -8,7 +8,7 @@
 #include "console.hpp"
 #include "extract_file.hpp"
 
-namespace skelgen {
+namespace skelgen::cli {
 namespace {
 
 struct ExtractCommand {
@@ -16,12 +16,12 @@ struct ExtractCommand {
     std::string output = "-";
     std::string skeleton_template = "human21";
     std::string curve;
-    int threads = 1;
+    int threads = 1; ///< taken and not used: an extraction runs in one thread
     bool verbose = false;
     bool quiet = false;
 };
 
-void print_details(const cli::FileExtraction& result) {
+void print_details(const FileExtraction& result) {
     const auto& mesh = *result.provenance.mesh;
     const auto& timings = *result.provenance.timings_ms;
     const auto& quality = result.extraction.skeleton.quality;
@@ -35,20 +35,18 @@ void print_details(const cli::FileExtraction& result) {
 }
 
 void run(const ExtractCommand& command) {
-    cli::require_different_files(command.mesh, command.output);
-    cli::require_different_files(command.mesh, command.curve);
+    require_different_files(command.mesh, command.output);
+    require_different_files(command.mesh, command.curve);
     ExtractOptions options;
-    options.skeleton_template = cli::in_file("--template", [&] { return load_template(command.skeleton_template); });
-    options.threads = command.threads;
-    const auto result = cli::in_file(command.mesh, [&] { return cli::extract_file(command.mesh, options); });
+    options.skeleton_template = in_file("--template", [&] { return load_template(command.skeleton_template); });
+    const auto result = in_file(command.mesh, [&] { return extract_file(command.mesh, options); });
 
-    if (!command.curve.empty())
-        cli::in_file(command.curve, [&] { write_curve(command.curve, result.extraction.curve); });
-    cli::write_result(command.output, result.json);
+    if (!command.curve.empty()) in_file(command.curve, [&] { write_curve(command.curve, result.extraction.curve); });
+    write_result(command.output, result.json);
     if (command.verbose) print_details(result);
     if (command.quiet) return;
     for (const std::string& warning : result.extraction.skeleton.quality.warnings)
-        cli::print_warning(command.mesh + ": " + warning);
+        print_warning(command.mesh + ": " + warning);
 }
 
 } // namespace
@@ -61,7 +59,7 @@ void add_extract_command(CLI::App& app) {
     sub->add_option("--template", command->skeleton_template, "Built-in template, or a template's file (JSON)")
         ->capture_default_str();
     sub->add_option("--curve", command->curve, "Also write the curve skeleton: .json, .obj, .ply or .swc");
-    sub->add_option("--threads", command->threads, "Threads to use; the result does not depend on it")
+    sub->add_option("--threads", command->threads, "Threads to use (not in use yet); the result does not depend on it")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
     CLI::Option* verbose = sub->add_flag("-v,--verbose", command->verbose, "Tell sizes, confidence and timings");
@@ -70,4 +68,4 @@ void add_extract_command(CLI::App& app) {
     sub->callback([command] { run(*command); });
 }
 
-} // namespace skelgen
+} // namespace skelgen::cli

@@ -16,10 +16,10 @@ FileExtraction extract_file(const std::filesystem::path& mesh_file, const Extrac
 
     FileExtraction result;
     result.extraction = extract_skeleton(mesh, options);
-    FileTimings timings{read_ms, result.extraction.timings};
+    io::FileTimings timings{read_ms, result.extraction.timings};
     timings.stages.total = ms_since_start();
-    result.provenance.mesh = SourceMesh{mesh_file.filename().string(), mesh.vertices.rows(), mesh.faces.rows(),
-                                        result.extraction.geodesic_diameter};
+    result.provenance.mesh = io::SourceMesh{mesh_file.filename().string(), mesh.vertices.rows(), mesh.faces.rows(),
+                                            result.extraction.geodesic_diameter};
     result.provenance.timings_ms = timings;
     result.json = skeleton_to_json(result.extraction.skeleton, result.provenance);
     return result;

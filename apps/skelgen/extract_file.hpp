@@ -12,12 +12,12 @@ namespace skelgen::cli {
 /// What came out of one mesh file.
 struct FileExtraction {
     Extraction<double> extraction;
-    SkeletonProvenance provenance;
+    io::SkeletonProvenance provenance;
     std::string json; ///< the skeleton file's text
 };
 
 /// Reads a mesh and finds its skeleton: what `extract` and `batch` both do, so that they give the same bytes.
-/// \throws Error as `read_mesh` and `extract_skeleton`, without the file's name.
+/// \throws Error as `io::read_mesh` and `extract_skeleton`, without the file's name.
 [[nodiscard]] FileExtraction extract_file(const std::filesystem::path& mesh, const ExtractOptions& options);
 
 } // namespace skelgen::cli

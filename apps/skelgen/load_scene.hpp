@@ -13,13 +13,13 @@ struct SceneSources {
     std::filesystem::path mesh;
     std::filesystem::path skeleton; ///< skeleton file
     std::filesystem::path curve;    ///< curve file
-    std::filesystem::path truth;    ///< file with "joints": {name: [x, y, z]}, shown as marks
+    std::filesystem::path truth;    ///< file with true joints, shown as marks
     ExtractOptions extraction;
 };
 
 /// Reads a mesh and all there is to show of it. A mesh in which no skeleton is found is still a scene: its `failure`
 /// says why, and the curve skeleton is shown if there is one.
 /// \throws Error, its text beginning with the file's name, when a file cannot be read.
-[[nodiscard]] Scene load_scene(const SceneSources& sources);
+[[nodiscard]] render::Scene load_scene(const SceneSources& sources);
 
 } // namespace skelgen::cli

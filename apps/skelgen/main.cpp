@@ -1,54 +1,112 @@
+#include <array>
+#include <csignal>
 #include <exception>
+#include <iostream>
 #include <new>
 #include <string>
+#include <string_view>
 
 #include <skelgen/version.hpp>
 
 #include "commands.hpp"
 #include "console.hpp"
 
-namespace {
+// Which optional parts of the library this program is linked with; the build says so.
+#ifndef SKELGEN_WITH_EVALUATION
+#define SKELGEN_WITH_EVALUATION 1
+#endif
+#ifndef SKELGEN_WITH_RENDER
+#define SKELGEN_WITH_RENDER 1
+#endif
+#ifndef SKELGEN_WITH_SYNTH
+#define SKELGEN_WITH_SYNTH 1
+#endif
 
-using skelgen::Error;
-using skelgen::ErrorCode;
+namespace skelgen::cli {
+namespace {
 
 constexpr int to_status(ErrorCode code) { return static_cast<int>(code); }
 
+/// A command that needs an optional part of the library.
+struct OptionalCommand {
+    std::string_view name;
+    std::string_view build_option;
+    bool is_there;
+};
+
+constexpr std::array<OptionalCommand, 3> optional_commands{
+    {{"evaluate", "SKELGEN_BUILD_EVALUATION", SKELGEN_WITH_EVALUATION != 0},
+     {"render", "SKELGEN_BUILD_RENDER", SKELGEN_WITH_RENDER != 0},
+     {"synth", "SKELGEN_BUILD_SYNTH", SKELGEN_WITH_SYNTH != 0}}};
+
 void add_commands(CLI::App& app) {
-    skelgen::add_extract_command(app);
-    skelgen::add_batch_command(app);
-    skelgen::add_evaluate_command(app);
-    skelgen::add_curve_command(app);
-    skelgen::add_render_command(app);
-    skelgen::add_synth_command(app);
+    add_extract_command(app);
+    add_batch_command(app);
+#if SKELGEN_WITH_EVALUATION
+    add_evaluate_command(app);
+#endif
+    add_curve_command(app);
+#if SKELGEN_WITH_RENDER
+    add_render_command(app);
+#endif
+#if SKELGEN_WITH_SYNTH
+    add_synth_command(app);
+#endif
+}
+
+std::string footer() {
+    std::string text =
+        "Example:\n  skelgen extract body.off -o body.json\n\n"
+        "Exit status: 0 done; 1 a fault of skelgen's own; 2 wrong usage; 3 the input cannot be read or is no\n"
+        "mesh; 4 no skeleton could be found in it; 5 (batch, render) some meshes failed; 6 the result cannot be\n"
+        "stored, on a full disk for example.";
+    for (const auto& [name, build_option, is_there] : optional_commands)
+        if (!is_there)
+            text += "\n\nNot in this build: " + std::string(name) + " (" + std::string(build_option) + " is off).";
+    return text;
+}
+
+/// What is wrong with a first argument that is no command.
+std::string unknown_command(std::string_view argument) {
+    for (const auto& [name, build_option, is_there] : optional_commands)
+        if (name == argument && !is_there)
+            return "is not in this build of skelgen; build it with " + std::string(build_option) + "=ON";
+    return "is no command of skelgen; see `skelgen --help`";
 }
 
 /// CLI11's own message in the shape of all others.
 void print_usage_error(const CLI::App& app, const CLI::ParseError& error, const std::string& first_argument) {
     const auto commands = app.get_subcommands();
-    const bool is_unknown_command = commands.empty() && !first_argument.empty() && first_argument.front() != '-';
-    std::string subject = is_unknown_command ? first_argument : "command line";
-    std::string what = is_unknown_command ? "is no command of skelgen" : error.what();
-    std::string help = "skelgen --help";
     if (!commands.empty()) {
-        subject = commands.front()->get_name();
-        help = "skelgen " + subject + " --help";
+        const std::string name = commands.front()->get_name();
+        print_error(name + ": " + error.what() + "; see `skelgen " + name + " --help`");
+    } else if (!first_argument.empty() && first_argument.front() != '-') {
+        print_error(first_argument + ": " + unknown_command(first_argument));
+    } else {
+        print_error(std::string("command line: ") + error.what() + "; see `skelgen --help`");
     }
-    skelgen::cli::print_error(subject + ": " + what + "; see `" + help + "`");
+}
+
+/// Writing to a pipe that nobody reads, or beyond the largest size that a file may have, would end the process without
+/// a word and leave half a file behind: as failed writes they are reported like all others.
+void make_signals_errors() {
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 int run(int argc, char** argv) {
+    make_signals_errors();
     CLI::App app("The kinematic skeleton of a human body, found in its triangle mesh by geometry alone.", "skelgen");
-    app.set_version_flag("--version", "skelgen " + std::string(skelgen::version));
+    app.set_version_flag("--version", "skelgen " + std::string(version));
     app.require_subcommand(1);
-    app.footer("Example:\n  skelgen extract body.off -o body.json\n\n"
-               "Exit status: 0 done; 1 a fault of skelgen's own; 2 wrong usage; 3 the input cannot be read or is no\n"
-               "mesh; 4 no skeleton could be found in it; 5 (batch) some meshes failed.");
+    app.footer(footer());
     add_commands(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) { // --help and --version
-        return app.exit(success);
+        app.exit(success);
+        if (!std::cout.flush())
+            throw Error(ErrorCode::not_written, "standard output: cannot be written; make room or send it elsewhere");
     } catch (const CLI::RuntimeError& ended) {
         return ended.get_exit_code();
     } catch (const CLI::ParseError& error) {
@@ -58,20 +116,24 @@ int run(int argc, char** argv) {
     return 0;
 }
 
-} // namespace
-
-int main(int argc, char** argv) {
+/// Runs the program; what it could not do is one line on standard error and the exit status.
+int run_and_report(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const Error& error) {
-        skelgen::cli::print_error(error.what());
+        print_error(error.what());
         return to_status(error.code());
     } catch (const std::bad_alloc&) {
-        skelgen::cli::print_error("out of memory; use a smaller mesh or a larger machine");
+        print_error("out of memory; use a smaller mesh or a larger machine");
     } catch (const std::exception& error) {
-        skelgen::cli::print_error(std::string("a fault of skelgen's own, please report it: ") + error.what());
+        print_error(std::string("a fault of skelgen's own, please report it: ") + error.what());
     } catch (...) {
-        skelgen::cli::print_error("a fault of skelgen's own of unknown kind, please report it");
+        print_error("a fault of skelgen's own of unknown kind, please report it");
     }
     return to_status(ErrorCode::internal);
 }
+
+} // namespace
+} // namespace skelgen::cli
+
+int main(int argc, char** argv) { return skelgen::cli::run_and_report(argc, argv); }

@@ -15,11 +15,10 @@
 #include "console.hpp"
 #include "load_scene.hpp"
 
-namespace skelgen {
+namespace skelgen::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using cli::BatchItem;
 
 constexpr int status_some_failed = 5;
 
@@ -34,7 +33,6 @@ struct RenderCommand {
     std::string curve;
     std::string truth;
     int columns = 0; ///< 0: as many as make the sheet most nearly square
-    int threads = 1;
     bool names = false;
 };
 
@@ -63,12 +61,13 @@ std::pair<int, int> parse_size(const std::string& text) {
     throw Error(ErrorCode::usage, "--size: '" + text + "' is no size; write width x height in pixels, as 800x1000");
 }
 
-RenderOptions render_options(const RenderCommand& command, bool sheet) {
-    RenderOptions options;
+render::RenderOptions render_options(const RenderCommand& command, bool sheet) {
+    render::RenderOptions options;
     const std::string usual_size = sheet ? "320x400" : "800x1000";
     std::tie(options.width, options.height) = parse_size(command.size.empty() ? usual_size : command.size);
-    options.view = cli::in_file("--view", [&] { return parse_view(command.view); });
-    options.background = command.background == "transparent" ? Background::transparent : Background::white;
+    options.view = in_file("--view", [&] { return render::parse_view(command.view); });
+    options.background =
+        command.background == "transparent" ? render::Background::transparent : render::Background::white;
     options.names = command.names;
     return options;
 }
@@ -79,10 +78,13 @@ fs::path companion(const std::string& named, const BatchItem& item) {
     return fs::path(named) / fs::path(item.file).replace_extension(".json");
 }
 
-cli::SceneSources sources_of(const RenderCommand& command, const BatchItem& item) {
+ExtractOptions extract_options(const RenderCommand& command) {
     ExtractOptions options;
-    options.skeleton_template = load_template(command.skeleton_template);
-    options.threads = command.threads;
+    options.skeleton_template = in_file("--template", [&] { return load_template(command.skeleton_template); });
+    return options;
+}
+
+SceneSources sources_of(const RenderCommand& command, const BatchItem& item, const ExtractOptions& options) {
     return {item.mesh, companion(command.skeleton, item), companion(command.curve, item),
             companion(command.truth, item), options};
 }
@@ -90,34 +92,37 @@ cli::SceneSources sources_of(const RenderCommand& command, const BatchItem& item
 // ---- one mesh ----
 
 void render_one(const RenderCommand& command, const BatchItem& item) {
-    cli::require_different_files(item.mesh, command.output);
-    const RenderOptions options = render_options(command, false);
-    const Scene scene = cli::load_scene(sources_of(command, item));
-    if (!scene.failure.empty()) cli::print_warning(item.mesh.string() + ": " + scene.failure);
-    cli::write_result(command.output, cli::in_file(item.mesh, [&] {
-                          return is_svg(command.output) ? render_svg(scene, options)
-                                                        : encode_png(render_scene(scene, options));
-                      }));
+    require_different_files(item.mesh, command.output);
+    const render::RenderOptions options = render_options(command, false);
+    const render::Scene scene = load_scene(sources_of(command, item, extract_options(command)));
+    if (!scene.failure.empty()) print_warning(item.mesh.string() + ": " + scene.failure);
+    write_result(command.output, in_file(item.mesh, [&] {
+                     return is_svg(command.output) ? render::render_svg(scene, options)
+                                                   : render::encode_png(render::render_scene(scene, options));
+                 }));
 }
 
 // ---- a contact sheet ----
 
-/// The scene of one cell. What cannot be read costs its own cell only.
-Scene load_cell(const RenderCommand& command, const BatchItem& item, bool& readable) {
-    Scene scene;
+struct Cell {
+    render::Scene scene;
+    bool is_readable = false;
+};
+
+/// What cannot be read costs its own cell only.
+Cell load_cell(const SceneSources& sources, const BatchItem& item) {
+    Cell cell;
     try {
-        scene = cli::load_scene(sources_of(command, item));
-        readable = true;
-        if (!scene.failure.empty()) cli::print_warning(item.mesh.string() + ": " + scene.failure);
+        cell = {load_scene(sources), true};
+        if (!cell.scene.failure.empty()) print_warning(item.mesh.string() + ": " + cell.scene.failure);
     } catch (const Error& error) {
-        readable = false;
-        cli::print_error(error.what());
+        print_error(error.what());
         const std::string prefix = item.mesh.string() + ": "; // the caption names the mesh already
         const std::string what = error.what();
-        scene.failure = what.rfind(prefix, 0) == 0 ? what.substr(prefix.size()) : what;
+        cell.scene.failure = what.rfind(prefix, 0) == 0 ? what.substr(prefix.size()) : what;
     }
-    scene.caption = item.file;
-    return scene;
+    cell.scene.caption = item.file;
+    return cell;
 }
 
 void check_companions(const RenderCommand& command) {
@@ -128,31 +133,32 @@ void check_companions(const RenderCommand& command) {
 
 void render_sheet(const RenderCommand& command, const std::vector<BatchItem>& items) {
     check_companions(command);
-    const RenderOptions options = render_options(command, true);
+    const render::RenderOptions options = render_options(command, true);
+    const ExtractOptions extraction = extract_options(command);
     const bool svg = is_svg(command.output);
-    std::vector<Image> images;
+    std::vector<render::Image> images;
     std::vector<std::string> documents;
     std::size_t failed = 0;
     for (const BatchItem& item : items) {
-        cli::require_different_files(item.mesh, command.output);
-        bool readable = false;
-        const Scene scene = load_cell(command, item, readable);
-        failed += readable ? 0 : 1;
+        require_different_files(item.mesh, command.output);
+        const Cell cell = load_cell(sources_of(command, item, extraction), item);
+        failed += cell.is_readable ? 0 : 1;
         if (svg)
-            documents.push_back(render_svg(scene, options));
+            documents.push_back(render::render_svg(cell.scene, options));
         else
-            images.push_back(render_scene(scene, options));
+            images.push_back(render::render_scene(cell.scene, options));
     }
     const int count = static_cast<int>(items.size());
-    const int columns = command.columns > 0 ? command.columns : sheet_columns(count, options.width, options.height);
-    cli::write_result(command.output, svg ? svg_contact_sheet(documents, columns, options.width, options.height)
-                                          : encode_png(contact_sheet(images, columns)));
+    const int columns =
+        command.columns > 0 ? command.columns : render::sheet_columns(count, options.width, options.height);
+    write_result(command.output, svg ? render::svg_contact_sheet(documents, columns, options.width, options.height)
+                                     : render::encode_png(render::contact_sheet(images, columns)));
     if (failed > 0) throw CLI::RuntimeError(status_some_failed);
 }
 
 void run(const RenderCommand& command) {
     check_output(command.output);
-    const std::vector<BatchItem> items = cli::find_batch_items(command.inputs, {});
+    const std::vector<BatchItem> items = find_batch_items(command.inputs, {});
     const bool sheet = items.size() > 1 || fs::is_directory(command.inputs.front());
     if (sheet)
         render_sheet(command, items);
@@ -167,9 +173,6 @@ void add_source_options(CLI::App& sub, RenderCommand& command) {
     sub.add_option("--truth", command.truth,
                    "Mark the joints of this file (JSON, \"joints\": {name: [x, y, z]}) by red crosses; or a folder");
     sub.add_option("--template", command.skeleton_template, "Built-in template, or a template's file (JSON)")
-        ->capture_default_str();
-    sub.add_option("--threads", command.threads, "Threads to extract with; the result does not depend on it")
-        ->check(CLI::Range(1, 1024))
         ->capture_default_str();
 }
 
@@ -203,4 +206,4 @@ void add_render_command(CLI::App& app) {
     sub->callback([command] { run(*command); });
 }
 
-} // namespace skelgen
+} // namespace skelgen::cli

@@ -1,10 +1,9 @@
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 #include <skelgen/core/error.hpp>
-#include <skelgen/io/atomic_file.hpp>
+#include <skelgen/io/mesh_format.hpp>
+#include <skelgen/io/read_file.hpp>
 #include <skelgen/io/write_mesh.hpp>
 #include <skelgen/synth/body.hpp>
 #include <skelgen/synth/garment.hpp>
@@ -14,7 +13,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 
-namespace skelgen {
+namespace skelgen::cli {
 namespace {
 
 constexpr const char* object_set = "not-a-body";
@@ -26,12 +25,12 @@ struct SynthCommand {
     std::string sex;
     std::string set;
     std::vector<std::string> clothes;
-    BodyShape shape;
+    synth::BodyShape shape;
     std::uint64_t seed = 0;
     int faces = 13776;
 };
 
-void set_sex(BodyShape& shape, const std::string& sex) {
+void set_sex(synth::BodyShape& shape, const std::string& sex) {
     if (sex == "female")
         shape.masculinity = 0;
     else if (sex == "male")
@@ -40,17 +39,12 @@ void set_sex(BodyShape& shape, const std::string& sex) {
         throw Error(ErrorCode::usage, "--sex " + sex + " is unknown: give female or male, or --masculinity");
 }
 
-BodyPose read_pose(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
-    return parse_pose(std::string(std::istreambuf_iterator<char>(in), {}));
-}
-
 /// A random pose, one from a file or one of the library, for which the limbs are spread as far as this body needs.
-BodyPose find_pose(const SynthCommand& command) {
-    if (command.pose == "random") return random_free_pose(command.shape, command.seed);
+synth::BodyPose find_pose(const SynthCommand& command) {
+    if (command.pose == "random") return synth::random_free_pose(command.shape, command.seed);
     if (std::filesystem::is_regular_file(command.pose))
-        return cli::in_file(command.pose, [&] { return read_pose(command.pose); });
-    return spread_limbs(command.shape, named_pose(command.pose));
+        return in_file(command.pose, [&] { return synth::parse_pose(io::read_file(command.pose)); });
+    return synth::spread_limbs(command.shape, synth::named_pose(command.pose));
 }
 
 /// Where a set goes: DIR/meshes/<set>/<name>.off and DIR/truth/<set>/<name>.json.
@@ -58,17 +52,17 @@ class SetWriter {
 public:
     SetWriter(const std::filesystem::path& folder, std::string set)
         : meshes_(folder / "meshes" / set), truths_(folder / "truth" / set), set_(std::move(set)) {
-        std::error_code error;
-        std::filesystem::create_directories(meshes_, error);
-        if (!error) std::filesystem::create_directories(truths_, error);
-        if (error) throw Error(ErrorCode::usage, folder.string() + ": cannot make this folder: " + error.message());
+        make_folder(folder);
+        make_folder(meshes_);
+        make_folder(truths_);
     }
 
     /// `to_truth` makes the truth's JSON from the name of the mesh's file.
     template <typename ToTruth>
     void write(const std::string& name, const TriangleMesh<double>& mesh, const ToTruth& to_truth) const {
-        write_mesh(meshes_ / (name + ".off"), mesh);
-        write_file_atomically(truths_ / (name + ".json"), to_truth(set_ + "/" + name + ".off"));
+        const std::filesystem::path mesh_file = meshes_ / (name + ".off"), truth_file = truths_ / (name + ".json");
+        in_file(mesh_file, [&] { write_mesh(mesh_file, mesh); });
+        write_result(truth_file, to_truth(set_ + "/" + name + ".off"));
     }
 
 private:
@@ -79,36 +73,35 @@ private:
 void run_set(const SynthCommand& command) {
     if (command.set == object_set) {
         const SetWriter writer(command.output, command.set);
-        for (const std::string& name : object_names())
-            writer.write(name, synthesize_object(name, command.faces), object_truth_to_json);
+        for (const std::string& name : synth::object_names())
+            writer.write(name, synth::synthesize_object(name, command.faces), synth::object_truth_to_json);
         return;
     }
-    const std::vector<BodyPlan> plans = body_set(command.set, command.seed);
+    const std::vector<synth::BodyPlan> plans = synth::body_set(command.set, command.seed);
     const SetWriter writer(command.output, command.set);
-    for (const BodyPlan& plan : plans) {
-        const SynthBody body = cli::in_file(plan.name, [&] { return synthesize_body(plan); });
-        writer.write(plan.name, body.mesh, [&](const std::string& file) { return truth_to_json(body.truth, file); });
+    for (const synth::BodyPlan& plan : plans) {
+        const synth::SynthBody body = in_file(plan.name, [&] { return synth::synthesize_body(plan); });
+        writer.write(plan.name, body.mesh,
+                     [&](const std::string& file) { return synth::truth_to_json(body.truth, file); });
     }
 }
 
 void run(SynthCommand& command) {
     if (!command.set.empty()) return run_set(command);
     set_sex(command.shape, command.sex);
-    check_shape(command.shape);
-    BodyPlan plan;
+    synth::check_shape(command.shape);
+    synth::BodyPlan plan;
     plan.shape = command.shape, plan.pose = find_pose(command), plan.faces = command.faces;
-    for (const std::string& garment : command.clothes) plan.clothes.push_back(named_garment(garment));
-    const SynthBody body = synthesize_body(plan);
-    cli::in_file(command.output, [&] { write_mesh(command.output, body.mesh); });
+    for (const std::string& garment : command.clothes) plan.clothes.push_back(synth::named_garment(garment));
+    const synth::SynthBody body = synth::synthesize_body(plan);
+    in_file(command.output, [&] { write_mesh(command.output, body.mesh); });
     if (!command.truth.empty())
-        cli::in_file(command.truth, [&] {
-            write_file_atomically(command.truth,
-                                  truth_to_json(body.truth, std::filesystem::path(command.output).filename().string()));
-        });
+        write_result(command.truth,
+                     synth::truth_to_json(body.truth, std::filesystem::path(command.output).filename().string()));
 }
 
 void add_shape_options(CLI::App& sub, SynthCommand& command) {
-    BodyShape& shape = command.shape;
+    synth::BodyShape& shape = command.shape;
     sub.add_option("--age", shape.age, "Years, 5 to 90")->capture_default_str();
     sub.add_option("--sex", command.sex, "female or male (the default)");
     sub.add_option("--masculinity", shape.masculinity, "Between woman (0) and man (1)")
@@ -130,20 +123,21 @@ void add_shape_options(CLI::App& sub, SynthCommand& command) {
 void add_synth_command(CLI::App& app) {
     auto command = std::make_shared<SynthCommand>();
     CLI::App* sub = app.add_subcommand("synth", "Make a posed human body of which every joint is known");
-    sub->add_option("-o,--output", command->output, "Mesh to write: .off, .obj, .ply or .stl; a folder for --set")
+    sub->add_option("-o,--output", command->output,
+                    "Mesh to write: " + io::mesh_extensions_text() + "; a folder for --set")
         ->required();
     std::string sets = std::string("Make a whole set of meshes with their truth into a folder: ") + object_set;
-    for (const std::string& name : set_names()) sets += " " + name;
+    for (const std::string& name : synth::set_names()) sets += " " + name;
     sub->add_option("--set", command->set, sets);
     sub->add_option("--truth", command->truth, "JSON to write with joints, end points and the geodesic diameter");
     std::string poses = "Pose: random, a JSON file, or";
-    for (const std::string& name : pose_names()) poses += " " + name;
+    for (const std::string& name : synth::pose_names()) poses += " " + name;
     sub->add_option("--pose", command->pose, poses)->capture_default_str();
     sub->add_option("--seed", command->seed, "Of the random poses and faults")->capture_default_str();
     sub->add_option("--faces", command->faces, "Number of triangles, 5000 to 3000000, kept within 2 %")
         ->capture_default_str();
     std::string clothes = "What the body wears, one or more of";
-    for (const std::string& name : garment_names()) clothes += " " + name;
+    for (const std::string& name : synth::garment_names()) clothes += " " + name;
     sub->add_option("--wear", command->clothes, clothes);
     add_shape_options(*sub, *command);
     sub->footer("Examples:\n  skelgen synth -o body.off --truth body.json --pose walk\n"
@@ -153,4 +147,4 @@ void add_synth_command(CLI::App& app) {
     sub->callback([command] { run(*command); });
 }
 
-} // namespace skelgen
+} // namespace skelgen::cli

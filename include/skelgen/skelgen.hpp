@@ -1,72 +1,19 @@
 #pragma once
 
-// The whole public API. Adaptors to other mesh libraries (io/openmesh_adaptor.hpp, io/cgal_adaptor.hpp) are not part of
-// it: they need these libraries' headers.
+// What most users need: meshes in, skeletons out. Each stage's header (curve/find_curve.hpp, refinement/refine.hpp,
+// ...) holds that stage; render/, evaluation/ and synth/ are parts of their own; io/openmesh_adaptor.hpp and
+// io/cgal_adaptor.hpp need these libraries' headers.
 
-#include <skelgen/core/adjacency.hpp>
-#include <skelgen/core/canonical_form.hpp>
-#include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/curve_skeleton.hpp>
-#include <skelgen/core/denoise.hpp>
 #include <skelgen/core/error.hpp>
-#include <skelgen/core/geodesics.hpp>
-#include <skelgen/core/geometry.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
-#include <skelgen/core/polyline.hpp>
 #include <skelgen/core/skeleton_template.hpp>
-#include <skelgen/core/template_rules.hpp>
-#include <skelgen/curve/centring.hpp>
-#include <skelgen/curve/contraction.hpp>
-#include <skelgen/curve/cut_surface.hpp>
-#include <skelgen/curve/extract_curve.hpp>
-#include <skelgen/curve/laplacian.hpp>
-#include <skelgen/curve/leaf_extension.hpp>
-#include <skelgen/curve/limb_ends.hpp>
-#include <skelgen/curve/manifold_parts.hpp>
-#include <skelgen/curve/medial_balls.hpp>
-#include <skelgen/curve/proxy.hpp>
-#include <skelgen/curve/pruning.hpp>
-#include <skelgen/curve/surgery.hpp>
-#include <skelgen/embedding/embed.hpp>
-#include <skelgen/embedding/loop_cuts.hpp>
-#include <skelgen/embedding/reduced_graph.hpp>
-#include <skelgen/embedding/spectral_matching.hpp>
-#include <skelgen/evaluation/evaluate.hpp>
-#include <skelgen/evaluation/report.hpp>
-#include <skelgen/evaluation/statistics.hpp>
 #include <skelgen/extract.hpp>
-#include <skelgen/io/atomic_file.hpp>
 #include <skelgen/io/curve_formats.hpp>
-#include <skelgen/io/mesh_format.hpp>
-#include <skelgen/io/polygon_mesh.hpp>
 #include <skelgen/io/read_mesh.hpp>
 #include <skelgen/io/skeleton_json.hpp>
 #include <skelgen/io/template_json.hpp>
 #include <skelgen/io/write_mesh.hpp>
-#include <skelgen/refinement/centreline.hpp>
-#include <skelgen/refinement/cross_section.hpp>
-#include <skelgen/refinement/end_points.hpp>
-#include <skelgen/refinement/fork.hpp>
-#include <skelgen/refinement/head.hpp>
-#include <skelgen/refinement/limbs.hpp>
-#include <skelgen/refinement/refine.hpp>
-#include <skelgen/refinement/settle.hpp>
-#include <skelgen/refinement/thickness_profile.hpp>
-#include <skelgen/refinement/trunk_shape.hpp>
-#include <skelgen/render/contact_sheet.hpp>
-#include <skelgen/render/image.hpp>
-#include <skelgen/render/png.hpp>
-#include <skelgen/render/render_scene.hpp>
-#include <skelgen/render/scene.hpp>
-#include <skelgen/render/view.hpp>
-#include <skelgen/symmetry/sides.hpp>
-#include <skelgen/symmetry/standing_pose.hpp>
-#include <skelgen/synth/body.hpp>
-#include <skelgen/synth/garment.hpp>
-#include <skelgen/synth/objects.hpp>
-#include <skelgen/synth/pose.hpp>
-#include <skelgen/synth/scan_faults.hpp>
-#include <skelgen/synth/sets.hpp>
-#include <skelgen/synth/shape.hpp>
 #include <skelgen/version.hpp>

@@ -3,9 +3,10 @@
 #include <algorithm>
 
 #include <skelgen/core/error.hpp>
+#include <skelgen/io/mesh_format.hpp>
 #include <skelgen/io/read_mesh.hpp>
 
-namespace skelgen {
+namespace skelgen::evaluation {
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,11 +42,11 @@ std::vector<fs::path> folders(const fs::path& folder) {
 }
 
 fs::path find_mesh(const fs::path& folder, const std::string& name) {
-    for (const char* extension : {".off", ".obj", ".ply", ".stl"}) {
-        fs::path file = folder / (name + extension);
+    for (const std::string_view extension : io::mesh_extensions()) {
+        fs::path file = folder / (name + std::string(extension));
         if (fs::exists(file)) return file;
     }
-    throw Error(ErrorCode::bad_input, (folder / name).string() + ": no such mesh (.off, .obj, .ply or .stl)");
+    throw Error(ErrorCode::bad_input, (folder / name).string() + ": no such mesh (" + io::mesh_extensions_text() + ")");
 }
 
 struct SetFolders {
@@ -85,12 +86,12 @@ std::string folder_name(const fs::path& folder) {
 MeshScore evaluate_file(const fs::path& truth, const fs::path& prediction, const std::optional<fs::path>& mesh) {
     const JointPositions joints = read_joint_positions(prediction);
     MeshScore score = naming(truth, [&] {
-        const GroundTruth known = read_ground_truth(truth);
+        const io::GroundTruth known = io::read_ground_truth(truth);
         return known.not_a_body ? score_of_no_body(prediction) : score_joints(known, joints);
     });
     score.name = truth.stem().string();
     if (mesh && score.complete)
-        score.outside = naming(*mesh, [&] { return joints_outside(read_mesh<double>(*mesh), joints); });
+        score.outside = naming(*mesh, [&] { return joints_outside(io::read_mesh<double>(*mesh), joints); });
     return score;
 }
 
@@ -106,4 +107,4 @@ std::vector<SetScore> evaluate_folders(const fs::path& truth, const fs::path& pr
     return {evaluate_set(folder_name(truth), all)};
 }
 
-} // namespace skelgen
+} // namespace skelgen::evaluation

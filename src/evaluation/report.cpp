@@ -8,9 +8,9 @@
 
 #include <skelgen/evaluation/statistics.hpp>
 
-#include "../io/number_text.hpp"
+#include "io/number_text.hpp"
 
-namespace skelgen {
+namespace skelgen::evaluation {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -23,7 +23,7 @@ std::string four_digits(double value) {
 
 std::string shortest(double value) {
     std::string text;
-    detail::append_number(text, value);
+    io::detail::append_number(text, value);
     return text;
 }
 
@@ -160,4 +160,4 @@ std::string scores_to_json(const std::vector<SetScore>& sets, bool with_meshes) 
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-} // namespace skelgen
+} // namespace skelgen::evaluation

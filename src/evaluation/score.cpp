@@ -7,7 +7,7 @@
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 
-namespace skelgen {
+namespace skelgen::evaluation {
 namespace {
 
 constexpr double reach = 0.12; // a limb's joint lies within this part of the scale from its marker
@@ -24,31 +24,31 @@ bool is_complete(const JointPositions& joints) {
     return std::all_of(evaluated_joints().begin(), evaluated_joints().end(), is_found);
 }
 
-const Vector3<double>& marker(const GroundTruth& truth, const std::string& name) {
+const Vector3<double>& marker(const io::GroundTruth& truth, const std::string& name) {
     const auto found = truth.markers.find(name);
     if (found == truth.markers.end())
         throw Error(ErrorCode::bad_input, "the truth has no marker \"" + name + "\"; add it");
     return found->second;
 }
 
-double distance(const GroundTruth& truth, const Vector3<double>& a, const Vector3<double>& b) {
+double distance(const io::GroundTruth& truth, const Vector3<double>& a, const Vector3<double>& b) {
     return (a - b).norm() / truth.scale;
 }
 
 /// Whether the end's joint is nearest to its own marker, and near it at all.
-bool is_right_limb(const GroundTruth& truth, const JointPositions& joints, const std::string& end) {
+bool is_right_limb(const io::GroundTruth& truth, const JointPositions& joints, const std::string& end) {
     const Vector3<double>& joint = joints.at(end);
     const auto to_marker = [&](const std::string& name) { return distance(truth, joint, marker(truth, name)); };
     const auto nearer = [&](const char* a, const char* b) { return to_marker(a) < to_marker(b); };
     return *std::min_element(ends.begin(), ends.end(), nearer) == end && to_marker(end) <= reach;
 }
 
-bool is_on_its_side(const GroundTruth& truth, const Vector3<double>& joint, const std::string& own,
+bool is_on_its_side(const io::GroundTruth& truth, const Vector3<double>& joint, const std::string& own,
                     const std::string& other) {
     return distance(truth, joint, marker(truth, own)) < distance(truth, joint, marker(truth, other));
 }
 
-std::vector<std::string> find_flipped(const GroundTruth& truth, const JointPositions& joints) {
+std::vector<std::string> find_flipped(const io::GroundTruth& truth, const JointPositions& joints) {
     std::vector<std::string> flipped;
     for (const std::string pair : pairs)
         for (const auto& [side, opposite] : sides) {
@@ -71,7 +71,7 @@ const std::vector<std::string>& evaluated_joints() {
     return names;
 }
 
-MeshScore score_joints(const GroundTruth& truth, const JointPositions& joints) {
+MeshScore score_joints(const io::GroundTruth& truth, const JointPositions& joints) {
     if (truth.not_a_body) throw Error(ErrorCode::bad_input, "there is no body in the truth; no joints can be compared");
     MeshScore score;
     score.complete = is_complete(joints);
@@ -96,9 +96,9 @@ std::vector<std::string> joints_outside(const TriangleMesh<double>& mesh, const 
     std::vector<std::string> outside;
     for (const std::string& name : evaluated_joints()) {
         const auto joint = joints.find(name);
-        if (joint != joints.end() && std::abs(winding_number(mesh, joint->second)) < 0.5) outside.push_back(name);
+        if (joint != joints.end() && std::abs(core::winding_number(mesh, joint->second)) < 0.5) outside.push_back(name);
     }
     return outside;
 }
 
-} // namespace skelgen
+} // namespace skelgen::evaluation

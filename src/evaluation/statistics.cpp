@@ -8,7 +8,7 @@
 
 #include <skelgen/core/error.hpp>
 
-namespace skelgen {
+namespace skelgen::evaluation {
 namespace {
 
 constexpr std::size_t lanes = 8;        // running sums kept apart, as NumPy does for the processor's sake
@@ -63,4 +63,4 @@ double percentile(std::span<const double> values, double percent) {
     return part < 0.5 ? low + (high - low) * part : high - (high - low) * (1 - part);
 }
 
-} // namespace skelgen
+} // namespace skelgen::evaluation

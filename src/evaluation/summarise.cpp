@@ -4,7 +4,7 @@
 
 #include <skelgen/evaluation/statistics.hpp>
 
-namespace skelgen {
+namespace skelgen::evaluation {
 namespace {
 
 /// Errors, and the mesh that each is from.
@@ -81,4 +81,4 @@ SetSummary summarise(const SetScore& set) {
     return summary;
 }
 
-} // namespace skelgen
+} // namespace skelgen::evaluation

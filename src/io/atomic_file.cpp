@@ -14,16 +14,17 @@
 
 #include "temporary_name.hpp"
 
-namespace skelgen {
+namespace skelgen::io {
 namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void throw_cannot_write(const std::string& reason) {
-    throw Error(ErrorCode::usage, "cannot be written: " + reason + "; choose another output file");
+[[noreturn]] void throw_cannot_write(int error) {
+    const ErrorCode code = write_error_code(error);
+    throw Error(code, "cannot be written: " + std::generic_category().message(error) +
+                          (code == ErrorCode::not_written ? "; make room, or choose another output file"
+                                                          : "; choose another output file"));
 }
-
-[[noreturn]] void throw_cannot_write(int error) { throw_cannot_write(std::generic_category().message(error)); }
 
 /// Owns a POSIX file descriptor.
 class Descriptor {
@@ -119,13 +120,27 @@ Target resolve_links(const fs::path& path) {
         if (!fs::is_symlink(fs::symlink_status(target.path, error))) return target;
         if (is_open_descriptor(target.path)) return {target.path, true};
         const fs::path next = fs::read_symlink(target.path, error);
-        if (error) throw_cannot_write(error.message());
+        if (error) throw_cannot_write(error.value());
         target.path = next.is_absolute() ? next : target.path.parent_path() / next;
     }
     throw_cannot_write(ELOOP);
 }
 
 } // namespace
+
+ErrorCode write_error_code(int error) {
+    switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG:
+    case EIO:
+    case EROFS:
+    case EPIPE:
+        return ErrorCode::not_written;
+    default:
+        return ErrorCode::usage;
+    }
+}
 
 void write_file_atomically(const fs::path& path, std::string_view content) {
     if (path.empty()) throw Error(ErrorCode::usage, "cannot be written: the name of the file is empty; give one");
@@ -148,4 +163,4 @@ void write_file_atomically(const fs::path& path, std::string_view content) {
     }
 }
 
-} // namespace skelgen
+} // namespace skelgen::io

@@ -9,7 +9,7 @@
 
 #include <skelgen/core/error.hpp>
 
-namespace skelgen::detail {
+namespace skelgen::io::detail {
 
 /// Walks once through binary data of either byte order, never past its end.
 class BinaryReader {
@@ -48,4 +48,4 @@ private:
     std::size_t at_ = 0;
 };
 
-} // namespace skelgen::detail
+} // namespace skelgen::io::detail

@@ -7,7 +7,7 @@
 #include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/core/error.hpp>
 
-namespace skelgen::detail {
+namespace skelgen::io::detail {
 
 /// \throws Error `code` when the parts of a curve skeleton contradict each other or a number is not finite.
 template <typename Scalar>
@@ -27,4 +27,4 @@ void check_curve(const CurveSkeleton<Scalar>& curve, ErrorCode code) {
             "a radius is negative, infinite or not a number");
 }
 
-} // namespace skelgen::detail
+} // namespace skelgen::io::detail

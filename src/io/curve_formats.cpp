@@ -11,7 +11,7 @@
 #include "curve_checks.hpp"
 #include "number_text.hpp"
 
-namespace skelgen {
+namespace skelgen::io {
 namespace {
 
 using detail::append_number;
@@ -165,4 +165,4 @@ template std::string curve_to_swc<double>(const CurveSkeleton<double>&);
 template void write_curve<float>(const std::filesystem::path&, const CurveSkeleton<float>&);
 template void write_curve<double>(const std::filesystem::path&, const CurveSkeleton<double>&);
 
-} // namespace skelgen
+} // namespace skelgen::io

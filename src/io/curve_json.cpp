@@ -5,15 +5,16 @@
 #include <limits>
 
 #include <skelgen/core/error.hpp>
+#include <skelgen/io/read_file.hpp>
 
 #include "curve_checks.hpp"
-#include "json_file.hpp"
+#include "json_values.hpp"
 #include "number_text.hpp"
 
-namespace skelgen {
+namespace skelgen::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using detail::Json;
 
 constexpr std::string_view format_name = "skelgen-curve";
 constexpr int format_version = 1;
@@ -143,7 +144,7 @@ CurveSkeleton<Scalar> curve_from_json(std::string_view text) {
 
 template <typename Scalar>
 CurveSkeleton<Scalar> read_curve(const std::filesystem::path& path) {
-    return curve_from_json<Scalar>(detail::read_text_file(path));
+    return curve_from_json<Scalar>(read_file(path));
 }
 
 template std::string curve_to_json<float>(const CurveSkeleton<float>&);
@@ -153,4 +154,4 @@ template CurveSkeleton<double> curve_from_json<double>(std::string_view);
 template CurveSkeleton<float> read_curve<float>(const std::filesystem::path&);
 template CurveSkeleton<double> read_curve<double>(const std::filesystem::path&);
 
-} // namespace skelgen
+} // namespace skelgen::io

@@ -7,7 +7,7 @@
 
 #include "temporary_name.hpp"
 
-namespace skelgen {
+namespace skelgen::io {
 namespace {
 
 bool is_running(::pid_t process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
@@ -25,4 +25,4 @@ void remove_leftovers(const std::filesystem::path& folder) {
     for (const fs::path& file : leftovers) fs::remove(file, error);
 }
 
-} // namespace skelgen
+} // namespace skelgen::io

@@ -10,7 +10,7 @@
 /// Why not OpenMesh's readers: they build a half-edge mesh, which cannot hold every file's faces. Where two fans of
 /// faces touch in one vertex, or three faces meet at an edge, faces are dropped or vertices doubled, so that the
 /// result no longer has the file's indices; and they resize to a header's counts before they look at the data.
-namespace skelgen::detail {
+namespace skelgen::io::detail {
 
 /// OFF as Geomview defines it: [ST][C][N]OFF, text or binary, colours behind vertices and faces, comments.
 [[nodiscard]] PolygonMesh parse_off(std::string_view bytes);
@@ -35,4 +35,4 @@ namespace skelgen::detail {
 /// 7 GB: four characters of text make a count of at least 0x09090909.
 [[nodiscard]] bool is_stl_binary(std::string_view bytes);
 
-} // namespace skelgen::detail
+} // namespace skelgen::io::detail

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <string>
 
-namespace skelgen::detail {
+namespace skelgen::io::detail {
 
 /// Appends the shortest text that reads back as exactly this number, the same in every locale.
 template <typename Number>
@@ -24,4 +24,4 @@ void append_point(std::string& text, const Point& point, const char* separator =
     append_number(text, point[2]);
 }
 
-} // namespace skelgen::detail
+} // namespace skelgen::io::detail

@@ -9,7 +9,7 @@
 #include "parser_checks.hpp"
 #include "text_scanner.hpp"
 
-namespace skelgen::detail {
+namespace skelgen::io::detail {
 namespace {
 
 class ObjParser {
@@ -89,4 +89,4 @@ bool is_obj_keyword(std::string_view word) {
 
 PolygonMesh parse_obj(std::string_view text) { return ObjParser(text).parse(); }
 
-} // namespace skelgen::detail
+} // namespace skelgen::io::detail

@@ -7,7 +7,7 @@
 #include "parser_checks.hpp"
 #include "text_scanner.hpp"
 
-namespace skelgen::detail {
+namespace skelgen::io::detail {
 namespace {
 
 /// What the keyword in front of an OFF file promises for each vertex behind its position.
@@ -67,7 +67,7 @@ PolygonMesh parse_text(TextScanner scanner) {
     return mesh;
 }
 
-/// Big-endian 32-bit integers and floats, as Geomview and CGAL write them.
+/// Big-endian 32-bit integers and floats, as Geomview writes them.
 PolygonMesh parse_binary(BinaryReader reader, int extra_floats) {
     constexpr std::size_t word = 4;
     const std::size_t extra_bytes = word * static_cast<std::size_t>(extra_floats);
@@ -121,4 +121,4 @@ PolygonMesh parse_off(std::string_view bytes) {
     return parse_text(scanner);
 }
 
-} // namespace skelgen::detail
+} // namespace skelgen::io::detail

@@ -7,7 +7,7 @@
 #include <skelgen/io/polygon_mesh.hpp>
 
 /// Checks that all mesh parsers share. `Reader` is where the error is: a TextScanner or a BinaryReader.
-namespace skelgen::detail {
+namespace skelgen::io::detail {
 
 /// A header's count, which must be one that the bytes left can hold: nothing is allocated on a lying header's word.
 template <typename Reader>
@@ -43,4 +43,4 @@ inline void reserve(PolygonMesh& mesh, std::size_t vertices, std::size_t faces) 
     mesh.corners.reserve(3 * faces);
 }
 
-} // namespace skelgen::detail
+} // namespace skelgen::io::detail

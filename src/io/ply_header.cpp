@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-namespace skelgen::detail {
+namespace skelgen::io::detail {
 namespace {
 
 struct TypeName {
@@ -98,4 +98,4 @@ PlyHeader parse_ply_header(TextScanner& scanner) {
     scanner.fail("the header has no end_header: the file is cut short");
 }
 
-} // namespace skelgen::detail
+} // namespace skelgen::io::detail

@@ -7,7 +7,7 @@
 
 #include "text_scanner.hpp"
 
-namespace skelgen::detail {
+namespace skelgen::io::detail {
 
 enum class PlyEncoding { text, little_endian, big_endian };
 
@@ -55,4 +55,4 @@ struct PlyHeader {
 /// Reads up to and with the line `end_header`. \throws Error bad_input
 [[nodiscard]] PlyHeader parse_ply_header(TextScanner& scanner);
 
-} // namespace skelgen::detail
+} // namespace skelgen::io::detail

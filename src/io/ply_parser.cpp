@@ -12,7 +12,7 @@
 #include "ply_header.hpp"
 #include "text_scanner.hpp"
 
-namespace skelgen::detail {
+namespace skelgen::io::detail {
 namespace {
 
 /// Values of a text body: one row a line.
@@ -230,4 +230,4 @@ PolygonMesh parse_ply(std::string_view bytes) {
     return PlyBody(BinarySource(BinaryReader(body, order)), vertices).parse(header);
 }
 
-} // namespace skelgen::detail
+} // namespace skelgen::io::detail

@@ -9,7 +9,7 @@
 
 #include <skelgen/core/error.hpp>
 
-namespace skelgen {
+namespace skelgen::io {
 namespace {
 
 using Triangle = std::array<int, 3>;
@@ -230,4 +230,4 @@ TriangleMesh<Scalar> triangulate(const PolygonMesh& polygons) {
 template TriangleMesh<float> triangulate<float>(const PolygonMesh&);
 template TriangleMesh<double> triangulate<double>(const PolygonMesh&);
 
-} // namespace skelgen
+} // namespace skelgen::io

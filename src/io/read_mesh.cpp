@@ -1,46 +1,20 @@
 #include <skelgen/io/read_mesh.hpp>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <memory>
 #include <string>
-#include <system_error>
 
 #include <skelgen/core/error.hpp>
+#include <skelgen/io/read_file.hpp>
 
 #include "mesh_parsers.hpp"
 #include "text_scanner.hpp"
 
-namespace skelgen {
+namespace skelgen::io {
 namespace {
-
-namespace fs = std::filesystem;
 
 enum class Encoding { off, obj, ply, stl_text, stl_binary };
 
 [[noreturn]] void throw_unreadable(const std::string& message) { throw Error(ErrorCode::bad_input, message); }
-
-std::string read_file(const fs::path& path) {
-    std::error_code ignored;
-    if (fs::is_directory(path, ignored)) throw_unreadable("is a folder; name a mesh file in it");
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-    if (!file)
-        throw_unreadable("cannot be opened: " + std::generic_category().message(errno) + "; check its name and rights");
-
-    // The size is a guess only: that of a pipe is unknown, and another program may be writing the file.
-    const std::uintmax_t size = fs::file_size(path, ignored);
-    constexpr std::size_t least_room = std::size_t{1} << 16U;
-    std::string content(ignored ? least_room : std::max<std::size_t>(size + 1, least_room), '\0');
-    std::size_t used = 0;
-    while (const std::size_t got = std::fread(content.data() + used, 1, content.size() - used, file.get())) {
-        used += got;
-        if (used == content.size()) content.resize(2 * used);
-    }
-    if (std::ferror(file.get()) != 0) throw_unreadable("cannot be read to its end; check the disk or the network");
-    content.resize(used);
-    return content;
-}
 
 /// STL text has further words of STL behind "solid"; the free header of a binary one may begin with "solid" too.
 bool is_stl_text(std::string_view content, std::string_view first_word) {
@@ -120,13 +94,13 @@ TriangleMesh<Scalar> parse_mesh(std::string_view content, std::optional<MeshForm
 }
 
 template <typename Scalar>
-TriangleMesh<Scalar> read_mesh(const fs::path& path) {
+TriangleMesh<Scalar> read_mesh(const std::filesystem::path& path) {
     return parse_mesh<Scalar>(read_file(path), mesh_format_of(path));
 }
 
 template TriangleMesh<float> parse_mesh<float>(std::string_view, std::optional<MeshFormat>);
 template TriangleMesh<double> parse_mesh<double>(std::string_view, std::optional<MeshFormat>);
-template TriangleMesh<float> read_mesh<float>(const fs::path&);
-template TriangleMesh<double> read_mesh<double>(const fs::path&);
+template TriangleMesh<float> read_mesh<float>(const std::filesystem::path&);
+template TriangleMesh<double> read_mesh<double>(const std::filesystem::path&);
 
-} // namespace skelgen
+} // namespace skelgen::io

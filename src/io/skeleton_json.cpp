@@ -3,19 +3,18 @@
 #include <cmath>
 #include <type_traits>
 
-#include <nlohmann/json.hpp>
-
 #include <skelgen/core/error.hpp>
 #include <skelgen/io/atomic_file.hpp>
+#include <skelgen/io/read_file.hpp>
 #include <skelgen/version.hpp>
 
-#include "json_file.hpp"
+#include "json_values.hpp"
 #include "number_text.hpp"
 
-namespace skelgen {
+namespace skelgen::io {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using detail::Json;
 
 constexpr int format_version = 1;
 constexpr const char* format_name = "skelgen-skeleton";
@@ -132,8 +131,9 @@ std::int64_t to_count(const Json& value, const std::string& where) {
 }
 
 Vector3<double> to_vector(const Json& value, const std::string& where) {
-    if (!value.is_array() || value.size() != 3) refuse(where + " is no list of three numbers");
-    return {to_number(value[0], where), to_number(value[1], where), to_number(value[2], where)};
+    const auto point = detail::to_point(value);
+    if (!point) refuse(where + " is no list of three numbers");
+    return *point;
 }
 
 int parent_index(const Json& value, const KinematicSkeleton<double>& before, const std::string& where) {
@@ -250,7 +250,7 @@ SkeletonDocument parse_skeleton_document(std::string_view json) {
 }
 
 SkeletonDocument read_skeleton_document(const std::filesystem::path& path) {
-    return parse_skeleton_document(detail::read_text_file(path));
+    return parse_skeleton_document(read_file(path));
 }
 
 KinematicSkeleton<double> read_skeleton(const std::filesystem::path& path) {
@@ -262,4 +262,4 @@ template std::string skeleton_to_json(const KinematicSkeleton<double>&, const Sk
 template void write_skeleton(const std::filesystem::path&, const KinematicSkeleton<float>&, const SkeletonProvenance&);
 template void write_skeleton(const std::filesystem::path&, const KinematicSkeleton<double>&, const SkeletonProvenance&);
 
-} // namespace skelgen
+} // namespace skelgen::io

@@ -14,7 +14,7 @@
 #include "binary_reader.hpp"
 #include "text_scanner.hpp"
 
-namespace skelgen::detail {
+namespace skelgen::io::detail {
 namespace {
 
 constexpr std::size_t header_bytes = 80, count_bytes = 4, facet_bytes = 50;
@@ -180,4 +180,4 @@ bool is_stl_binary(std::string_view bytes) {
            bytes.size() - header_bytes - count_bytes == std::uint64_t{facet_count(bytes)} * facet_bytes;
 }
 
-} // namespace skelgen::detail
+} // namespace skelgen::io::detail

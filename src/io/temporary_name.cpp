@@ -8,7 +8,7 @@
 
 // ".skelgen-<process>-<number>.tmp"
 
-namespace skelgen::detail {
+namespace skelgen::io::detail {
 namespace {
 
 constexpr std::string_view prefix = ".skelgen-", suffix = ".tmp";
@@ -32,4 +32,4 @@ std::filesystem::path make_temporary_name(const std::filesystem::path& target) {
     return result.ec == std::errc() && result.ptr != end && *result.ptr == '-' ? process : 0;
 }
 
-} // namespace skelgen::detail
+} // namespace skelgen::io::detail

@@ -11,7 +11,7 @@
 
 #include <skelgen/core/error.hpp>
 
-namespace skelgen::detail {
+namespace skelgen::io::detail {
 
 /// Walks once through a text of lines and blank-separated words. `#` starts a comment, a backslash at the end of a line
 /// continues it. Lines are only counted when an error has to name one.
@@ -161,4 +161,4 @@ private:
     const char* end_;
 };
 
-} // namespace skelgen::detail
+} // namespace skelgen::io::detail

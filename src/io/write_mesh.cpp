@@ -11,7 +11,7 @@
 
 #include "number_text.hpp"
 
-namespace skelgen {
+namespace skelgen::io {
 namespace {
 
 using detail::append_number;
@@ -28,12 +28,23 @@ void check(const TriangleMesh<Scalar>& mesh) {
         throw_unwritable("a face names a vertex that does not exist; repair the mesh");
 }
 
-void append_face(std::string& text, const Triangles& faces, Eigen::Index face, int first_index) {
-    for (int corner = 0; corner < 3; ++corner) {
-        text += ' ';
-        append_number(text, faces(face, corner) + first_index);
+/// Vertices and faces as text, one a line behind the given starts.
+template <typename Scalar>
+void append_rows(std::string& text, const TriangleMesh<Scalar>& mesh, const char* vertex_start, const char* face_start,
+                 int first_index) {
+    for (Eigen::Index i = 0; i < mesh.vertices.rows(); ++i) {
+        text += vertex_start;
+        append_point(text, mesh.vertices.row(i));
+        text += '\n';
     }
-    text += '\n';
+    for (Eigen::Index i = 0; i < mesh.faces.rows(); ++i) {
+        text += face_start;
+        for (int corner = 0; corner < 3; ++corner) {
+            text += ' ';
+            append_number(text, mesh.faces(i, corner) + first_index);
+        }
+        text += '\n';
+    }
 }
 
 template <typename Scalar>
@@ -43,29 +54,14 @@ std::string format_off(const TriangleMesh<Scalar>& mesh) {
     text += ' ';
     append_number(text, mesh.faces.rows());
     text += " 0\n";
-    for (Eigen::Index i = 0; i < mesh.vertices.rows(); ++i) {
-        append_point(text, mesh.vertices.row(i));
-        text += '\n';
-    }
-    for (Eigen::Index i = 0; i < mesh.faces.rows(); ++i) {
-        text += '3';
-        append_face(text, mesh.faces, i, 0);
-    }
+    append_rows(text, mesh, "", "3", 0);
     return text;
 }
 
 template <typename Scalar>
 std::string format_obj(const TriangleMesh<Scalar>& mesh) {
     std::string text;
-    for (Eigen::Index i = 0; i < mesh.vertices.rows(); ++i) {
-        text += "v ";
-        append_point(text, mesh.vertices.row(i));
-        text += '\n';
-    }
-    for (Eigen::Index i = 0; i < mesh.faces.rows(); ++i) {
-        text += 'f';
-        append_face(text, mesh.faces, i, 1);
-    }
+    append_rows(text, mesh, "v ", "f", 1);
     return text;
 }
 
@@ -152,7 +148,7 @@ std::string format_mesh(const TriangleMesh<Scalar>& mesh, MeshFormat format) {
 template <typename Scalar>
 void write_mesh(const std::filesystem::path& path, const TriangleMesh<Scalar>& mesh) {
     const std::optional<MeshFormat> format = mesh_format_of(path);
-    if (!format) throw_unwritable("the file's name must end in .off, .obj, .ply or .stl");
+    if (!format) throw_unwritable("the file's name must end in " + mesh_extensions_text());
     write_file_atomically(path, format_mesh(mesh, *format));
 }
 
@@ -161,4 +157,4 @@ template std::string format_mesh<double>(const TriangleMesh<double>&, MeshFormat
 template void write_mesh<float>(const std::filesystem::path&, const TriangleMesh<float>&);
 template void write_mesh<double>(const std::filesystem::path&, const TriangleMesh<double>&);
 
-} // namespace skelgen
+} // namespace skelgen::io

@@ -5,7 +5,7 @@
 
 #include <skelgen/core/error.hpp>
 
-namespace skelgen {
+namespace skelgen::render {
 namespace {
 
 void check_sheet(std::size_t cells, int columns) {
@@ -66,4 +66,4 @@ std::string svg_contact_sheet(const std::vector<std::string>& cells, int columns
     return sheet + "</svg>\n";
 }
 
-} // namespace skelgen
+} // namespace skelgen::render

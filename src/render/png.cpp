@@ -4,7 +4,7 @@
 
 #include <skelgen/core/error.hpp>
 
-namespace skelgen {
+namespace skelgen::render {
 
 std::string encode_png(const Image& image) {
     if (image.width < 1 || image.height < 1) throw Error(ErrorCode::usage, "a picture without pixels cannot be a PNG");
@@ -23,4 +23,4 @@ std::string encode_png(const Image& image) {
     return bytes;
 }
 
-} // namespace skelgen
+} // namespace skelgen::render

@@ -7,15 +7,15 @@
 #include "check.hpp"
 #include "drawing.hpp"
 
-namespace skelgen {
+namespace skelgen::render {
 
 Image render_scene(const Scene& scene, const RenderOptions& options) {
-    render::check(options);
-    render::check(scene);
-    const render::Drawing drawing = render::lay_out(scene, options);
-    Image image = render::draw_body(scene.mesh, drawing.projection, drawing.cones, options);
-    render::draw_overlay(drawing, image);
+    check(options);
+    check(scene);
+    const Drawing drawing = lay_out(scene, options);
+    Image image = draw_body(scene.mesh, drawing.projection, drawing.cones, options);
+    draw_overlay(drawing, image);
     return image;
 }
 
-} // namespace skelgen
+} // namespace skelgen::render

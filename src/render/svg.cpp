@@ -11,10 +11,8 @@
 #include "drawing.hpp"
 #include "xml_text.hpp"
 
-namespace skelgen {
+namespace skelgen::render {
 namespace {
-
-using namespace render;
 
 std::string hex(const Colour& colour) {
     const auto byte = [](float x) { return static_cast<unsigned>(std::lround(255 * x)); };
@@ -119,4 +117,4 @@ std::string render_svg(const Scene& scene, const RenderOptions& options) {
     return svg + "</svg>\n";
 }
 
-} // namespace skelgen
+} // namespace skelgen::render

@@ -10,7 +10,7 @@
 
 #include <skelgen/core/error.hpp>
 
-namespace skelgen {
+namespace skelgen::render {
 namespace {
 
 using Vector = Vector3<double>;
@@ -122,4 +122,4 @@ Camera look_at(const Scene& scene, const View& view) {
     return camera_towards(std::get<Vector>(view), body);
 }
 
-} // namespace skelgen
+} // namespace skelgen::render

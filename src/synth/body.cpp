@@ -13,11 +13,8 @@
 #include "implicit_body.hpp"
 #include "surface_mesher.hpp"
 
-namespace skelgen {
+namespace skelgen::synth {
 namespace {
-
-using synth::ImplicitBody;
-using synth::Proportions;
 
 struct EndPoint {
     const char* name;
@@ -47,9 +44,9 @@ void check_faces(int faces) {
     throw Error(ErrorCode::usage, what.str());
 }
 
-std::vector<int> vertices_at(const TriangleMesh<double>& mesh, const std::array<synth::Vec3, 5>& points) {
+std::vector<int> vertices_at(const TriangleMesh<double>& mesh, const std::array<Vec3, 5>& points) {
     std::vector<int> vertices;
-    for (const synth::Vec3& p : points) {
+    for (const Vec3& p : points) {
         Eigen::Index nearest = 0;
         (mesh.vertices.rowwise() - p.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
         vertices.push_back(static_cast<int>(nearest));
@@ -57,12 +54,12 @@ std::vector<int> vertices_at(const TriangleMesh<double>& mesh, const std::array<
     return vertices;
 }
 
-synth::ImplicitSurface surface_of(const ImplicitBody& body, const Proportions& proportions) {
+ImplicitSurface surface_of(const ImplicitBody& body, const Proportions& proportions) {
     const Vector3<double> middle = body.skeleton().position(BodyJoint::crotch);
     double radius = 0;
     for (const auto& frame : body.skeleton().frames) radius = std::max(radius, (frame.translation() - middle).norm());
-    return {[&body](const synth::Vec3& p) { return body(p); }, [&body](const synth::Vec3& p) { return body.grain(p); },
-            middle, radius + 0.25 * proportions.scale * proportions.head_scale + 0.1 * proportions.scale};
+    return {[&body](const Vec3& p) { return body(p); }, [&body](const Vec3& p) { return body.grain(p); }, middle,
+            radius + 0.25 * proportions.scale * proportions.head_scale + 0.1 * proportions.scale};
 }
 
 double clearance(const Proportions& proportions, const BodyPose& pose) {
@@ -83,7 +80,7 @@ nlohmann::ordered_json to_json(const Vector3<double>& p) { return {p.x(), p.y(),
 SynthBody synthesize_body(const BodyPlan& plan) {
     check_faces(plan.faces);
     check_pose(plan.pose);
-    const Proportions proportions = synth::proportions_of(plan.shape);
+    const Proportions proportions = proportions_of(plan.shape);
     ImplicitBody field(proportions, plan.pose);
     if (!plan.may_touch && field.clearance() < least_gap / 2 * proportions.scale)
         throw Error(ErrorCode::usage, "parts of the body touch or sink into each other in this pose: spread the limbs");
@@ -91,14 +88,14 @@ SynthBody synthesize_body(const BodyPlan& plan) {
     for (const Garment garment : plan.clothes) put_on(field, proportions, garment);
 
     SynthBody body;
-    body.mesh = synth::mesh_surface(surface_of(field, proportions), plan.faces, !plan.may_touch);
+    body.mesh = mesh_surface(surface_of(field, proportions), plan.faces, !plan.may_touch);
     for (std::size_t j = 0; j < body.truth.joints.size(); ++j) {
         body.truth.joints[j] = field.skeleton().frames[j].translation();
         if (beyond_any(static_cast<BodyJoint>(j), plan.missing))
             body.truth.missing.push_back(static_cast<BodyJoint>(j));
     }
     const std::vector<int> tips = vertices_at(body.mesh, field.extremities());
-    body.truth.geodesic_diameter = synth::geodesic_diameter(body.mesh, tips);
+    body.truth.geodesic_diameter = geodesic_diameter(body.mesh, tips);
     stand_on_ground(body);
     for (std::size_t i = 0; i < tips.size(); ++i)
         if (!beyond_any(end_points[i].beyond, plan.missing))
@@ -115,12 +112,12 @@ SynthBody synthesize_body(const BodyShape& shape, const BodyPose& pose, int face
 
 double limb_clearance(const BodyShape& shape, const BodyPose& pose) {
     check_pose(pose);
-    return clearance(synth::proportions_of(shape), pose);
+    return clearance(proportions_of(shape), pose);
 }
 
 BodyPose spread_limbs(const BodyShape& shape, const BodyPose& pose) {
     check_pose(pose);
-    const Proportions proportions = synth::proportions_of(shape);
+    const Proportions proportions = proportions_of(shape);
     BodyPose spread = pose;
     for (int step = 0; step < 12; ++step) {
         if (clearance(proportions, spread) >= least_gap * proportions.scale) return spread;
@@ -135,7 +132,7 @@ BodyPose spread_limbs(const BodyShape& shape, const BodyPose& pose) {
 }
 
 BodyPose random_free_pose(const BodyShape& shape, std::uint64_t seed) {
-    const Proportions proportions = synth::proportions_of(shape);
+    const Proportions proportions = proportions_of(shape);
     constexpr std::uint64_t golden = 0x9e3779b97f4a7c15; // spreads neighbouring seeds' attempts apart
     for (std::uint64_t attempt = 0; attempt < 2000; ++attempt) {
         const BodyPose pose = random_pose(seed + attempt * golden);
@@ -167,4 +164,4 @@ std::string truth_to_json(const BodyTruth& truth, const std::string& mesh_file) 
     return json.dump(1) + "\n";
 }
 
-} // namespace skelgen
+} // namespace skelgen::synth

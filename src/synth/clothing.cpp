@@ -9,7 +9,7 @@
 
 #include "anatomy.hpp"
 
-namespace skelgen {
+namespace skelgen::synth {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, Garment>, 7> garments{{{"boots", Garment::boots},
@@ -36,15 +36,10 @@ Garment named_garment(std::string_view name) {
     throw Error(ErrorCode::usage, what);
 }
 
-} // namespace skelgen
-
-namespace skelgen::synth {
 namespace {
 
 constexpr std::array<PartName, 2> upper_arms{PartName::left_upper_arm, PartName::right_upper_arm};
 constexpr std::array<PartName, 2> thighs{PartName::left_thigh, PartName::right_thigh};
-
-PartName next(PartName name, int step) { return static_cast<PartName>(static_cast<int>(name) + step); }
 
 Blob cut_above(double z) { return {HalfSpace{Vec3::UnitZ(), z}, 0.004, Use::keep}; }
 Blob cut_below(double z) { return {HalfSpace{-Vec3::UnitZ(), -z}, 0.004, Use::keep}; }

@@ -150,30 +150,30 @@ ImplicitBody::ImplicitBody(const Proportions& p, const BodyPose& pose)
     };
     join(PartName::head, BodyJoint::head, 0.14, 0.030);
     joining_[index(PartName::head)].joint = skull.frame.translation();
-    join(PartName::left_upper_arm, BodyJoint::left_shoulder, 0.125, 0.040);
-    join(PartName::left_forearm, BodyJoint::left_elbow, 0.10, 0.020);
-    join(PartName::left_hand, BodyJoint::left_wrist, 0.07, 0.016);
-    join(PartName::right_upper_arm, BodyJoint::right_shoulder, 0.125, 0.040);
-    join(PartName::right_forearm, BodyJoint::right_elbow, 0.10, 0.020);
-    join(PartName::right_hand, BodyJoint::right_wrist, 0.07, 0.016);
-    join(PartName::left_thigh, BodyJoint::left_hip, 0.18, 0.036);
-    join(PartName::left_calf, BodyJoint::left_knee, 0.13, 0.022);
-    join(PartName::left_foot, BodyJoint::left_ankle, 0.11, 0.024);
-    join(PartName::right_thigh, BodyJoint::right_hip, 0.18, 0.036);
-    join(PartName::right_calf, BodyJoint::right_knee, 0.13, 0.022);
-    join(PartName::right_foot, BodyJoint::right_ankle, 0.11, 0.024);
+    for (const auto& [arm, shoulder] : {std::pair{PartName::left_upper_arm, BodyJoint::left_shoulder},
+                                        {PartName::right_upper_arm, BodyJoint::right_shoulder}}) {
+        join(arm, shoulder, 0.125, 0.040);
+        join(next(arm, 1), next(shoulder, 1), 0.10, 0.020); // forearm, elbow
+        join(next(arm, 2), next(shoulder, 2), 0.07, 0.016); // hand, wrist
+    }
+    for (const auto& [leg, hip] :
+         {std::pair{PartName::left_thigh, BodyJoint::left_hip}, {PartName::right_thigh, BodyJoint::right_hip}}) {
+        join(leg, hip, 0.18, 0.036);
+        join(next(leg, 1), next(hip, 1), 0.13, 0.022); // calf, knee
+        join(next(leg, 2), next(hip, 2), 0.11, 0.024); // foot, ankle
+    }
 }
 
 void ImplicitBody::build_arm(const Proportions& p, const BodyPose& pose, PartName first, BodyJoint shoulder,
                              Vec3& fingertip) {
-    const auto joint = [shoulder](int step) { return static_cast<BodyJoint>(static_cast<int>(shoulder) + step); };
-    const auto at = [&](int step) { return skeleton_.position(joint(step)); };
+    const auto at = [&](int step) { return skeleton_.position(next(shoulder, step)); };
     const double side = side_of(shoulder), heavy = std::max(0.0, p.fat), k = p.scale;
     Part& upper = parts_[index(first)] = limb_part(skeleton_.frame(shoulder), side, upper_arm(p), p.upper_arm);
-    Part& fore = parts_[index(first) + 1] = limb_part(skeleton_.frame(joint(1)), side, forearm(p), p.forearm);
-    Hand fist = hand(p, pose.at(joint(3)));
-    Part& palm = parts_[index(first) + 2] = limb_part(skeleton_.frame(joint(2)), side, std::move(fist.blobs), p.palm);
-    fore.twist = radians(pose.at(joint(2)).turn) / p.forearm;
+    Part& fore = parts_[index(first) + 1] = limb_part(skeleton_.frame(next(shoulder, 1)), side, forearm(p), p.forearm);
+    Hand fist = hand(p, pose.at(next(shoulder, 3)));
+    Part& palm = parts_[index(first) + 2] =
+        limb_part(skeleton_.frame(next(shoulder, 2)), side, std::move(fist.blobs), p.palm);
+    fore.twist = radians(pose.at(next(shoulder, 2)).turn) / p.forearm;
     upper.hull.emplace_back(at(0), at(1), k * (0.085 + 0.06 * heavy));
     fore.hull.emplace_back(at(1), at(2), k * (0.055 + 0.03 * heavy));
     palm.hull.emplace_back(at(2), palm.frame * Vec3(0, 0, -0.12 * p.hand_scale), 0.09 * p.hand_scale);
@@ -185,14 +185,13 @@ void ImplicitBody::build_arm(const Proportions& p, const BodyPose& pose, PartNam
 }
 
 void ImplicitBody::build_leg(const Proportions& p, const BodyPose& pose, PartName first, BodyJoint hip, Vec3& toe) {
-    const auto joint = [hip](int step) { return static_cast<BodyJoint>(static_cast<int>(hip) + step); };
-    const auto at = [&](int step) { return skeleton_.position(joint(step)); };
+    const auto at = [&](int step) { return skeleton_.position(next(hip, step)); };
     const double side = side_of(hip), heavy = std::max(0.0, p.fat), k = p.scale;
     Part& upper = parts_[index(first)] = limb_part(skeleton_.frame(hip), side, thigh(p), p.thigh);
-    Part& lower = parts_[index(first) + 1] = limb_part(skeleton_.frame(joint(1)), side, calf(p), p.calf);
+    Part& lower = parts_[index(first) + 1] = limb_part(skeleton_.frame(next(hip, 1)), side, calf(p), p.calf);
     Part& end = parts_[index(first) + 2];
-    Foot sole = foot(p, pose.at(joint(3)).bend);
-    end.frame = skeleton_.frame(joint(2)), end.side = side, end.blobs = std::move(sole.blobs);
+    Foot sole = foot(p, pose.at(next(hip, 3)).bend);
+    end.frame = skeleton_.frame(next(hip, 2)), end.side = side, end.blobs = std::move(sole.blobs);
     upper.hull.emplace_back(at(0), at(1), k * (0.12 + 0.09 * heavy));
     lower.hull.emplace_back(at(1), at(2), k * (0.07 + 0.04 * heavy));
     end.hull.emplace_back(end.frame * Vec3(0, 0.02 * p.foot_scale, -0.035 * p.foot_scale), at(3), 0.10 * p.foot_scale);
@@ -320,7 +319,6 @@ double ImplicitBody::clearance() const {
     const auto both = [&](PartName a, PartName b) { test(a, b, 0), test(b, a, 0); };
     const std::array<PartName, 2> upper_arms{PartName::left_upper_arm, PartName::right_upper_arm};
     const std::array<PartName, 2> thighs{PartName::left_thigh, PartName::right_thigh};
-    const auto next = [](PartName name, int step) { return static_cast<PartName>(static_cast<int>(name) + step); };
     constexpr std::size_t ring = 8; // probes per ring of a limb: the first rings lie in the trunk by nature
     for (const PartName arm : upper_arms) {
         test(arm, PartName::trunk, 2 * ring);

@@ -59,6 +59,11 @@ enum class PartName {
 };
 inline constexpr int part_count = 14;
 
+/// The part `steps` further down the limb, 2 at most.
+[[nodiscard]] constexpr PartName next(PartName part, int steps) {
+    return static_cast<PartName>(static_cast<int>(part) + steps);
+}
+
 /// A posed human body as a field: negative inside, close to a distance near the surface. Neighbouring parts blend
 /// around their joint, others meet sharply.
 class ImplicitBody {

@@ -2,7 +2,7 @@
 
 #include <skelgen/synth/pose.hpp>
 
-namespace skelgen {
+namespace skelgen::synth {
 namespace {
 
 constexpr std::array<std::string_view, body_joint_count> names{
@@ -30,4 +30,4 @@ BodyJoint mirrored_joint(BodyJoint joint) {
     return static_cast<BodyJoint>(j - 4);
 }
 
-} // namespace skelgen
+} // namespace skelgen::synth

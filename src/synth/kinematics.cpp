@@ -30,9 +30,6 @@ std::array<Vector3d, body_joint_count> rest_positions(const Proportions& p) {
     set(BodyJoint::neck, towards(0, 0.014 * s, p.neck_base));
     set(BodyJoint::head, towards(0, -0.044 * s - skull_origin(p).y(), p.neck));
     const auto limbs = [&](int side, BodyJoint shoulder, BodyJoint hip) {
-        const auto next = [](BodyJoint joint, int steps) {
-            return static_cast<BodyJoint>(static_cast<int>(joint) + steps);
-        };
         set(shoulder, towards(side * p.shoulder_half_width, 0.024 * s, p.shoulder_rise));
         set(next(shoulder, 1), towards(0, 0, -p.upper_arm));
         set(next(shoulder, 2), towards(0, 0, -p.forearm));

@@ -25,6 +25,11 @@ struct PosedSkeleton {
     }
 };
 
+/// The joint `steps` further down the limb, 3 at most.
+[[nodiscard]] constexpr BodyJoint next(BodyJoint joint, int steps) {
+    return static_cast<BodyJoint>(static_cast<int>(joint) + steps);
+}
+
 /// +1 on the left, -1 on the right, 0 in the middle.
 [[nodiscard]] int side_of(BodyJoint joint);
 

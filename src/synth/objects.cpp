@@ -13,14 +13,8 @@
 #include "implicit_body.hpp"
 #include "surface_mesher.hpp"
 
-namespace skelgen {
+namespace skelgen::synth {
 namespace {
-
-using synth::Blob;
-using synth::ImplicitBody;
-using synth::ImplicitSurface;
-using synth::RoundCone;
-using synth::Vec3;
 
 constexpr double far_away = 1e3;
 
@@ -29,7 +23,7 @@ ImplicitSurface even_surface(std::function<double(const Vec3&)> field, const Vec
 }
 
 ImplicitSurface surface_of(std::vector<Blob> blobs, const Vec3& inside, double radius) {
-    synth::set_bounds(blobs);
+    set_bounds(blobs);
     return even_surface([blobs = std::move(blobs)](const Vec3& p) { return evaluate(blobs, p, far_away); }, inside,
                         radius);
 }
@@ -49,8 +43,7 @@ ImplicitSurface surface_of(std::vector<Box> boxes, const Vec3& inside, double ra
     return even_surface(
         [boxes = std::move(boxes)](const Vec3& p) {
             double field = far_away;
-            for (const Box& box : boxes)
-                field = synth::smooth_union(field, round_box(p, box.centre, box.half, 0.008), 0.006);
+            for (const Box& box : boxes) field = smooth_union(field, round_box(p, box.centre, box.half, 0.008), 0.006);
             return field;
         },
         inside, radius);
@@ -103,11 +96,11 @@ ImplicitSurface chair() {
 }
 
 ImplicitSurface single_hand() {
-    const synth::Proportions proportions = synth::proportions_of({});
-    return surface_of(synth::hand(proportions, {}).blobs, {0, 0, 0.05}, 0.25);
+    const Proportions proportions = proportions_of({});
+    return surface_of(hand(proportions, {}).blobs, {0, 0, 0.05}, 0.25);
 }
 
-ImplicitSurface single_head() { return surface_of(synth::head(synth::proportions_of({})), {0, 0, 0.05}, 0.3); }
+ImplicitSurface single_head() { return surface_of(head(proportions_of({})), {0, 0, 0.05}, 0.3); }
 
 ImplicitSurface sphere() {
     return even_surface([](const Vec3& p) { return p.norm() - 0.5; }, Vec3::Zero(), 0.7);
@@ -120,21 +113,21 @@ ImplicitSurface torus() {
 
 /// Two bodies in one mesh, the second one moved; where they meet they are one.
 ImplicitSurface two_people(const BodyPose& pose, const BodyPose& other_pose, const Vec3& offset) {
-    const auto one = std::make_shared<ImplicitBody>(synth::proportions_of({}), pose);
+    const auto one = std::make_shared<ImplicitBody>(proportions_of({}), pose);
     BodyShape other_shape;
     other_shape.masculinity = 0;
-    const auto other = std::make_shared<ImplicitBody>(synth::proportions_of(other_shape), other_pose);
-    return {[one, other, offset](const Vec3& p) { return synth::smooth_union((*one)(p), (*other)(p - offset), 0.004); },
+    const auto other = std::make_shared<ImplicitBody>(proportions_of(other_shape), other_pose);
+    return {[one, other, offset](const Vec3& p) { return smooth_union((*one)(p), (*other)(p - offset), 0.004); },
             [one, other, offset](const Vec3& p) { return std::min(one->grain(p), other->grain(p - offset)); },
             one->skeleton().position(BodyJoint::crotch), offset.norm() + 1.4};
 }
 
 ImplicitSurface two_people_holding_hands() {
     const BodyPose pose = spread_limbs({}, named_pose("a"));
-    const ImplicitBody man(synth::proportions_of({}), pose);
+    const ImplicitBody man(proportions_of({}), pose);
     BodyShape woman;
     woman.masculinity = 0;
-    const ImplicitBody other(synth::proportions_of(woman), pose);
+    const ImplicitBody other(proportions_of(woman), pose);
     // Her right hand in his left one.
     const Vec3 offset =
         man.skeleton().position(BodyJoint::left_hand) - other.skeleton().position(BodyJoint::right_hand);
@@ -174,7 +167,7 @@ TriangleMesh<double> synthesize_object(std::string_view name, int faces) {
         throw Error(ErrorCode::usage, std::to_string(faces) + " faces is out of range: give " +
                                           std::to_string(least_faces) + " to " + std::to_string(most_faces));
     for (const NamedObject& object : objects)
-        if (name == object.name) return synth::mesh_surface(object.surface(), faces, false);
+        if (name == object.name) return mesh_surface(object.surface(), faces, false);
     std::string what = "there is no object " + std::string(name) + ": give one of";
     for (const std::string& known : object_names()) what += " " + known;
     throw Error(ErrorCode::usage, what);
@@ -188,4 +181,4 @@ std::string object_truth_to_json(const std::string& mesh_file) {
     return json.dump(1) + "\n";
 }
 
-} // namespace skelgen
+} // namespace skelgen::synth

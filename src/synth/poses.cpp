@@ -10,7 +10,7 @@
 
 #include <skelgen/core/error.hpp>
 
-namespace skelgen {
+namespace skelgen::synth {
 namespace {
 
 using J = BodyJoint;
@@ -318,4 +318,4 @@ BodyPose parse_pose(std::string_view text) {
     return pose;
 }
 
-} // namespace skelgen
+} // namespace skelgen::synth

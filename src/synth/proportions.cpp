@@ -7,7 +7,7 @@
 
 #include <skelgen/core/error.hpp>
 
-namespace skelgen {
+namespace skelgen::synth {
 namespace {
 
 void check_range(const char* field, double value, double low, double high, const char* unit, bool zero_is_free) {
@@ -63,10 +63,6 @@ BodyShape complete_shape(const BodyShape& shape) {
     if (full.weight == 0) full.weight = interpolate(average_body_mass_index, shape.age) * full.height * full.height;
     return full;
 }
-
-} // namespace skelgen
-
-namespace skelgen::synth {
 
 Proportions proportions_of(const BodyShape& given) {
     const BodyShape shape = complete_shape(given);

@@ -7,7 +7,7 @@
 
 #include <skelgen/core/geometry.hpp>
 
-namespace skelgen {
+namespace skelgen::synth {
 namespace {
 
 using Vec3 = Vector3<double>;
@@ -106,7 +106,7 @@ void pinch(Soup& soup, Dice& dice) {
 
 Soup noisy_soup(const TriangleMesh<double>& mesh, double noise, Dice& dice) {
     Soup soup;
-    const Points<double> normals = vertex_normals(mesh);
+    const Points<double> normals = core::vertex_normals(mesh);
     for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v)
         soup.vertices.emplace_back(mesh.vertices.row(v) + noise * dice.normal() * normals.row(v));
     for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
@@ -148,4 +148,4 @@ TriangleMesh<double> with_scan_faults(const TriangleMesh<double>& mesh, const Sc
     return compact(soup);
 }
 
-} // namespace skelgen
+} // namespace skelgen::synth

@@ -7,7 +7,7 @@
 
 #include <skelgen/core/error.hpp>
 
-namespace skelgen {
+namespace skelgen::synth {
 namespace {
 
 using J = BodyJoint;
@@ -94,6 +94,23 @@ Plans proportions(std::uint64_t seed) {
     return plans;
 }
 
+/// Two people for each of the named changes, one in the pose "a" and one in a random pose, man, woman and between in
+/// turn. `changed` is what of their plans the change is put into.
+template <typename Change>
+Plans changed_people(const std::vector<std::pair<std::string, Change>>& changes, Change BodyPlan::*changed,
+                     std::uint64_t seed) {
+    Plans plans;
+    for (const auto& [name, change] : changes)
+        for (const bool random : {false, true}) {
+            const BodyShape shape = person(30, static_cast<double>(plans.size() % 3) / 2);
+            const BodyPose pose =
+                random ? random_free_pose(shape, seed + plans.size()) : spread_limbs(shape, named_pose("a"));
+            plans.push_back(plan(name + (random ? "-random" : "-a"), shape, pose));
+            plans.back().*changed = change;
+        }
+    return plans;
+}
+
 Plans partial(std::uint64_t seed) {
     const std::vector<std::pair<std::string, std::vector<BodyJoint>>> cuts{
         {"no-feet", {J::left_ankle, J::right_ankle}},
@@ -102,17 +119,7 @@ Plans partial(std::uint64_t seed) {
         {"no-right-forearm", {J::right_elbow}},
         {"one-foot", {J::left_ankle}},
         {"no-hands-no-feet", {J::left_wrist, J::right_wrist, J::left_ankle, J::right_ankle}}};
-    Plans plans;
-    for (const auto& [name, missing] : cuts)
-        for (const char* pose : {"a", "random"}) {
-            const BodyShape shape = person(30, static_cast<double>(plans.size() % 3) / 2);
-            const bool named = pose[0] == 'a';
-            plans.push_back(
-                plan(name + "-" + pose, shape,
-                     named ? spread_limbs(shape, named_pose(pose)) : random_free_pose(shape, seed + plans.size())));
-            plans.back().missing = missing;
-        }
-    return plans;
+    return changed_people(cuts, &BodyPlan::missing, seed);
 }
 
 /// The pose with these joints moved towards the body until something sinks in a few millimetres.
@@ -160,17 +167,8 @@ Plans scan(std::uint64_t seed) {
         {"noise", {0.0012, 0, 0, 0, 0, 0.03, 0}}, {"holes", {0, 12, 0, 0, 0, 0.03, 0}},
         {"floating", {0, 0, 6, 0, 0, 0.03, 0}},   {"flipped", {0, 0, 0, 5, 0, 0.03, 0}},
         {"pinched", {0, 0, 0, 0, 8, 0.03, 0}},    {"everything", {0.001, 8, 4, 3, 4, 0.03, 0}}};
-    Plans plans;
-    for (const auto& [name, fault] : faults)
-        for (const char* pose : {"a", "random"}) {
-            const BodyShape shape = person(30, static_cast<double>(plans.size() % 3) / 2);
-            const bool named = pose[0] == 'a';
-            plans.push_back(
-                plan(name + "-" + pose, shape,
-                     named ? spread_limbs(shape, named_pose(pose)) : random_free_pose(shape, seed + plans.size())));
-            plans.back().faults = fault;
-            plans.back().faults.seed = seed + plans.size();
-        }
+    Plans plans = changed_people(faults, &BodyPlan::faults, seed);
+    for (BodyPlan& each : plans) each.faults.seed = ++seed;
     return plans;
 }
 
@@ -231,4 +229,4 @@ std::vector<BodyPlan> body_set(std::string_view name, std::uint64_t seed) {
     throw Error(ErrorCode::usage, what);
 }
 
-} // namespace skelgen
+} // namespace skelgen::synth

@@ -164,14 +164,62 @@ TEST_CASE("a body's skeleton fits the schema and is the same bytes every time, t
     CHECK(document["mesh"]["file"] == "body.off");
 }
 
-TEST_CASE("an output that cannot be written ends with status 2 and one line") {
+TEST_CASE("an output that is no place to write to ends with status 2 and one line") {
     const TemporaryFolder folder;
     fs::create_directory(folder / "folder");
-    const std::string output = GENERATE("missing/out.json", "folder", "/dev/full");
+    const std::string output = GENERATE("missing/out.json", "folder");
     const CliResult result = run_cli(folder.path(), {"extract", sample_body, "-q", "-o", output});
     CHECK(result.status == 2);
     CHECK(is_error_line(result.err, output));
     CHECK(files_below(folder.path()).empty());
+}
+
+TEST_CASE("a result that cannot be stored ends with status 6, one line, and no output") {
+    const TemporaryFolder folder;
+    std::string line, place;
+    SECTION("a full device") {
+        line = "-o /dev/full";
+        place = "/dev/full";
+    }
+    SECTION("a full device for the curve") {
+        line = "-o out.json --curve full.obj";
+        place = "full.obj";
+        fs::create_symlink("/dev/full", folder / "full.obj");
+    }
+    SECTION("standard output to a full device") {
+        line = "> /dev/full";
+        place = "standard output";
+    }
+    SECTION("closed standard output") {
+        line = ">&-";
+        place = "standard output";
+    }
+    fs::copy_file(sample_body, folder / "body.off");
+    const CliResult result = run_shell(folder.path(), "exec \"$skelgen\" extract body.off -q " + line);
+    CHECK(result.status == 6);
+    CHECK(is_error_line(result.err, place));
+    CHECK_FALSE(fs::exists(folder / "out.json"));
+}
+
+TEST_CASE("a reader that has gone and a limit on the size of files are failures like others") {
+    const TemporaryFolder folder;
+    fs::copy_file(sample_body, folder / "body.off");
+    const CliResult gone =
+        run_shell(folder.path(), "{ \"$skelgen\" extract body.off -q; echo $? > status; } | sleep 0; cat status");
+    CHECK(gone.out == "6\n");
+    CHECK(is_error_line(gone.err, "standard output"));
+
+    const CliResult limited =
+        run_shell(folder.path(), "ulimit -f 1; exec \"$skelgen\" extract body.off -q -o out.json");
+    CHECK(limited.status == 6);
+    CHECK(files_below(folder.path()) == std::vector<std::string>{"body.off", "status"});
+}
+
+TEST_CASE("help that cannot be shown is no success") {
+    const TemporaryFolder folder;
+    const CliResult result = run_shell(folder.path(), "exec \"$skelgen\" --help > /dev/full");
+    CHECK(result.status == 6);
+    CHECK(is_error_line(result.err, "standard output"));
 }
 
 } // namespace

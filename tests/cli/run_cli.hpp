@@ -7,22 +7,9 @@
 #include <sys/types.h>
 #include <vector>
 
+#include "temporary_folder.hpp"
+
 namespace skelgen::test {
-
-/// A new folder, removed with all in it at the end of the test.
-class TemporaryFolder {
-public:
-    TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    ~TemporaryFolder();
-
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
-private:
-    std::filesystem::path path_;
-};
 
 /// What a run of the program left behind.
 struct CliResult {
@@ -34,8 +21,9 @@ struct CliResult {
 /// A running skelgen. Ends it, if need be, when it goes out of scope.
 class CliProcess {
 public:
-    /// Starts `skelgen arguments...` in `folder`.
-    CliProcess(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+    /// Starts `skelgen arguments...` in `folder`, or another program.
+    CliProcess(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
+               const char* program = SKELGEN_CLI);
     CliProcess(const CliProcess&) = delete;
     CliProcess& operator=(const CliProcess&) = delete;
     ~CliProcess();
@@ -53,6 +41,9 @@ private:
 };
 
 [[nodiscard]] CliResult run_cli(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+
+/// Runs a line of shell in which $skelgen is the program.
+[[nodiscard]] CliResult run_shell(const std::filesystem::path& folder, const std::string& line);
 
 /// Whether the process runs: a dead one that nobody has waited for does not.
 [[nodiscard]] bool is_running(::pid_t process);

@@ -18,17 +18,6 @@ namespace skelgen::test {
 
 namespace fs = std::filesystem;
 
-TemporaryFolder::TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "skelgen-cli-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code error;
-    fs::remove_all(path_, error);
-}
-
 namespace {
 
 void redirect(const fs::path& file, int descriptor) {
@@ -39,8 +28,8 @@ void redirect(const fs::path& file, int descriptor) {
 
 } // namespace
 
-CliProcess::CliProcess(const fs::path& folder, const std::vector<std::string>& arguments) {
-    std::vector<std::string> words{SKELGEN_CLI};
+CliProcess::CliProcess(const fs::path& folder, const std::vector<std::string>& arguments, const char* program) {
+    std::vector<std::string> words{program};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
@@ -51,7 +40,7 @@ CliProcess::CliProcess(const fs::path& folder, const std::vector<std::string>& a
     if (process_ > 0) return;
     redirect(output_ / "out", STDOUT_FILENO);
     redirect(output_ / "err", STDERR_FILENO);
-    if (::chdir(folder.c_str()) == 0) ::execv(SKELGEN_CLI, pointers.data());
+    if (::chdir(folder.c_str()) == 0) ::execv(program, pointers.data());
     ::_exit(127);
 }
 
@@ -82,6 +71,10 @@ CliResult CliProcess::wait() {
 
 CliResult run_cli(const fs::path& folder, const std::vector<std::string>& arguments) {
     return CliProcess(folder, arguments).wait();
+}
+
+CliResult run_shell(const fs::path& folder, const std::string& line) {
+    return CliProcess(folder, {"-c", "skelgen='" SKELGEN_CLI "'; " + line}, "/bin/sh").wait();
 }
 
 bool is_running(::pid_t process) {

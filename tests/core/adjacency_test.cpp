@@ -7,6 +7,7 @@
 #include "shapes.hpp"
 
 using namespace skelgen;
+using namespace skelgen::core;
 using namespace skelgen::test;
 
 TEST_CASE("adjacent faces see each other across the same edge") {

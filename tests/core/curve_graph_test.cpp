@@ -6,6 +6,7 @@
 #include "catch.hpp"
 
 using namespace skelgen;
+using namespace skelgen::core;
 
 namespace {
 
@@ -52,4 +53,32 @@ TEST_CASE("each node belongs to the source nearest along the curve, to the first
     CHECK(nearest_source(graph, {4, 2}) == std::vector<int>{0, 1, 1, 1, 0, -1});
     CHECK(nearest_source(graph, {1, 3}) == std::vector<int>{0, 0, 0, 1, 0, -1});
     CHECK(nearest_source(graph, {}) == std::vector<int>(6, -1));
+}
+
+TEST_CASE("a branch goes on to the next node that is not of degree 2") {
+    const CurveGraph<double> graph = curve_graph(square_with_tail());
+    CHECK(branch(graph, 4, 0) == std::vector<int>{4, 0});
+    CHECK(branch(graph, 0, 4) == std::vector<int>{0, 4});
+    CHECK(branch(graph, 0, 1) == std::vector<int>{0, 1, 2, 3, 0});
+    CHECK(branch(graph, 2, 3) == std::vector<int>{2, 3, 0});
+}
+
+TEST_CASE("a branch around a ring without junctions ends where it began") {
+    CurveSkeleton<double> ring = square_with_tail();
+    ring.edges.pop_back();
+    CHECK(branch(curve_graph(ring), 1, 2) == std::vector<int>{1, 2, 3, 0, 1});
+    CHECK(cycle_count(ring) == 4 - 6 + 1);
+}
+
+TEST_CASE("the length of a path and the node nearest to a point, in both precisions") {
+    const CurveSkeleton<double> curve = square_with_tail();
+    CHECK(path_length(curve, {4, 0, 1, 2}) == 4);
+    CHECK(path_length(curve, {3}) == 0);
+    CHECK(nearest_node(curve, Vector3<double>(0.9, 0.2, 0.5)) == 1);
+    CurveSkeleton<float> rounded;
+    rounded.nodes = curve.nodes.cast<float>();
+    rounded.edges = curve.edges;
+    CHECK(path_length(rounded, {4, 0, 1, 2}) == 4.0f);
+    CHECK(nearest_node(rounded, Vector3<float>(0.9f, 0.2f, 0.5f)) == 1);
+    CHECK(curve_diameter(curve_graph(rounded)) == Approx(4.0f));
 }

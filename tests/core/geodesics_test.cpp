@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/geodesics.hpp>
 
 #include "catch.hpp"
@@ -7,11 +8,14 @@
 #include "shapes.hpp"
 
 using namespace skelgen;
+using namespace skelgen::core;
 using namespace skelgen::test;
 
 namespace {
 
-double diameter(const Mesh& mesh) { return geodesic_diameter(surface_graph(mesh)); }
+CurveGraph<double> graph_of(const Mesh& mesh) { return surface_graph(mesh, face_adjacency(mesh.faces)); }
+
+double diameter(const Mesh& mesh) { return geodesic_diameter(graph_of(mesh)); }
 
 } // namespace
 
@@ -55,7 +59,7 @@ TEST_CASE("no path is shorter than the straight line") {
 
 TEST_CASE("on a square grid the surface's graph leads along eight directions: at worst 8 % too far") {
     const Mesh mesh = box({1, 1, 0.1}, 4);
-    const CurveGraph<double> graph = surface_graph(mesh);
+    const CurveGraph<double> graph = graph_of(mesh);
     REQUIRE(graph.size() == mesh.vertices.rows());
     int corner = 0;
     while (mesh.vertices.row(corner).norm() > 0) ++corner;
@@ -71,10 +75,17 @@ TEST_CASE("on a square grid the surface's graph leads along eight directions: at
 
 TEST_CASE("a sphere's graph measures great circles within a few per cent") {
     const Mesh mesh = sphere(1, 4);
-    const std::vector<double> distance = shortest_paths(surface_graph(mesh), 0).distance;
+    const std::vector<double> distance = shortest_paths(graph_of(mesh), 0).distance;
     for (Eigen::Index v = 1; v < mesh.vertices.rows(); ++v) {
         const double arc = std::atan2(mesh.vertices.row(0).transpose().cross(mesh.vertices.row(v).transpose()).norm(),
                                       mesh.vertices.row(0).dot(mesh.vertices.row(v)));
         REQUIRE(distance[static_cast<std::size_t>(v)] == Approx(arc).epsilon(0.08));
     }
+}
+
+TEST_CASE("single precision measures as double precision does") {
+    const Mesh mesh = three_tubes();
+    const TriangleMesh<float> rounded{mesh.vertices.cast<float>(), mesh.faces};
+    CHECK(geodesic_diameter(surface_graph(rounded, face_adjacency(rounded.faces))) ==
+          Approx(diameter(mesh)).epsilon(1e-5));
 }

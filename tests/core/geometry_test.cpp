@@ -5,6 +5,7 @@
 #include "shapes.hpp"
 
 using namespace skelgen;
+using namespace skelgen::core;
 using namespace skelgen::test;
 
 TEST_CASE("area and volume of shapes with closed forms") {

@@ -6,6 +6,7 @@
 #include "shapes.hpp"
 
 using namespace skelgen;
+using namespace skelgen::core;
 using namespace skelgen::test;
 
 namespace {

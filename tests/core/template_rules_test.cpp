@@ -5,9 +5,9 @@
 #include <limits>
 #include <string>
 
+#include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/template_rules.hpp>
-#include <skelgen/io/template_json.hpp>
 
 namespace {
 
@@ -52,7 +52,7 @@ TEST_CASE("a template unchanged is accepted") {
 
 TEST_CASE("joints that a template may lack") {
     for (const std::string name : {"waist", "neck"}) CHECK(refusal([&](auto& t) { remove_joint(t, name); }).empty());
-    for (const std::string name : {"shoulder", "elbow", "wrist", "hip", "knee", "ankle"})
+    for (const std::string name : {"shoulder", "elbow", "wrist", "ankle"})
         CHECK(refusal([&](auto& t) {
                   remove_joint(t, "left_" + name);
                   remove_joint(t, "right_" + name);
@@ -62,15 +62,20 @@ TEST_CASE("joints that a template may lack") {
 TEST_CASE("joints that a template must have") {
     for (const std::string name : {"head", "left_hand", "right_hand", "left_foot", "right_foot"})
         CHECK(refusal([&](auto& t) { remove_joint(t, name); }).find("there is no ") == 0);
-    CHECK(refusal([](auto& t) { remove_joint(t, "left_knee"); }) ==
-          "joint 'right_knee' has no counterpart: add a left knee");
+    for (const std::string name : {"hip", "knee"})
+        CHECK(refusal([&](auto& t) {
+                  remove_joint(t, "left_" + name);
+                  remove_joint(t, "right_" + name);
+              }) == "there is no left " + name + ": add one");
+    CHECK(refusal([](auto& t) { remove_joint(t, "left_elbow"); }) ==
+          "joint 'right_elbow' has no counterpart: add a left elbow");
 }
 
 TEST_CASE("a second neck is accepted, a second chest is not") {
     CHECK(refusal([](auto& t) {
               TemplateJoint second = joint(t, "neck");
               second.name = "lower_neck";
-              second.position.z() -= 0.05;
+              second.position.y() -= 0.05;
               const auto place = t.joints.begin() + (&joint(t, "neck") - t.joints.data());
               const int index = static_cast<int>(place - t.joints.begin());
               t.joints.insert(place, second);
@@ -98,7 +103,7 @@ TEST_CASE("values that make no sense are refused") {
 
 TEST_CASE("tips are for the ends of branches") {
     CHECK(refusal([](auto& t) { joint(t, "head").tip.reset(); }).empty());
-    CHECK(refusal([](auto& t) { joint(t, "neck").tip = Vector3<double>(0, 0, 2); }) ==
+    CHECK(refusal([](auto& t) { joint(t, "neck").tip = Vector3<double>(0, 2, 0); }) ==
           "joint 'neck' has a tip: only the head, hands and feet may");
     CHECK(refusal([](auto& t) { joint(t, "head").tip->x() = std::numeric_limits<double>::quiet_NaN(); }) ==
           "joint 'head' has a tip that is not finite");
@@ -136,6 +141,27 @@ TEST_CASE("a template whose left is on its right is refused") {
     CHECK(what.find("x must grow towards the person's own left") != std::string::npos);
     CHECK(refusal([](auto& t) { std::swap(joint(t, "left_elbow").side, joint(t, "right_elbow").side); }) ==
           "joint 'right_elbow' is not to the left of 'left_elbow': x must grow towards the person's own left");
+}
+
+TEST_CASE("a template that lies down, as one with z up does, is refused") {
+    const std::string what = refusal([](auto& t) {
+        for (TemplateJoint& each : t.joints) std::swap(each.position.y(), each.position.z());
+    });
+    CHECK(what == "joint 'neck' is not above 'left_hip': y must grow from the hips to the head");
+}
+
+TEST_CASE("joints are found by role and side, and by their counterpart") {
+    const SkeletonTemplate& t = builtin_template("human21");
+    const int left = find_joint(t, JointRole::knee, Side::left), right = find_joint(t, JointRole::knee, Side::right);
+    CHECK(t.joint(left).name == "left_knee");
+    CHECK(counterpart(t, left) == right);
+    CHECK(counterpart(t, right) == left);
+    CHECK(counterpart(t, 0) == -1);
+    CHECK(find_joint(t, JointRole::knee) == -1);
+    CHECK(rest_length(t, left, find_joint(t, JointRole::hip, Side::left)) == Approx(0.389));
+    CHECK(part_of(JointRole::head) == BodyPart::trunk);
+    CHECK(part_of(JointRole::hand) == BodyPart::arm);
+    CHECK(part_of(JointRole::hip) == BodyPart::leg);
 }
 
 TEST_CASE("roles and sides spell themselves") {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include <skelgen/core/curve_graph.hpp>
@@ -12,28 +13,31 @@
 namespace skelgen::test {
 
 /// Number of connected pieces of a curve.
-inline int pieces(const CurveSkeleton<double>& curve) {
-    const CurveGraph<double> graph = curve_graph(curve);
+template <typename Scalar>
+int pieces(const CurveSkeleton<Scalar>& curve) {
+    const core::CurveGraph<Scalar> graph = core::curve_graph(curve);
     std::vector<bool> reached(static_cast<std::size_t>(graph.size()), false);
     int count = 0;
     for (int start = 0; start < graph.size(); ++start) {
         if (reached[static_cast<std::size_t>(start)]) continue;
         ++count;
-        const std::vector<double> distance = shortest_paths(graph, start).distance;
+        const std::vector<Scalar> distance = core::shortest_paths(graph, start).distance;
         for (std::size_t v = 0; v < distance.size(); ++v)
-            if (distance[v] < 1e300) reached[v] = true;
+            if (std::isfinite(distance[v])) reached[v] = true;
     }
     return count;
 }
 
 /// Number of independent cycles of a curve.
-inline int cycles(const CurveSkeleton<double>& curve) {
+template <typename Scalar>
+int cycles(const CurveSkeleton<Scalar>& curve) {
     return static_cast<int>(curve.edges.size()) - static_cast<int>(curve.nodes.rows()) + pieces(curve);
 }
 
 /// The nodes with that many branches, in ascending order.
-inline std::vector<int> nodes_of_degree(const CurveSkeleton<double>& curve, int degree) {
-    const CurveGraph<double> graph = curve_graph(curve);
+template <typename Scalar>
+std::vector<int> nodes_of_degree(const CurveSkeleton<Scalar>& curve, int degree) {
+    const core::CurveGraph<Scalar> graph = core::curve_graph(curve);
     std::vector<int> out;
     for (int v = 0; v < graph.size(); ++v)
         if (graph.degree(v) == degree) out.push_back(v);
@@ -42,7 +46,8 @@ inline std::vector<int> nodes_of_degree(const CurveSkeleton<double>& curve, int 
 
 /// Is `curve` well-formed: edges between existing nodes, first < second, each once, and each of `vertices` mesh
 /// vertices in the region of exactly one node?
-inline void check_is_curve(const CurveSkeleton<double>& curve, Eigen::Index vertices) {
+template <typename Scalar>
+void check_is_curve(const CurveSkeleton<Scalar>& curve, Eigen::Index vertices) {
     CHECK(curve.nodes.allFinite());
     CHECK(curve.regions.size() == static_cast<std::size_t>(curve.nodes.rows()));
     std::vector<std::array<int, 2>> edges = curve.edges;

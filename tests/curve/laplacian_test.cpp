@@ -11,6 +11,8 @@
 #include "shapes.hpp"
 
 using namespace skelgen;
+using namespace skelgen::core;
+using namespace skelgen::curve;
 using namespace skelgen::test;
 
 namespace {
@@ -110,4 +112,12 @@ TEST_CASE("triangles that have degenerated to segments or points leave weights b
         const Eigen::MatrixXd dense = laplacian;
         CHECK((dense - Eigen::MatrixXd(dense.diagonal().asDiagonal())).maxCoeff() <= 1e4);
     }
+}
+
+TEST_CASE("the Laplacian of a float mesh is that of the same mesh in double") {
+    const Mesh mesh = torus(1, 0.3, 20, 10);
+    const Points<float> rounded = mesh.vertices.cast<float>();
+    const Eigen::MatrixXd expected = cotangent_laplacian(Points<double>(rounded.cast<double>()), mesh.faces);
+    const Eigen::MatrixXd laplacian = cotangent_laplacian(rounded, mesh.faces);
+    CHECK(laplacian == expected);
 }

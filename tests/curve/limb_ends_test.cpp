@@ -5,6 +5,8 @@
 #include "shapes.hpp"
 
 using namespace skelgen;
+using namespace skelgen::core;
+using namespace skelgen::curve;
 using namespace skelgen::test;
 
 namespace {
@@ -41,27 +43,27 @@ TEST_CASE("a node that lies outside beside a tip moves inward along the curve, h
     const Vec3 outside(0.1, 0, 4.2), halfway(0.05, 0, 3.6);
     const CurveSkeleton<double> curve = curve_to_pole(mesh, outside, 0.1);
     REQUIRE(winding_number(mesh, outside) < 0.5);
-    const CurveSkeleton<double> settled = settle_limb_ends(curve, mesh);
-    CHECK((settled.nodes.row(0).transpose() - halfway).norm() < 1e-12);
-    CHECK(settled.nodes.bottomRows(4) == curve.nodes.bottomRows(4));
-    CHECK(settled.radii[0] == Approx(mean_distance(mesh, curve.regions[0], halfway)));
-    CHECK(settled.edges == curve.edges);
-    CHECK(settled.regions == curve.regions);
+    const CurveSkeleton<double> placed = place_limb_ends(curve, mesh);
+    CHECK((placed.nodes.row(0).transpose() - halfway).norm() < 1e-12);
+    CHECK(placed.nodes.bottomRows(4) == curve.nodes.bottomRows(4));
+    CHECK(placed.radii[0] == Approx(mean_distance(mesh, curve.regions[0], halfway)));
+    CHECK(placed.edges == curve.edges);
+    CHECK(placed.regions == curve.regions);
 }
 
 TEST_CASE("a node far outside moves half the way again, until it is inside") {
     const Mesh mesh = capsule(radius, 4);
     const CurveSkeleton<double> curve = curve_to_pole(mesh, Vec3(0.7, 0, 4), 0.1);
-    const CurveSkeleton<double> settled = settle_limb_ends(curve, mesh);
-    CHECK((settled.nodes.row(0).transpose() - Vec3(0.175, 0, 3.25)).norm() < 1e-12);
+    const CurveSkeleton<double> placed = place_limb_ends(curve, mesh);
+    CHECK((placed.nodes.row(0).transpose() - Vec3(0.175, 0, 3.25)).norm() < 1e-12);
 }
 
 TEST_CASE("a node without a radius beside a tip lies on the surface and moves inward") {
     const Mesh mesh = capsule(radius, 4);
     const CurveSkeleton<double> curve = curve_to_pole(mesh, Vec3(0, 0, 4.19), 0);
-    const CurveSkeleton<double> settled = settle_limb_ends(curve, mesh);
-    CHECK((settled.nodes.row(0).transpose() - Vec3(0, 0, 3.595)).norm() < 1e-12);
-    CHECK(settled.radii[0] > 0);
+    const CurveSkeleton<double> placed = place_limb_ends(curve, mesh);
+    CHECK((placed.nodes.row(0).transpose() - Vec3(0, 0, 3.595)).norm() < 1e-12);
+    CHECK(placed.radii[0] > 0);
 }
 
 TEST_CASE("a node whose only vertex has become the tip moves inward too, and reaches to the nearest surface") {
@@ -69,16 +71,29 @@ TEST_CASE("a node whose only vertex has become the tip moves inward too, and rea
     CurveSkeleton<double> curve = curve_to_pole(mesh, Vec3(0, 0, 4.25), 0);
     curve.regions[2].insert(curve.regions[2].end(), curve.regions[0].begin(), curve.regions[0].end());
     curve.regions[0].clear();
-    const CurveSkeleton<double> settled = settle_limb_ends(curve, mesh);
-    CHECK((settled.nodes.row(0).transpose() - Vec3(0, 0, 3.625)).norm() < 1e-12);
-    CHECK(settled.radii[0] == Approx(radius).epsilon(0.02));
-    CHECK(settled.radii[1] == settled.radii[0]);
+    const CurveSkeleton<double> placed = place_limb_ends(curve, mesh);
+    CHECK((placed.nodes.row(0).transpose() - Vec3(0, 0, 3.625)).norm() < 1e-12);
+    CHECK(placed.radii[0] == Approx(radius).epsilon(0.02));
+    CHECK(placed.radii[1] == placed.radii[0]);
 }
 
 TEST_CASE("tips take over the radius beside them; what lies inside stays where it is") {
     const Mesh mesh = capsule(radius, 4);
     const CurveSkeleton<double> curve = curve_to_pole(mesh, Vec3(0.01, 0, 4), 0.15);
-    const CurveSkeleton<double> settled = settle_limb_ends(curve, mesh);
-    CHECK(settled.nodes == curve.nodes);
-    CHECK(settled.radii == std::vector<double>{0.15, 0.15, radius, radius, radius});
+    const CurveSkeleton<double> placed = place_limb_ends(curve, mesh);
+    CHECK(placed.nodes == curve.nodes);
+    CHECK(placed.radii == std::vector<double>{0.15, 0.15, radius, radius, radius});
+}
+
+TEST_CASE("limb ends are placed in float as in double") {
+    const Mesh mesh = capsule(radius, 4);
+    const CurveSkeleton<double> curve = curve_to_pole(mesh, Vec3(0.7, 0, 4), 0.1),
+                                expected = place_limb_ends(curve, mesh);
+    const CurveSkeleton<float> rounded{
+        curve.nodes.cast<float>(), curve.edges, curve.regions, {curve.radii.begin(), curve.radii.end()}};
+    const CurveSkeleton<float> placed =
+        place_limb_ends(rounded, TriangleMesh<float>{mesh.vertices.cast<float>(), mesh.faces});
+    CHECK((placed.nodes.cast<double>() - expected.nodes).cwiseAbs().maxCoeff() < 1e-6);
+    for (std::size_t k = 0; k < placed.radii.size(); ++k)
+        CHECK(placed.radii[k] == Approx(expected.radii[k]).epsilon(1e-5));
 }

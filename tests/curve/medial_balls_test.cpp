@@ -4,14 +4,16 @@
 #include <skelgen/curve/medial_balls.hpp>
 
 #include "catch.hpp"
+#include "curve/proxy_mesh.hpp"
 #include "mesh_changes.hpp"
 #include "shapes.hpp"
 
 using namespace skelgen;
+using namespace skelgen::curve;
 using namespace skelgen::test;
 
-TEST_CASE("every ball of a sphere is the sphere") {
-    const MedialBalls balls = medial_balls(sphere(2, 4), 10);
+TEMPLATE_TEST_CASE("every ball of a sphere is the sphere", "", float, double) {
+    const MedialBalls<TestType> balls = medial_balls(mesh_in<TestType>(sphere(2, 4)), 10);
     CHECK(balls.centres.rowwise().norm().maxCoeff() < 0.1 * 2);
     CHECK(balls.radii.minCoeff() > 0.9 * 2);
     CHECK(balls.radii.maxCoeff() < 1.1 * 2);
@@ -19,7 +21,7 @@ TEST_CASE("every ball of a sphere is the sphere") {
 
 TEST_CASE("the balls of a tube have its radius and lie on its axis") {
     const Mesh mesh = capsule(0.3, 4, 32, 60);
-    const MedialBalls balls = medial_balls(mesh, 10);
+    const MedialBalls<double> balls = medial_balls(mesh, 10);
     for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v) {
         if (mesh.vertices(v, 2) < 0.3 || mesh.vertices(v, 2) > 3.7) continue;
         INFO("vertex at " << mesh.vertices.row(v));
@@ -29,17 +31,17 @@ TEST_CASE("the balls of a tube have its radius and lie on its axis") {
     }
 }
 
-TEST_CASE("the balls of a torus lie on its circle") {
-    const MedialBalls balls = medial_balls(torus(1, 0.25, 80, 28), 10);
+TEMPLATE_TEST_CASE("the balls of a torus lie on its circle", "", float, double) {
+    const MedialBalls<TestType> balls = medial_balls(mesh_in<TestType>(torus(1, 0.25, 80, 28)), 10);
     for (Eigen::Index v = 0; v < balls.centres.rows(); ++v) {
-        const double from_axis = balls.centres.row(v).head<2>().norm();
+        const TestType from_axis = balls.centres.row(v).template head<2>().norm();
         REQUIRE(std::hypot(from_axis - 1, balls.centres(v, 2)) < 0.12 * 0.25);
     }
 }
 
 TEST_CASE("no ball is larger than asked for and each touches its vertex") {
     const Mesh mesh = three_tubes();
-    const MedialBalls balls = medial_balls(mesh, 0.07);
+    const MedialBalls<double> balls = medial_balls(mesh, 0.07);
     CHECK(balls.radii.maxCoeff() <= 0.07);
     CHECK(balls.radii.minCoeff() > 0);
     for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v)

@@ -4,11 +4,18 @@
 
 namespace skelgen::test {
 
+/// The same mesh in another precision.
+template <typename Scalar>
+TriangleMesh<Scalar> mesh_in(const TriangleMesh<double>& mesh) {
+    return {mesh.vertices.template cast<Scalar>(), mesh.faces};
+}
+
 /// What contraction works on: a well-shaped mesh of about `vertices` vertices.
-inline TriangleMesh<double> proxy_mesh(const TriangleMesh<double>& mesh, int vertices = 1500) {
-    ProxyOptions options;
+template <typename Scalar>
+TriangleMesh<Scalar> proxy_mesh(const TriangleMesh<Scalar>& mesh, int vertices = 1500) {
+    curve::ProxyOptions options;
     options.vertices = vertices;
-    return build_proxy(mesh, options).mesh;
+    return curve::build_proxy(mesh, options).mesh;
 }
 
 } // namespace skelgen::test

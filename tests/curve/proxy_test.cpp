@@ -1,17 +1,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/curve/manifold_parts.hpp>
 #include <skelgen/curve/proxy.hpp>
+#include <skelgen/surface/manifold_parts.hpp>
 
 #include "catch.hpp"
 #include "curve/proxy_mesh.hpp"
+#include "curve/throws.hpp"
 #include "mesh_changes.hpp"
 #include "shapes.hpp"
 
 using namespace skelgen;
+using namespace skelgen::core;
+using namespace skelgen::curve;
 using namespace skelgen::test;
 
 namespace {
@@ -48,11 +50,11 @@ double part_of_edges_between(const Mesh& mesh, double low, double high, int vert
 
 } // namespace
 
-TEST_CASE("a proxy has the size asked for, whatever the input's, and its topology") {
+TEMPLATE_TEST_CASE("a proxy has the size asked for, whatever the input's, and its topology", "", float, double) {
     constexpr int vertices = 1500;
     for (const Case& c : cases()) {
         INFO(c.name);
-        const Mesh proxy = proxy_mesh(c.mesh, vertices);
+        const TriangleMesh<TestType> proxy = proxy_mesh(mesh_in<TestType>(c.mesh), vertices);
         CHECK(proxy.vertices.rows() > vertices * 7 / 10);
         CHECK(proxy.vertices.rows() < vertices * 14 / 10);
         CHECK(is_closed(proxy.faces));
@@ -67,10 +69,10 @@ TEST_CASE("a proxy's edges are about as long as equilateral triangles of its siz
     }
 }
 
-TEST_CASE("a proxy keeps the shape") {
+TEMPLATE_TEST_CASE("a proxy keeps the shape", "", float, double) {
     for (const Case& c : cases()) {
         INFO(c.name);
-        const Mesh proxy = proxy_mesh(c.mesh);
+        const TriangleMesh<TestType> proxy = proxy_mesh(mesh_in<TestType>(c.mesh));
         CHECK(enclosed_volume(proxy) == Approx(enclosed_volume(c.mesh)).epsilon(c.shape));
         CHECK(surface_area(proxy) == Approx(surface_area(c.mesh)).epsilon(c.shape));
     }
@@ -86,7 +88,7 @@ TEST_CASE("a hole stays a hole") {
         if (lowest < 0.8) open.faces.row(kept++) = whole.faces.row(f);
     }
     open.faces.conservativeResize(kept, 3);
-    open = largest_manifold_part(open).mesh;
+    open = surface::largest_manifold_part(open).mesh;
     REQUIRE(euler_characteristic(open.faces) == 1);
     const Mesh proxy = proxy_mesh(open);
     CHECK(euler_characteristic(proxy.faces) == 1);
@@ -111,10 +113,10 @@ TEST_CASE("neither a fan of needles nor a finely divided rim makes a proxy large
     }
 }
 
-TEST_CASE("an edge without length costs a proxy nothing") {
+TEMPLATE_TEST_CASE("an edge without length costs a proxy nothing", "", float, double) {
     Mesh mesh = cube();
     mesh.vertices.row(1) = mesh.vertices.row(0);
-    const Mesh proxy = proxy_mesh(mesh, 1500);
+    const TriangleMesh<TestType> proxy = proxy_mesh(mesh_in<TestType>(mesh), 1500);
     CHECK(proxy.vertices.allFinite());
     CHECK(proxy.vertices.rows() > 1050);
     CHECK(proxy.vertices.rows() < 2100);
@@ -129,7 +131,7 @@ TEST_CASE("the same mesh has the same proxy") {
 
 TEST_CASE("a proxy's vertices come from vertices nearby on the same sheet of surface") {
     const Mesh plate = box({1, 1, 0.02}, 5); // two sheets much nearer to each other than vertices are
-    const Proxy proxy = build_proxy(plate);
+    const Proxy<double> proxy = build_proxy(plate);
     const Points<double> normals = vertex_normals(plate), proxy_normals = vertex_normals(proxy.mesh);
     REQUIRE(proxy.source.size() == static_cast<std::size_t>(proxy.mesh.vertices.rows()));
     int known = 0;
@@ -149,10 +151,32 @@ TEST_CASE("a surface that is not manifold is bad input") {
     Mesh fin = sphere(1, 2);
     fin.faces.conservativeResize(fin.faces.rows() + 1, 3);
     fin.faces.bottomRows<1>() << fin.faces(0, 0), fin.faces(0, 1), fin.faces(100, 2);
-    try {
-        static_cast<void>(proxy_mesh(fin));
-        FAIL("no error");
-    } catch (const Error& error) {
-        CHECK(error.code() == ErrorCode::bad_input);
-    }
+    CHECK(throws(ErrorCode::bad_input, [&] { static_cast<void>(proxy_mesh(fin)); }));
+}
+
+TEST_CASE("a surface without area is bad input") {
+    Mesh point = sphere(1, 2);
+    point.vertices.setConstant(0.25);
+    CHECK(throws(ErrorCode::bad_input, [&] { static_cast<void>(proxy_mesh(point)); }));
+}
+
+TEMPLATE_TEST_CASE("vertices that lie upon each other around a place do not outlast the collapses there", "", float,
+                   double) {
+    Mesh mesh = sphere(1, 5);
+    for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v) // some two hundred of them, as rounding makes them
+        if (mesh.vertices(v, 2) > 0.95) mesh.vertices.row(v) << 0, 0, 1;
+    const TriangleMesh<TestType> proxy = proxy_mesh(mesh_in<TestType>(mesh), 500);
+    CHECK(proxy.vertices.allFinite());
+    CHECK(is_closed(proxy.faces));
+    int upon_each_other = 0;
+    for (Eigen::Index v = 0; v < proxy.vertices.rows(); ++v)
+        upon_each_other += (proxy.vertices.row(v) - Vector3<TestType>::UnitZ().transpose()).norm() < TestType(1e-3);
+    CHECK(upon_each_other <= 1);
+}
+
+TEST_CASE("a proxy refuses numbers of vertices and rounds that make no sense") {
+    const Mesh mesh = sphere(1, 2);
+    for (const ProxyOptions& options : {ProxyOptions{0, 4}, ProxyOptions{-3000, 4}, ProxyOptions{2000000000, 4},
+                                        ProxyOptions{3000, -1}, ProxyOptions{3000, 1000000}})
+        CHECK(throws(ErrorCode::usage, [&] { static_cast<void>(build_proxy(mesh, options)); }));
 }

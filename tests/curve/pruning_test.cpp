@@ -4,8 +4,11 @@
 
 #include "catch.hpp"
 #include "curve/curve_expectations.hpp"
+#include "curve/throws.hpp"
 
 using namespace skelgen;
+using namespace skelgen::core;
+using namespace skelgen::curve;
 using namespace skelgen::test;
 
 namespace {
@@ -106,4 +109,24 @@ TEST_CASE("cycles are not pruned, what hangs on them is") {
     const CurveSkeleton<double> pruned = prune(ring);
     CHECK(pruned.nodes.rows() == 4);
     CHECK(cycles(pruned) == 1);
+}
+
+TEST_CASE("pruning cuts the same branches in float as in double") {
+    Drawing comb;
+    const int a = comb.to(0, 0.3, 0), b = comb.to(a, 0.7, 0);
+    comb.to(b, 1, 0);
+    comb.to(a, 0.3, 0.05);
+    comb.to(b, 0.7, 0.07);
+    const CurveSkeleton<double> expected = prune(comb.curve());
+    const CurveSkeleton<float> rounded{comb.curve().nodes.cast<float>(), comb.curve().edges, comb.curve().regions, {}};
+    const CurveSkeleton<float> pruned = prune(rounded);
+    CHECK(pruned.edges == expected.edges);
+    CHECK(pruned.regions == expected.regions);
+}
+
+TEST_CASE("pruning refuses lengths that make no sense") {
+    CurveSkeleton<double> none;
+    for (const PruningOptions& options : {PruningOptions{-0.1, 0.06}, PruningOptions{0.015, std::nan("")}})
+        CHECK(throws(ErrorCode::usage, [&] { static_cast<void>(prune(none, options)); }));
+    CHECK(prune(none).nodes.rows() == 0);
 }

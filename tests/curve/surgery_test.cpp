@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <skelgen/curve/contraction.hpp>
 #include <skelgen/curve/surgery.hpp>
@@ -6,35 +7,43 @@
 #include "catch.hpp"
 #include "curve/curve_expectations.hpp"
 #include "curve/proxy_mesh.hpp"
+#include "curve/throws.hpp"
 #include "mesh_changes.hpp"
 #include "shapes.hpp"
 
 using namespace skelgen;
+using namespace skelgen::core;
+using namespace skelgen::curve;
 using namespace skelgen::test;
 
 namespace {
 
-CurveSkeleton<double> contracted_curve(const Mesh& proxy) {
+template <typename Scalar>
+CurveSkeleton<Scalar> contracted_curve(const TriangleMesh<Scalar>& proxy) {
     return connectivity_surgery(contract(proxy).vertices, proxy.faces);
 }
 
 } // namespace
 
-TEST_CASE("surgery leaves one connected graph, every vertex in the region of exactly one node") {
+TEMPLATE_TEST_CASE("surgery leaves one connected graph, every vertex in the region of exactly one node", "", float,
+                   double) {
     for (const Mesh& mesh : {sphere(1, 4), capsule(0.2, 4), torus(1, 0.25), three_tubes()}) {
-        const Mesh proxy = proxy_mesh(mesh, 1200);
-        const CurveSkeleton<double> curve = contracted_curve(proxy);
+        const TriangleMesh<TestType> proxy = proxy_mesh(mesh_in<TestType>(mesh), 1200);
+        const CurveSkeleton<TestType> curve = contracted_curve(proxy);
         check_is_curve(curve, proxy.vertices.rows());
         CHECK(pieces(curve) == 1);
         CHECK(curve.nodes.rows() < proxy.vertices.rows() / 5);
     }
 }
 
-TEST_CASE("a torus leaves exactly one cycle, a sphere, a capsule and a Y none") {
-    CHECK(cycles(contracted_curve(proxy_mesh(torus(1, 0.25), 1200))) == 1);
-    CHECK(cycles(contracted_curve(proxy_mesh(sphere(1, 4), 1200))) == 0);
-    CHECK(cycles(contracted_curve(proxy_mesh(capsule(0.2, 4), 1200))) == 0);
-    CHECK(cycles(contracted_curve(proxy_mesh(three_tubes(), 1200))) == 0);
+TEMPLATE_TEST_CASE("a torus leaves exactly one cycle, a sphere, a capsule and a Y none", "", float, double) {
+    const auto cycles_of = [](const Mesh& mesh) {
+        return cycles(contracted_curve(proxy_mesh(mesh_in<TestType>(mesh), 1200)));
+    };
+    CHECK(cycles_of(torus(1, 0.25)) == 1);
+    CHECK(cycles_of(sphere(1, 4)) == 0);
+    CHECK(cycles_of(capsule(0.2, 4)) == 0);
+    CHECK(cycles_of(three_tubes()) == 0);
 }
 
 TEST_CASE("two tori joined by nothing leave two cycles in two pieces") {
@@ -81,4 +90,11 @@ TEST_CASE("a mesh without faces stays as it is") {
     const CurveSkeleton<double> curve = connectivity_surgery(sphere(1, 1).vertices, Triangles(0, 3));
     CHECK(curve.nodes.rows() == sphere(1, 1).vertices.rows());
     CHECK(curve.edges.empty());
+}
+
+TEST_CASE("surgery refuses weights that make no sense") {
+    const Mesh mesh = sphere(1, 1);
+    for (const SurgeryOptions& options : {SurgeryOptions{-1, 3}, SurgeryOptions{1, std::nan("")}})
+        CHECK(throws(ErrorCode::usage,
+                     [&] { static_cast<void>(connectivity_surgery(mesh.vertices, mesh.faces, options)); }));
 }

@@ -2,15 +2,16 @@
 #include <random>
 #include <set>
 
+#include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/embedding/embed.hpp>
-#include <skelgen/io/template_json.hpp>
 
 #include "catch.hpp"
 #include "embedding/human_curve.hpp"
 #include "mesh_changes.hpp"
 
 using namespace skelgen;
+using namespace skelgen::embedding;
 using namespace skelgen::test;
 
 namespace {
@@ -44,13 +45,19 @@ std::string without_side(std::string name) {
     return name;
 }
 
-ErrorCode error_of(const CurveSkeleton<double>& curve) {
-    try {
-        static_cast<void>(embed(curve, builtin_template("human21")));
-    } catch (const Error& error) {
-        return error.code();
-    }
-    return ErrorCode::internal;
+/// human21 in a curve that it fits.
+Embedding embedded(const CurveSkeleton<double>& curve) {
+    const Outcome<Embedding> found = embed(curve, builtin_template("human21"));
+    REQUIRE(found);
+    return *found;
+}
+
+/// The text of the failure to embed human21; empty where there is none.
+std::string failure_of(const CurveSkeleton<double>& curve) {
+    const Outcome<Embedding> found = embed(curve, builtin_template("human21"));
+    if (found) return {};
+    CHECK(found.failure().reason == FailureReason::no_match);
+    return found.failure().what;
 }
 
 } // namespace
@@ -58,7 +65,7 @@ ErrorCode error_of(const CurveSkeleton<double>& curve) {
 TEST_CASE("human21 embeds in its own bones: each joint of the reduced template at its node, up to left and right") {
     const CurveSkeleton<double> curve = human_curve();
     const SkeletonTemplate& human = builtin_template("human21");
-    const Embedding embedding = embed(curve, human);
+    const Embedding embedding = embedded(curve);
     CHECK(embedding.matched_nodes == 7);
     REQUIRE(embedding.node_of_joint.size() == human.joints.size());
     std::set<int> used;
@@ -83,7 +90,7 @@ TEST_CASE("human21 embeds in its own bones: each joint of the reduced template a
 TEST_CASE("every bone of the template belongs to exactly one chain, which runs along connected nodes") {
     const CurveSkeleton<double> curve = human_curve();
     const SkeletonTemplate& human = builtin_template("human21");
-    const Embedding embedding = embed(curve, human);
+    const Embedding embedding = embedded(curve);
     CHECK(embedding.chains.size() == 6); // head, two arms, two legs, and the trunk between chest and crotch
     std::multiset<int> lower_ends;
     const std::set<std::array<int, 2>> edges(curve.edges.begin(), curve.edges.end());
@@ -122,7 +129,7 @@ TEST_CASE("a curve with the arms leaving the spine at two junctions embeds all t
     const int below = halfway(index("waist"), index("chest")), arm = halfway(index("chest"), index("right_shoulder"));
     for (auto& edge : curve.edges)
         if (edge == std::array<int, 2>{index("chest"), arm}) edge = {std::min(below, arm), std::max(below, arm)};
-    const Embedding embedding = embed(curve, human);
+    const Embedding embedding = embedded(curve);
     CHECK(embedding.matched_nodes == 7);
     for (const char* end : {"left_hand", "right_hand", "head", "left_foot", "right_foot"}) {
         INFO(end);
@@ -133,7 +140,7 @@ TEST_CASE("a curve with the arms leaving the spine at two junctions embeds all t
 
 TEST_CASE("what goes on beyond the embedded template is measured") {
     CurveSkeleton<double> curve = human_curve();
-    const Embedding bare = embed(curve, builtin_template("human21"));
+    const Embedding bare = embedded(curve);
     CHECK(unmatched_reach(curve, bare) == 0);
     double matched = 0;
     for (const Chain& chain : bare.chains)
@@ -143,22 +150,22 @@ TEST_CASE("what goes on beyond the embedded template is measured") {
     const int calf = bare.chains.back().nodes[bare.chains.back().nodes.size() / 2];
     const auto n = static_cast<int>(curve.nodes.rows());
     curve.nodes.conservativeResize(n + 2, 3);
-    curve.nodes.row(n) = curve.nodes.row(calf) + Eigen::RowVector3d(0, -0.02, 0);
-    curve.nodes.row(n + 1) = curve.nodes.row(n) + Eigen::RowVector3d(0, -0.03, 0);
+    curve.nodes.row(n) = curve.nodes.row(calf) + Eigen::RowVector3d(0, 0, -0.02);
+    curve.nodes.row(n + 1) = curve.nodes.row(n) + Eigen::RowVector3d(0, 0, -0.03);
     curve.edges.push_back({calf, n});
     curve.edges.push_back({n, n + 1});
     CHECK(unmatched_reach(curve, bare) == Approx(0.05 / matched));
 }
 
 TEST_CASE("a curve with too few ends and junctions is no skeleton") {
-    CHECK(error_of(path_of(2)) == ErrorCode::no_skeleton);
-    CHECK(error_of(path_of(50)) == ErrorCode::no_skeleton);
+    for (const int nodes : {2, 50})
+        CHECK(failure_of(path_of(nodes)).find("has 2 ends and junctions, the template needs 7") != std::string::npos);
     CurveSkeleton<double> ring = path_of(12);
     ring.edges.push_back({0, 11});
-    CHECK(error_of(ring) == ErrorCode::no_skeleton);
+    CHECK(failure_of(ring).find("has 0 ends and junctions") != std::string::npos);
     CurveSkeleton<double> nothing;
     nothing.nodes.resize(0, 3);
-    CHECK(error_of(nothing) == ErrorCode::no_skeleton);
+    CHECK(failure_of(nothing).find("has 0 ends and junctions") != std::string::npos);
 }
 
 TEST_CASE("a curve in several pieces is no skeleton") {
@@ -167,5 +174,32 @@ TEST_CASE("a curve in several pieces is no skeleton") {
     // Without the waist's edges the legs are on their own.
     std::erase_if(curve.edges, [](const auto& e) { return e[0] == 1; });
     REQUIRE(curve.edges.size() < edges);
-    CHECK(error_of(curve) == ErrorCode::no_skeleton);
+    CHECK(failure_of(curve).find("in several pieces") != std::string::npos);
+}
+
+TEST_CASE("in float, the same joints are at the same nodes") {
+    const CurveSkeleton<double> curve = human_curve();
+    const Embedding expected = embedded(curve);
+    const auto rounded = in_precision<float>(curve);
+    const Outcome<Embedding> found = embed(rounded, builtin_template("human21"));
+    REQUIRE(found);
+    CHECK(found->matched_nodes == 7);
+    CHECK(found->distortion == Approx(expected.distortion).margin(1e-5));
+    for (std::size_t j = 0; j < expected.node_of_joint.size(); ++j) {
+        const int node = found->node_of_joint[j], other = expected.node_of_joint[j];
+        REQUIRE((node < 0) == (other < 0));
+        if (node >= 0) CHECK(without_side(limb_of(curve, node)) == without_side(limb_of(curve, other)));
+    }
+    CHECK(unmatched_reach(rounded, *found) == Approx(0).margin(1e-6));
+}
+
+TEST_CASE("options out of their range are refused, not taken for a curve that does not fit") {
+    MatchingOptions options;
+    options.distance_scale = 0;
+    try {
+        static_cast<void>(embed(human_curve(), builtin_template("human21"), options));
+        FAIL("no error");
+    } catch (const Error& error) {
+        CHECK(error.code() == ErrorCode::usage);
+    }
 }

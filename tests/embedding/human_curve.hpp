@@ -1,7 +1,7 @@
 #pragma once
 
+#include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/curve_skeleton.hpp>
-#include <skelgen/io/template_json.hpp>
 
 namespace skelgen::test {
 
@@ -33,6 +33,12 @@ inline CurveSkeleton<double> human_curve() {
         if (joint.tip) curve.edges.push_back({static_cast<int>(j), add(*joint.tip, 0)});
     }
     return curve;
+}
+
+/// The same curve in another precision.
+template <typename Scalar>
+CurveSkeleton<Scalar> in_precision(const CurveSkeleton<double>& curve) {
+    return {curve.nodes.cast<Scalar>(), curve.edges, curve.regions, {curve.radii.begin(), curve.radii.end()}};
 }
 
 } // namespace skelgen::test

@@ -1,12 +1,14 @@
 #include <algorithm>
 
+#include <skelgen/core/builtin_templates.hpp>
+#include <skelgen/core/error.hpp>
 #include <skelgen/embedding/loop_cuts.hpp>
-#include <skelgen/io/template_json.hpp>
 
 #include "catch.hpp"
 #include "embedding/human_curve.hpp"
 
 using namespace skelgen;
+using namespace skelgen::embedding;
 using namespace skelgen::test;
 
 namespace {
@@ -47,11 +49,11 @@ TEST_CASE("a tree has no loop to cut") { CHECK(find_loop_cuts(human_curve(), hum
 TEST_CASE("clasped hands are cut between the hands") {
     CurveSkeleton<double> curve = human_curve();
     const int left = tip(curve, "left_hand"), right = tip(curve, "right_hand");
-    curve.nodes.row(left) << 0.02, -0.2, 1.2;
-    curve.nodes.row(right) << -0.02, -0.2, 1.2;
+    curve.nodes.row(left) << 0.02, 1.2, -0.2;
+    curve.nodes.row(right) << -0.02, 1.2, -0.2;
     for (const char* side : {"left", "right"})
         for (const char* name : {"_hand", "_wrist"})
-            curve.nodes.row(joint(std::string(side) + name)) << (side[0] == 'l' ? 0.1 : -0.1), -0.2, 1.2;
+            curve.nodes.row(joint(std::string(side) + name)) << (side[0] == 'l' ? 0.1 : -0.1), 1.2, -0.2;
     curve.edges.push_back({std::min(left, right), std::max(left, right)});
     const std::vector<LoopCut> cuts = find_loop_cuts(curve, human());
     REQUIRE(cuts.size() == 1);
@@ -119,4 +121,28 @@ TEST_CASE("a curve with many loops is left as it is") {
     for (const char* name : {"waist", "chest", "neck", "head", "left_elbow", "right_elbow", "right_knee"})
         curve.edges.push_back({joint(name), foot});
     CHECK(find_loop_cuts(curve, human()).empty());
+}
+
+TEST_CASE("in float, a curve is cut in the same places") {
+    CurveSkeleton<double> curve = human_curve();
+    const int hand = tip(curve, "left_hand"), thigh = middle_of_bone(curve, "left_hip", "left_knee");
+    curve.edges.push_back({std::min(hand, thigh), std::max(hand, thigh)});
+    const std::vector<LoopCut> expected = find_loop_cuts(curve, human());
+    const std::vector<LoopCut> cuts = find_loop_cuts(in_precision<float>(curve), human());
+    REQUIRE(cuts.size() == 1);
+    CHECK(cuts[0].limb == expected[0].limb);
+    CHECK(cuts[0].other == expected[0].other);
+}
+
+TEST_CASE("a loop in a curve that the template does not fit is not cut; a wrong option is an error all the same") {
+    CurveSkeleton<double> ring; // with two tails
+    ring.nodes.resize(6, 3);
+    ring.nodes << 1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0, 2, 0, 0, -2, 0, 0;
+    ring.edges = {{0, 1}, {1, 2}, {2, 3}, {0, 3}, {0, 4}, {2, 5}};
+    ring.regions.resize(6);
+    ring.radii.assign(6, 0.01);
+    CHECK(find_loop_cuts(ring, human()).empty());
+    MatchingOptions options;
+    options.distance_weight = -1;
+    CHECK_THROWS_AS(find_loop_cuts(ring, human(), options), Error);
 }

@@ -42,14 +42,15 @@ inline Tree random_tree(int junctions, std::mt19937_64& random) {
 }
 
 /// The tree as the matching sees it; node i of the tree becomes node `place`[i].
-inline ReducedGraph graph_of(const Tree& tree, const std::vector<int>& place) {
+template <typename Scalar = double>
+embedding::ReducedGraph<Scalar> graph_of(const Tree& tree, const std::vector<int>& place) {
     const auto n = static_cast<Eigen::Index>(tree.parent.size());
     Eigen::MatrixXd distances = Eigen::MatrixXd::Zero(n, n);
     for (Eigen::Index v = 1; v < n; ++v)
         for (Eigen::Index u = 0; u < v; ++u)
             distances(u, v) = distances(v, u) =
                 distances(u, tree.parent[static_cast<std::size_t>(v)]) + tree.length[static_cast<std::size_t>(v)];
-    ReducedGraph graph;
+    embedding::ReducedGraph<Scalar> graph;
     graph.origin.resize(tree.parent.size());
     graph.degree.assign(tree.parent.size(), 0);
     graph.radius.assign(tree.parent.size(), 0);
@@ -62,8 +63,8 @@ inline ReducedGraph graph_of(const Tree& tree, const std::vector<int>& place) {
             ++graph.degree[static_cast<std::size_t>(place[static_cast<std::size_t>(tree.parent[v])])];
         }
         for (std::size_t u = 0; u < tree.parent.size(); ++u)
-            graph.distances(place[v], place[u]) =
-                distances(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(u)) / distances.maxCoeff();
+            graph.distances(place[v], place[u]) = static_cast<Scalar>(
+                distances(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(u)) / distances.maxCoeff());
     }
     return graph;
 }

@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <string>
 
+#include <skelgen/core/error.hpp>
 #include <skelgen/embedding/spectral_matching.hpp>
 
 #include "catch.hpp"
@@ -8,6 +11,7 @@
 #include "mesh_changes.hpp"
 
 using namespace skelgen;
+using namespace skelgen::embedding;
 using namespace skelgen::test;
 
 namespace {
@@ -18,7 +22,8 @@ std::vector<int> in_order(const Tree& tree) {
     return order;
 }
 
-std::vector<int> match(const ReducedGraph& curve, const ReducedGraph& wanted) {
+template <typename Scalar>
+std::vector<int> match(const ReducedGraph<Scalar>& curve, const ReducedGraph<Scalar>& wanted) {
     const auto nodes = static_cast<int>(wanted.origin.size());
     return descend(curve, wanted, spectral_assignment(affinity_matrix(curve, wanted), nodes));
 }
@@ -31,6 +36,7 @@ void check_is_injective(std::vector<int> partner, std::size_t candidates) {
 }
 
 /// Of 60 random trees, how many are found again node by node after `change`, which may add leaves at the end.
+template <typename Scalar = double>
 int recovered(void (*change)(Tree&, std::mt19937_64&)) {
     int count = 0;
     for (unsigned seed = 1; seed <= 60; ++seed) {
@@ -39,8 +45,8 @@ int recovered(void (*change)(Tree&, std::mt19937_64&)) {
         Tree changed = tree;
         change(changed, random);
         const std::vector<int> place = random_permutation(static_cast<int>(changed.parent.size()), random);
-        const ReducedGraph curve = graph_of(changed, place);
-        const std::vector<int> partner = match(curve, graph_of(tree, in_order(tree)));
+        const auto curve = graph_of<Scalar>(changed, place);
+        const std::vector<int> partner = match(curve, graph_of<Scalar>(tree, in_order(tree)));
         REQUIRE(partner.size() == tree.parent.size());
         check_is_injective(partner, changed.parent.size());
         count += std::equal(partner.begin(), partner.end(), place.begin());
@@ -50,10 +56,12 @@ int recovered(void (*change)(Tree&, std::mt19937_64&)) {
 
 } // namespace
 
-TEST_CASE("affinities are symmetric, not negative, and zero between pairs that exclude each other") {
+TEMPLATE_TEST_CASE("affinities are symmetric, not negative, and zero between pairs that exclude each other", "", float,
+                   double) {
     std::mt19937_64 random(1);
     const Tree a = random_tree(3, random), b = random_tree(2, random);
-    const Eigen::MatrixXd affinities = affinity_matrix(graph_of(a, in_order(a)), graph_of(b, in_order(b)));
+    const Eigen::MatrixX<TestType> affinities =
+        affinity_matrix(graph_of<TestType>(a, in_order(a)), graph_of<TestType>(b, in_order(b)));
     const auto m = static_cast<Eigen::Index>(a.parent.size()), n = static_cast<Eigen::Index>(b.parent.size());
     REQUIRE(affinities.rows() == m * n);
     REQUIRE(affinities.cols() == m * n);
@@ -70,7 +78,7 @@ TEST_CASE("affinities are symmetric, not negative, and zero between pairs that e
 TEST_CASE("no pair is better than one whose degrees and distances agree") {
     std::mt19937_64 random(2);
     const Tree tree = random_tree(3, random);
-    const ReducedGraph graph = graph_of(tree, in_order(tree));
+    const ReducedGraph<double> graph = graph_of(tree, in_order(tree));
     const MatchingOptions options;
     const Eigen::MatrixXd affinities = affinity_matrix(graph, graph, options);
     const auto n = static_cast<Eigen::Index>(tree.parent.size());
@@ -80,12 +88,12 @@ TEST_CASE("no pair is better than one whose degrees and distances agree") {
         for (Eigen::Index k = 0; k < n; ++k) REQUIRE(affinities(i * n + i, k * n + k) == Approx(best));
 }
 
-TEST_CASE("a planted match with its nodes in another order is found") {
-    CHECK(recovered([](Tree&, std::mt19937_64&) {}) == 60);
+TEMPLATE_TEST_CASE("a planted match with its nodes in another order is found", "", float, double) {
+    CHECK(recovered<TestType>([](Tree&, std::mt19937_64&) {}) == 60);
 }
 
-TEST_CASE("a planted match is found although lengths are wrong by up to 2 %") {
-    CHECK(recovered([](Tree& tree, std::mt19937_64& random) {
+TEMPLATE_TEST_CASE("a planted match is found although lengths are wrong by up to 2 %", "", float, double) {
+    CHECK(recovered<TestType>([](Tree& tree, std::mt19937_64& random) {
               for (double& length : tree.length) length *= uniform(random, 0.98, 1.02);
           }) >= 55);
 }
@@ -114,7 +122,7 @@ TEST_CASE("with fewer candidates than template nodes some stay without a partner
 TEST_CASE("descending repairs two partners that have been exchanged and leaves a right match alone") {
     std::mt19937_64 random(4);
     const Tree tree = random_tree(3, random);
-    const ReducedGraph graph = graph_of(tree, in_order(tree));
+    const ReducedGraph<double> graph = graph_of(tree, in_order(tree));
     const std::vector<int> right = in_order(tree);
     CHECK(descend(graph, graph, right) == right);
     for (std::size_t a = 0; a < right.size(); ++a)
@@ -130,7 +138,7 @@ TEST_CASE("the least distorted match of a tree with itself is itself, wherever t
     for (unsigned seed = 1; seed <= 10; ++seed) {
         std::mt19937_64 random(seed);
         const Tree tree = random_tree(2, random);
-        const ReducedGraph graph = graph_of(tree, in_order(tree));
+        const ReducedGraph<double> graph = graph_of(tree, in_order(tree));
         const std::vector<int> start = random_permutation(static_cast<int>(tree.parent.size()), random);
         INFO("seed " << seed);
         CHECK(least_distorted(graph, graph, start) == in_order(tree));
@@ -142,9 +150,46 @@ TEST_CASE("no assignment of fewer distortion is missed: the search agrees with t
     const Tree tree = random_tree(1, random);
     Tree longer = tree;
     for (double& length : longer.length) length *= uniform(random, 0.6, 1.6);
-    const ReducedGraph curve = graph_of(longer, in_order(longer)), wanted = graph_of(tree, in_order(tree));
+    const ReducedGraph<double> curve = graph_of(longer, in_order(longer)), wanted = graph_of(tree, in_order(tree));
     std::vector<int> all = in_order(tree);
     const std::vector<int> found = least_distorted(curve, wanted, all);
     do CHECK(least_distorted(curve, wanted, all) == found); // as a start, none is better than what is found
     while (std::next_permutation(all.begin(), all.end()));
+}
+
+TEMPLATE_TEST_CASE("what is assigned follows the leading eigenvector: of two candidates, the more affine one", "",
+                   float, double) {
+    // Four candidates for one template node: a diagonal matrix, whose eigenvectors are the axes.
+    Eigen::MatrixX<TestType> affinities = Eigen::MatrixX<TestType>::Identity(4, 4);
+    affinities(2, 2) = 3;
+    CHECK(spectral_assignment(affinities, 1) == std::vector<int>{2});
+}
+
+TEST_CASE("options out of their range are refused by name") {
+    const auto message_of = [](const MatchingOptions& options) -> std::string {
+        try {
+            validate(options);
+        } catch (const Error& error) {
+            CHECK(error.code() == ErrorCode::usage);
+            return error.what();
+        }
+        return {};
+    };
+    CHECK(message_of({}).empty());
+    for (const double wrong : {-1.0, 1e9, std::nan("")}) {
+        const auto with = [&](double MatchingOptions::*member) {
+            MatchingOptions options;
+            options.*member = wrong;
+            return options;
+        };
+        CHECK(message_of(with(&MatchingOptions::degree_weight)).find("matching.degree_weight") != std::string::npos);
+        CHECK(message_of(with(&MatchingOptions::distance_weight)).find("matching.distance_weight") !=
+              std::string::npos);
+        CHECK(message_of(with(&MatchingOptions::distance_scale)).find("matching.distance_scale") != std::string::npos);
+        CHECK(message_of(with(&MatchingOptions::radius_cost)).find("matching.radius_cost") != std::string::npos);
+        CHECK(message_of(with(&MatchingOptions::degree_cost)).find("matching.degree_cost") != std::string::npos);
+    }
+    MatchingOptions no_scale;
+    no_scale.distance_scale = 0; // would divide by it
+    CHECK(message_of(no_scale).find("distance_scale") != std::string::npos);
 }

@@ -10,30 +10,16 @@
 #include <skelgen/evaluation/report.hpp>
 
 #include "catch.hpp"
+#include "temporary_folder.hpp"
 
 namespace {
 
 using namespace skelgen;
+using namespace skelgen::evaluation;
+using namespace skelgen::io;
+using skelgen::test::TemporaryFolder;
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
-
-/// A folder that goes away with the test.
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "skelgen-evaluate-XXXXXX").string();
-        REQUIRE(::mkdtemp(name.data()) != nullptr);
-        path_ = name;
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    ~TemporaryFolder() { fs::remove_all(path_); }
-
-    [[nodiscard]] const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
 
 /// A body of sticks: left is +x, up is +z; the largest geodesic distance is 2.
 JointPositions stick_body() {

@@ -11,6 +11,7 @@
 namespace {
 
 using namespace skelgen;
+using namespace skelgen::evaluation;
 
 TEST_CASE("percentiles lie between the neighbours in order") {
     const std::vector<double> values{4, 1, 3, 2};

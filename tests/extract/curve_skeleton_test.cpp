@@ -13,6 +13,7 @@
 #include "shapes.hpp"
 
 using namespace skelgen;
+using namespace skelgen::core;
 using namespace skelgen::test;
 
 namespace {

@@ -13,6 +13,13 @@
 
 namespace skelgen::test {
 
+/// How far joints may move, relative to the geodesic diameter, when the body is moved, turned, scaled or stored in
+/// another order: what the README promises.
+inline constexpr double by_motion = 1e-10;
+
+/// And when it is given in single precision.
+inline constexpr double by_rounding = 1e-4;
+
 /// Two extractions of the same body compared: joints and end points.
 struct Difference {
     double joint = 0;       ///< largest distance between the same joint in both, relative to the geodesic diameter

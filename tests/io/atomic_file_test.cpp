@@ -1,3 +1,5 @@
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -5,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -15,6 +18,7 @@
 #include "temporary_folder.hpp"
 
 using namespace skelgen;
+using namespace skelgen::io;
 using namespace skelgen::test;
 namespace fs = std::filesystem;
 
@@ -30,13 +34,13 @@ std::size_t files_in(const TemporaryFolder& folder) {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()));
 }
 
-void check_refused(const fs::path& path) {
+void check_refused(const fs::path& path, ErrorCode code = ErrorCode::usage, const std::string& content = "new") {
     INFO(path);
     try {
-        write_file_atomically(path, "new");
+        write_file_atomically(path, content);
         FAIL_CHECK("nothing was thrown");
     } catch (const Error& error) {
-        CHECK(error.code() == ErrorCode::usage);
+        CHECK(error.code() == code);
         CHECK_THAT(error.what(), Catch::Matchers::StartsWith("cannot be written: "));
     }
 }
@@ -124,9 +128,32 @@ TEST_CASE("write_file_atomically: what cannot be written leaves nothing behind",
     check_refused(folder / "missing/file");
     check_refused(folder / "file/below");
     check_refused(folder / std::string(300, 'n'));
-    check_refused("/dev/full");
+    check_refused("/dev/full", ErrorCode::not_written);
     CHECK(content_of(folder / "file") == "old");
     CHECK(files_in(folder) == 2);
+}
+
+TEST_CASE("write_error_code: no room is one thing, the wrong place another", "[io][atomic]") {
+    for (const int error : {ENOSPC, EDQUOT, EFBIG, EIO, EROFS, EPIPE})
+        CHECK(write_error_code(error) == ErrorCode::not_written);
+    for (const int error : {ENOENT, EACCES, EPERM, EISDIR, ENOTDIR, ELOOP, ENAMETOOLONG})
+        CHECK(write_error_code(error) == ErrorCode::usage);
+}
+
+TEST_CASE("write_file_atomically: a file that may not grow that large leaves nothing behind", "[io][atomic]") {
+    const TemporaryFolder folder;
+    write_file_atomically(folder / "file", "old");
+    struct ::rlimit before {};
+    REQUIRE(::getrlimit(RLIMIT_FSIZE, &before) == 0);
+    struct ::rlimit small = before;
+    small.rlim_cur = 1000;
+    REQUIRE(::setrlimit(RLIMIT_FSIZE, &small) == 0);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN); // else it ends the process
+    check_refused(folder / "file", ErrorCode::not_written, std::string(5000, 'x'));
+    std::signal(SIGXFSZ, handler);
+    REQUIRE(::setrlimit(RLIMIT_FSIZE, &before) == 0);
+    CHECK(content_of(folder / "file") == "old");
+    CHECK(files_in(folder) == 1);
 }
 
 TEST_CASE("write_file_atomically: a protected file or folder is refused", "[io][atomic]") {

@@ -11,9 +11,9 @@
 namespace skelgen::test {
 
 /// What the Error that reading `content` throws says, and that its code is bad_input.
-inline std::string reading_error(std::string_view content, std::optional<MeshFormat> extension = std::nullopt) {
+inline std::string reading_error(std::string_view content, std::optional<io::MeshFormat> extension = std::nullopt) {
     try {
-        static_cast<void>(parse_mesh(content, extension));
+        static_cast<void>(io::parse_mesh(content, extension));
     } catch (const Error& error) {
         CHECK(error.code() == ErrorCode::bad_input);
         return error.what();
@@ -36,9 +36,9 @@ inline void check_same(const TriangleMesh<double>& mesh, const TriangleMesh<doub
     CHECK(mesh.faces == expected.faces);
 }
 
-inline void check_is_tetrahedron(std::string_view content, std::optional<MeshFormat> extension = std::nullopt) {
+inline void check_is_tetrahedron(std::string_view content, std::optional<io::MeshFormat> extension = std::nullopt) {
     INFO(content);
-    check_same(parse_mesh(content, extension), tetrahedron());
+    check_same(io::parse_mesh(content, extension), tetrahedron());
 }
 
 } // namespace skelgen::test

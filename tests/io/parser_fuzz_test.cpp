@@ -10,6 +10,7 @@
 #include "mesh_expectations.hpp"
 
 using namespace skelgen;
+using namespace skelgen::io;
 using namespace skelgen::test;
 
 namespace {

@@ -13,6 +13,7 @@
 #include "catch.hpp"
 
 using namespace skelgen;
+using namespace skelgen::io;
 using Catch::Matchers::Contains;
 
 namespace {

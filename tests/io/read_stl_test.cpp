@@ -8,6 +8,7 @@
 #include "mesh_expectations.hpp"
 
 using namespace skelgen;
+using namespace skelgen::io;
 using namespace skelgen::test;
 using Catch::Matchers::Contains;
 

@@ -12,6 +12,7 @@
 namespace {
 
 using namespace skelgen;
+using namespace skelgen::io;
 using Json = nlohmann::ordered_json;
 
 template <typename Scalar>

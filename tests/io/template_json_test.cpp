@@ -2,28 +2,26 @@
 #include "json_schema.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
+#include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/template_rules.hpp>
+#include <skelgen/io/read_file.hpp>
 #include <skelgen/io/template_json.hpp>
 
 namespace {
 
 using namespace skelgen;
+using namespace skelgen::io;
 using nlohmann::json;
 using Path = std::filesystem::path;
 
 const Path data_folder = SKELGEN_DATA;
 
-json load_json(const Path& file) {
-    std::ifstream stream(file);
-    REQUIRE(stream);
-    return json::parse(stream);
-}
+json load_json(const Path& file) { return json::parse(read_file(file)); }
 
 json human21() { return load_json(data_folder / "templates/human21.json"); }
 
@@ -51,24 +49,73 @@ bool matches_schema(const json& document) {
     return test::schema_faults(document, data_folder / "schema/template.schema.json").empty();
 }
 
+void check_same(const SkeletonTemplate& a, const SkeletonTemplate& b) {
+    CHECK(a.name == b.name);
+    REQUIRE(a.joints.size() == b.joints.size());
+    for (std::size_t i = 0; i < a.joints.size(); ++i) {
+        INFO(a.joints[i].name);
+        CHECK(a.joints[i].name == b.joints[i].name);
+        CHECK(a.joints[i].parent == b.joints[i].parent);
+        CHECK(a.joints[i].role == b.joints[i].role);
+        CHECK(a.joints[i].side == b.joints[i].side);
+        CHECK(a.joints[i].position == b.joints[i].position);
+        CHECK(a.joints[i].radius == b.joints[i].radius);
+        CHECK(a.joints[i].tip == b.joints[i].tip);
+    }
+}
+
 } // namespace
 
-TEST_CASE("the built-in templates are those in the data folder") {
+TEST_CASE("the built-in templates are those in the data folder, byte for byte") {
     const std::vector<std::string> names = builtin_template_names();
     CHECK(names == std::vector<std::string>{"human21", "pinocchio18"});
     for (const std::string& name : names) {
+        INFO(name);
         const Path file = data_folder / "templates" / (name + ".json");
         CHECK(matches_schema(load_json(file)));
-        const SkeletonTemplate read = read_template(file);
-        const SkeletonTemplate& builtin = builtin_template(name);
-        CHECK(builtin.name == name);
-        REQUIRE(read.joints.size() == builtin.joints.size());
-        for (std::size_t i = 0; i < read.joints.size(); ++i) {
-            CHECK(read.joints[i].name == builtin.joints[i].name);
-            CHECK(read.joints[i].parent == builtin.joints[i].parent);
-            CHECK(read.joints[i].position == builtin.joints[i].position);
-            CHECK(read.joints[i].tip == builtin.joints[i].tip);
+        CHECK(template_to_json(builtin_template(name)) == read_file(file));
+        check_same(read_template(file), builtin_template(name));
+    }
+}
+
+TEST_CASE("a template survives being written and read") {
+    SkeletonTemplate odd = builtin_template("pinocchio18");
+    odd.name = "a \"quoted\" name";
+    odd.joints[0].position = {0.1 + 0.2, 1.0 / 3, -1e-20};
+    const std::string text = template_to_json(odd);
+    CHECK(matches_schema(json::parse(text)));
+    check_same(parse_template(text), odd);
+
+    odd.joints.pop_back();
+    CHECK_THROWS_AS(template_to_json(odd), Error); // it could not be read back
+}
+
+TEST_CASE("version 1, with y forward and z up, says the same as version 2") {
+    json old = human21();
+    old["version"] = 1;
+    for (json& j : old["joints"]) {
+        std::swap(j["position"][1], j["position"][2]);
+        if (j.contains("tip")) std::swap(j["tip"][1], j["tip"][2]);
+    }
+    CHECK(matches_schema(old));
+    check_same(parse_template(old.dump()), builtin_template("human21"));
+
+    old["version"] = 2; // a body that lies on its back
+    CHECK_FALSE(refusal(old).empty());
+}
+
+TEST_CASE("a template needs hips and knees on both sides") {
+    for (const std::string part : {"hip", "knee"}) {
+        INFO(part);
+        json t = human21();
+        for (const std::string side : {"left_", "right_"}) {
+            const std::string name = side + part, parent = joint(t, name)["parent"];
+            for (json& j : t["joints"])
+                if (j["parent"] == name) j["parent"] = parent;
+            t["joints"].erase(
+                std::find_if(t["joints"].begin(), t["joints"].end(), [&](const json& j) { return j["name"] == name; }));
         }
+        CHECK_THAT(refusal(t), Catch::Matchers::Contains(part));
     }
 }
 
@@ -116,7 +163,7 @@ TEST_CASE("a template is looked up by name or by file") {
     CHECK(load_template((data_folder / "templates/human21.json").string()).joints.size() == 21);
     CHECK_THROWS_WITH(load_template("human22"), Catch::Matchers::Contains("neither a built-in template"));
     CHECK_THROWS_WITH(builtin_template("human22"), Catch::Matchers::Contains("human21, pinocchio18"));
-    CHECK_THROWS_WITH(load_template(data_folder.string()), Catch::Matchers::Contains("cannot read the template file"));
+    CHECK_THROWS_WITH(load_template(data_folder.string()), Catch::Matchers::Contains("is a folder"));
     CHECK_THROWS_AS(read_template(data_folder / "templates/none.json"), Error);
     try {
         (void)builtin_template("human22");
@@ -136,8 +183,9 @@ TEST_CASE("text that is no template is refused") {
     wrong["format"] = "skelgen-skeleton";
     CHECK(refusal(wrong).find("\"format\" must be") != std::string::npos);
     wrong = human21();
-    wrong["version"] = 2;
-    CHECK(refusal(wrong).find("\"version\" must be 1") != std::string::npos);
+    wrong["version"] = 3;
+    CHECK(refusal(wrong).find("\"version\" must be 1 or 2") != std::string::npos);
+    CHECK_FALSE(matches_schema(wrong));
     wrong = human21();
     wrong["joints"] = 3;
     CHECK(refusal(wrong).find("must be a list") != std::string::npos);

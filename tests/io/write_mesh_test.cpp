@@ -13,6 +13,7 @@
 #include "temporary_folder.hpp"
 
 using namespace skelgen;
+using namespace skelgen::io;
 using namespace skelgen::test;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;

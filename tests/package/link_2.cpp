@@ -1,4 +1,4 @@
-#include <skelgen/skelgen.hpp>
+#include <skelgen/extract.hpp>
 
 std::size_t joints_seen_by_the_other_file();
 

@@ -1,13 +1,17 @@
 #include <cmath>
+#include <type_traits>
 
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/refinement/cross_section.hpp>
 
 #include "catch.hpp"
+#include "limb_shapes.hpp"
 #include "mesh_changes.hpp"
 #include "shapes.hpp"
 
 using namespace skelgen;
+using namespace skelgen::refinement;
+using namespace skelgen::core;
 using namespace skelgen::test;
 
 namespace {
@@ -18,10 +22,20 @@ constexpr int around = 32;
 double polygon_area(double r) { return around / 2.0 * r * r * std::sin(2 * pi / around); }
 double polygon_perimeter(double r) { return 2 * around * r * std::sin(pi / around); }
 
-std::optional<CrossSection> cut(const Mesh& mesh, const Vec3& point, const Vec3& normal, double reach = 0) {
+std::optional<CrossSection<double>> cut(const Mesh& mesh, const Vec3& point, const Vec3& normal, double reach = 0) {
     const Triangles adjacency = face_adjacency(mesh.faces);
     return Slicer(mesh, adjacency).around(point, normal.normalized(), reach);
 }
+
+// It refers to mesh and adjacency: neither may be a temporary.
+static_assert(std::is_constructible_v<Slicer<double>, const Mesh&, const Triangles&>);
+static_assert(std::is_constructible_v<Slicer<double>, Mesh&, Triangles&>);
+static_assert(!std::is_constructible_v<Slicer<double>, Mesh, const Triangles&>);
+static_assert(!std::is_constructible_v<Slicer<double>, const Mesh, const Triangles&>);
+static_assert(!std::is_constructible_v<Slicer<double>, const Mesh&, Triangles>);
+static_assert(!std::is_constructible_v<Slicer<double>, const Mesh&, const Triangles>);
+static_assert(!std::is_constructible_v<Slicer<double>, Mesh, Triangles>);
+static_assert(!std::is_constructible_v<Slicer<float>, TriangleMesh<float>, const Triangles&>);
 
 } // namespace
 
@@ -148,4 +162,50 @@ TEST_CASE("the Gauss map of a cone has the squared sine of its half angle as fla
     const double slope = std::tan(pi / 6);
     const Mesh cone = surface_of_revolution({{0, 0}, {slope, 0}, {slope / 2, 0.5}, {0, 1}}, 64);
     CHECK(gauss_map_flatness(*cut(cone, {0, 0, 0.3}, Vec3::UnitZ())) == Approx(0.25).epsilon(0.01));
+}
+
+TEST_CASE("in float a section has the same measures to seven digits' worth of its surface") {
+    const Mesh mesh = three_tubes();
+    const TriangleMesh<float> rounded = mesh_in<float>(mesh);
+    const Triangles adjacency = face_adjacency(mesh.faces);
+    const Vec3 point = 0.6 * three_tube_ends()[1], normal = three_tube_ends()[1].normalized();
+    const auto exact = Slicer(mesh, adjacency).around(point, normal, 0);
+    const auto found = Slicer(rounded, adjacency).around(point.cast<float>(), normal.cast<float>(), 0);
+    REQUIRE(exact);
+    REQUIRE(found);
+    CHECK((found->centroid.cast<double>() - exact->centroid).norm() < 1e-6);
+    CHECK(found->area == Approx(exact->area).epsilon(1e-5));
+    CHECK(found->perimeter == Approx(exact->perimeter).epsilon(1e-5));
+    CHECK(found->thickness == Approx(exact->thickness).epsilon(1e-5));
+    CHECK(gauss_map_flatness(*found) == Approx(gauss_map_flatness(*exact)).margin(1e-5));
+    CHECK(egg_shape(*found, Vector3<float>(Vector3<float>::UnitY())) ==
+          Approx(egg_shape(*exact, Vec3(Vec3::UnitY()))).margin(1e-6));
+}
+
+TEMPLATE_TEST_CASE("a section that encloses nothing has its centre in the middle of its contour", "", float, double) {
+    // Two sheets that lie on each other, between x = 1 and x = 3: cut across, there and back along a line.
+    TriangleMesh<TestType> sheet;
+    sheet.vertices.resize(4, 3);
+    sheet.vertices << 1, 0, 0, 3, 0, 0, 3, 0, 1, 1, 0, 1;
+    sheet.faces.resize(4, 3);
+    sheet.faces << 0, 1, 2, 0, 2, 3, 3, 2, 1, 3, 1, 0;
+    const Triangles adjacency = face_adjacency(sheet.faces);
+    const auto section = Slicer<TestType>(sheet, adjacency)
+                             .around(Vector3<TestType>(2, 0, TestType(0.5)), Vector3<TestType>::UnitZ(), 2);
+    REQUIRE(section);
+    CHECK(section->area == 0);
+    CHECK(section->perimeter == Approx(4));
+    CHECK((section->centroid - Vector3<TestType>(2, 0, TestType(0.5))).norm() < 1e-6);
+    CHECK(section->thickness == Approx(0.5)); // half a length on either side of the middle, on average
+}
+
+TEST_CASE("a section is egg-shaped towards where it is narrower") {
+    // A triangle with its tip at x = 2: centre of the area at x = 0, middle of the extent at x = 0.5.
+    CrossSection<double> triangle;
+    triangle.points.resize(3, 3);
+    triangle.points << -1, -1, 0, 2, 0, 0, -1, 1, 0;
+    triangle.centroid = Vec3::Zero();
+    CHECK(egg_shape(triangle, Vec3(Vec3::UnitX())) == Approx(0.5));
+    CHECK(egg_shape(triangle, Vec3(-Vec3::UnitX())) == Approx(-0.5));
+    CHECK(egg_shape(triangle, Vec3(Vec3::UnitY())) == Approx(0).margin(1e-12));
 }

@@ -1,25 +1,19 @@
 #include <cmath>
 
-#include <skelgen/core/geodesics.hpp>
 #include <skelgen/refinement/fork.hpp>
 
 #include "catch.hpp"
+#include "limb_shapes.hpp"
 #include "shapes.hpp"
 
 using namespace skelgen;
+using namespace skelgen::refinement;
+using namespace skelgen::core;
 using namespace skelgen::test;
 
 namespace {
 
-EndPoint end_near(const Mesh& mesh, const Vec3& place) {
-    EndPoint end;
-    Eigen::Index nearest = 0;
-    (mesh.vertices.rowwise() - place.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
-    end.vertex = static_cast<int>(nearest);
-    const std::vector<double> distance = shortest_paths(surface_graph(mesh), end.vertex).distance;
-    end.distance = Eigen::Map<const Eigen::VectorXd>(distance.data(), static_cast<Eigen::Index>(distance.size()));
-    return end;
-}
+EndPoint<double> end_near(const Mesh& mesh, const Vec3& place) { return end_point_near(body_of<double>(mesh), place); }
 
 } // namespace
 
@@ -45,4 +39,15 @@ TEST_CASE("what is not joined has no fork") {
     mesh.faces.conservativeResize(m + other.faces.rows(), 3);
     mesh.faces.bottomRows(other.faces.rows()) = other.faces.array() + static_cast<int>(n);
     CHECK_FALSE(fork_between(mesh, end_near(mesh, Vec3(0, 0, 0)), end_near(mesh, Vec3(2, 0, 0))).has_value());
+}
+
+TEST_CASE("in float limbs part in the same place") {
+    const Vec3 top(0, 0, 1), left(0.6, 0, 0), right(-0.6, 0, 0);
+    const Mesh mesh = tubes({{top, left}, {top, right}, {top, Vec3(0, 0, 2)}}, 0.12, 0.05);
+    const Body<float> body = body_of<float>(mesh);
+    const auto exact = fork_between(mesh, end_near(mesh, left), end_near(mesh, right));
+    const auto found = fork_between(body.mesh, end_point_near(body, left), end_point_near(body, right));
+    REQUIRE(exact.has_value());
+    REQUIRE(found.has_value());
+    CHECK((found->cast<double>() - *exact).norm() < 1e-4);
 }

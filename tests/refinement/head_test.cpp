@@ -4,9 +4,12 @@
 #include <skelgen/refinement/head.hpp>
 
 #include "catch.hpp"
+#include "limb_shapes.hpp"
 #include "shapes.hpp"
 
 using namespace skelgen;
+using namespace skelgen::refinement;
+using namespace skelgen::core;
 using namespace skelgen::test;
 
 namespace {
@@ -24,7 +27,7 @@ Mesh head_mesh() {
     return level_set(field, Vec3(-0.15, -0.15, -0.2), Vec3(0.15, 0.15, 0.27), 0.011);
 }
 
-std::optional<HeadShape> shape_of(const Mesh& mesh, const Vec3& top, const Vec3& neck) {
+std::optional<HeadShape<double>> shape_of(const Mesh& mesh, const Vec3& top, const Vec3& neck) {
     const Triangles adjacency = face_adjacency(mesh.faces);
     return measure_head(Slicer(mesh, adjacency), top, neck);
 }
@@ -85,4 +88,26 @@ TEST_CASE("a ball has no face") {
 
 TEST_CASE("where there is no head there is nothing to measure") {
     CHECK_FALSE(shape_of(sphere(0.1), Vec3(5, 0, 0), Vec3(5, 0, -1)).has_value());
+}
+
+TEST_CASE("in float a head has the same shape") {
+    const Mesh mesh = head_mesh();
+    const auto exact = shape_of(mesh, Vec3(0, 0, 0.24), Vec3(0, -0.02, 0));
+    const TriangleMesh<float> rounded = mesh_in<float>(mesh);
+    const Triangles adjacency = face_adjacency(rounded.faces);
+    const auto found =
+        measure_head(Slicer(rounded, adjacency), Vector3<float>(0, 0, 0.24F), Vector3<float>(0, -0.02F, 0));
+    REQUIRE(exact.has_value());
+    REQUIRE(found.has_value());
+    CHECK((found->forward.cast<double>() - exact->forward).norm() < 1e-4);
+    CHECK((found->joint.cast<double>() - exact->joint).norm() < 1e-4 * 0.24);
+    CHECK(found->size == Approx(exact->size).epsilon(1e-4));
+    CHECK(found->frontness == Approx(exact->frontness).margin(1e-4));
+}
+
+TEST_CASE("options of a head that would take for ever are refused") {
+    CHECK_NOTHROW(validate(HeadOptions{}));
+    HeadOptions options;
+    options.slice = 0;
+    CHECK_THROWS_AS(validate(options), Error);
 }

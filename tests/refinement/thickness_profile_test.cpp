@@ -1,11 +1,12 @@
 #include <cmath>
 
-#include <skelgen/io/template_json.hpp>
+#include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/refinement/thickness_profile.hpp>
 
 #include "catch.hpp"
 
 using namespace skelgen;
+using namespace skelgen::refinement;
 
 namespace {
 
@@ -19,9 +20,9 @@ double leg_thickness(double u) {
 
 /// human21's left leg laid out straight, with a thickness that belongs to an ankle and a knee at these distances from
 /// the tip.
-Limb leg(double ankle, double knee, double stoutness) {
+Limb<double> leg(double ankle, double knee, double stoutness) {
     const SkeletonTemplate& human = builtin_template("human21");
-    Limb limb;
+    Limb<double> limb;
     double from_tip = 0;
     for (int j = static_cast<int>(human.joints.size()) - 1; j >= 0; --j) {
         const TemplateJoint& joint = human.joints[static_cast<std::size_t>(j)];
@@ -53,22 +54,27 @@ Limb leg(double ankle, double knee, double stoutness) {
     return limb;
 }
 
+std::vector<Limb<double>> matched(const std::vector<Limb<double>>& limbs) {
+    return match_thickness_profiles(limbs, builtin_template("human21")).limbs;
+}
+
 } // namespace
 
 TEST_CASE("the knee is found where the calf's and the thigh's thickness puts it, whatever the stoutness") {
-    const Limb rest = leg(0.2, 0.6, 1);
+    const Limb<double> rest = leg(0.2, 0.6, 1);
     const double ankle = rest.from_tip[2], knee = rest.from_tip[1];
     double reference = 0;
     for (const double stoutness : {0.05, 0.08, 1.0}) {
-        std::vector<Limb> limbs{leg(ankle, knee, stoutness)};
-        match_thickness_profiles(limbs, builtin_template("human21"));
+        std::vector<Limb<double>> limbs{leg(ankle, knee, stoutness)};
+        limbs = matched(limbs);
         if (reference == 0) reference = limbs[0].from_tip[1];
         CHECK(limbs[0].from_tip[1] == Approx(reference).epsilon(1e-9));
         CHECK(limbs[0].from_tip[1] == Approx(knee).epsilon(0.06));
     }
     for (const double longer : {0.92, 1.08}) { // calves that are shorter and longer than the template's
-        std::vector<Limb> limbs{leg(ankle, ankle + longer * (knee - ankle), 0.07)};
-        const double ratio = match_thickness_profiles(limbs, builtin_template("human21"));
+        std::vector<Limb<double>> limbs{leg(ankle, ankle + longer * (knee - ankle), 0.07)};
+        const auto [found, ratio] = match_thickness_profiles(limbs, builtin_template("human21"));
+        limbs = found;
         INFO("calf " << longer);
         CHECK((limbs[0].from_tip[1] - reference) / ((longer - 1) * (knee - ankle)) == Approx(1).margin(0.4));
         CHECK(ratio == Approx((limbs[0].from_tip[1] - limbs[0].from_tip[2]) / (knee - ankle)));
@@ -79,17 +85,17 @@ TEST_CASE("the knee is found where the calf's and the thigh's thickness puts it,
 }
 
 TEST_CASE("where the trunk tells the upper end of the thigh, the thigh is as long as that, unless it is far off") {
-    const Limb rest = leg(0.2, 0.6, 1);
+    const Limb<double> rest = leg(0.2, 0.6, 1);
     const double ankle = rest.from_tip[2], knee = rest.from_tip[1], hip = rest.from_tip[0];
     const auto thigh_with_top = [&](double top, double deviation) {
-        std::vector<Limb> limbs{leg(ankle, knee, 0.05)};
+        std::vector<Limb<double>> limbs{leg(ankle, knee, 0.05)};
         limbs[0].top_by_trunk = top;
         limbs[0].top_deviation = deviation;
-        match_thickness_profiles(limbs, builtin_template("human21"));
+        limbs = matched(limbs);
         return limbs[0].from_tip[0];
     };
-    std::vector<Limb> plain{leg(ankle, knee, 0.05)};
-    match_thickness_profiles(plain, builtin_template("human21"));
+    std::vector<Limb<double>> plain{leg(ankle, knee, 0.05)};
+    plain = matched(plain);
     const double without = plain[0].from_tip[0], sharp = 0.02 * (hip - knee);
     for (const double part : {-0.1, 0.1}) {
         const double top = without + part * (hip - knee);
@@ -102,10 +108,11 @@ TEST_CASE("where the trunk tells the upper end of the thigh, the thigh is as lon
 }
 
 TEST_CASE("both legs' calves are equally long") {
-    const Limb rest = leg(0.2, 0.6, 1);
+    const Limb<double> rest = leg(0.2, 0.6, 1);
     const double ankle = rest.from_tip[2], calf = rest.from_tip[1] - ankle;
-    std::vector<Limb> limbs{leg(ankle, ankle + 0.95 * calf, 0.05), leg(1.1 * ankle, 1.1 * ankle + 1.05 * calf, 0.05)};
-    match_thickness_profiles(limbs, builtin_template("human21"));
+    std::vector<Limb<double>> limbs{leg(ankle, ankle + 0.95 * calf, 0.05),
+                                    leg(1.1 * ankle, 1.1 * ankle + 1.05 * calf, 0.05)};
+    limbs = matched(limbs);
     const auto found_calf = [&](std::size_t i) { return limbs[i].from_tip[1] - limbs[i].from_tip[2]; };
     CHECK(found_calf(0) == Approx(found_calf(1)));
     CHECK(found_calf(0) == Approx(calf).epsilon(0.06));
@@ -113,15 +120,14 @@ TEST_CASE("both legs' calves are equally long") {
 }
 
 TEST_CASE("a leg without a section of its own follows the other one") {
-    const Limb rest = leg(0.2, 0.6, 1);
+    const Limb<double> rest = leg(0.2, 0.6, 1);
     const double ankle = rest.from_tip[2], calf = rest.from_tip[1] - ankle;
-    std::vector<Limb> alone{leg(ankle, ankle + 1.05 * calf, 0.05)}, both = alone, none;
+    std::vector<Limb<double>> alone{leg(ankle, ankle + 1.05 * calf, 0.05)}, both = alone, none;
     both.push_back(both[0]);
     both[1].line.thickness.setZero();
     none = {both[1], both[1]};
-    for (std::vector<Limb>* limbs : {&alone, &both, &none})
-        match_thickness_profiles(*limbs, builtin_template("human21"));
-    const auto found_calf = [](const Limb& limb) { return limb.from_tip[1] - limb.from_tip[2]; };
+    for (std::vector<Limb<double>>* limbs : {&alone, &both, &none}) *limbs = matched(*limbs);
+    const auto found_calf = [](const Limb<double>& limb) { return limb.from_tip[1] - limb.from_tip[2]; };
     CHECK(found_calf(both[0]) == Approx(found_calf(both[1])));
     CHECK(found_calf(both[0]) > calf);
     CHECK(found_calf(alone[0]) > found_calf(both[0])); // which says that it is as usual
@@ -129,17 +135,17 @@ TEST_CASE("a leg without a section of its own follows the other one") {
 }
 
 TEST_CASE("a coat moves a limb's attachment outwards, a fold does not") {
-    const Limb rest = leg(0.2, 0.6, 1);
+    const Limb<double> rest = leg(0.2, 0.6, 1);
     const double ankle = rest.from_tip[2], knee = rest.from_tip[1], thigh = rest.from_tip[0] - knee;
     const auto attachment = [&](double from, double to) { // parts of the thigh that are thick, from the knee
-        std::vector<Limb> limbs{leg(ankle, knee, 0.05)};
-        Centreline& line = limbs[0].line;
+        std::vector<Limb<double>> limbs{leg(ankle, knee, 0.05)};
+        Centreline<double>& line = limbs[0].line;
         const double end = line.arc[line.arc.size() - 1];
         for (Eigen::Index i = 0; i < line.arc.size(); ++i) {
             const double part = (end - line.arc[i] - knee) / thigh;
             if (part > from && part < to) line.thickness[i] *= 2;
         }
-        match_thickness_profiles(limbs, builtin_template("human21"));
+        limbs = matched(limbs);
         return (end - limbs[0].attachment - knee) / thigh;
     };
     const double untouched = attachment(2, 3);
@@ -149,13 +155,38 @@ TEST_CASE("a coat moves a limb's attachment outwards, a fold does not") {
 
 TEST_CASE("a head has no such profile: it stays as it was, and says nothing of the scale") {
     const SkeletonTemplate& human = builtin_template("human21");
-    Limb head = leg(0.2, 0.6, 1);
+    Limb<double> head = leg(0.2, 0.6, 1);
     head.joints.clear();
     for (std::size_t j = 0; j < human.joints.size(); ++j)
         if (human.joints[j].role == JointRole::neck || human.joints[j].role == JointRole::head)
             head.joints.push_back(static_cast<int>(j));
     head.from_tip = {0.28, 0.2};
-    std::vector<Limb> limbs{head};
-    CHECK(match_thickness_profiles(limbs, human) == 1);
-    CHECK(limbs[0].from_tip == head.from_tip);
+    std::vector<Limb<double>> limbs{head};
+    const auto found = match_thickness_profiles(limbs, human);
+    CHECK(found.ratio == 1);
+    CHECK(found.limbs[0].from_tip == head.from_tip);
+}
+
+TEST_CASE("in float the joints are found in the same places") {
+    const Limb<double> rest = leg(0.2, 0.6, 1);
+    const double ankle = rest.from_tip[2], knee = rest.from_tip[1];
+    const std::vector<Limb<double>> limbs{leg(ankle, ankle + 0.93 * (knee - ankle), 0.06)};
+    Limb<float> rounded;
+    rounded.joints = limbs[0].joints;
+    rounded.from_tip.assign(limbs[0].from_tip.begin(), limbs[0].from_tip.end());
+    const Centreline<double>& line = limbs[0].line;
+    rounded.line = {line.points.cast<float>(), line.arc.cast<float>(), line.thickness.cast<float>(),
+                    line.area.cast<float>(), line.flatness.cast<float>()};
+    const auto exact = match_thickness_profiles(limbs, builtin_template("human21"));
+    const auto found = match_thickness_profiles(std::vector{rounded}, builtin_template("human21"));
+    CHECK(found.ratio == Approx(exact.ratio).epsilon(1e-5));
+    for (std::size_t i = 0; i < rounded.from_tip.size(); ++i)
+        CHECK(found.limbs[0].from_tip[i] == Approx(exact.limbs[0].from_tip[i]).epsilon(1e-5));
+}
+
+TEST_CASE("deviations of nothing are refused: one divides by them") {
+    CHECK_NOTHROW(validate(ThicknessProfileOptions{}));
+    ThicknessProfileOptions options;
+    options.thickness_deviation = 0;
+    CHECK_THROWS_AS(validate(options), Error);
 }

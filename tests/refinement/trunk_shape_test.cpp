@@ -4,9 +4,12 @@
 #include <skelgen/refinement/trunk_shape.hpp>
 
 #include "catch.hpp"
+#include "limb_shapes.hpp"
 #include "shapes.hpp"
 
 using namespace skelgen;
+using namespace skelgen::refinement;
+using namespace skelgen::core;
 using namespace skelgen::test;
 
 namespace {
@@ -32,8 +35,8 @@ TEST_CASE("a trunk faces to where it is rounder, however it is turned") {
         const Triangles adjacency = face_adjacency(turned.faces);
         const Slicer slicer(turned, adjacency);
         for (const double sense : {-1.0, 1.0}) {
-            const auto trunk =
-                measure_trunk(slicer, Vec3::Zero(), turn * Vec3::UnitZ(), turn * Vec3(sense * 0.1, 0, 0.02));
+            const auto trunk = measure_trunk(slicer, Vec3(Vec3::Zero()), Vec3(turn * Vec3::UnitZ()),
+                                             Vec3(turn * Vec3(sense * 0.1, 0, 0.02)));
             REQUIRE(trunk.has_value());
             CHECK(trunk->forward.dot(turn * Vec3::UnitY()) > 0.99);
             CHECK(trunk->frontness > 0.002);
@@ -44,7 +47,7 @@ TEST_CASE("a trunk faces to where it is rounder, however it is turned") {
 TEST_CASE("a trunk that is as round behind as before says nothing") {
     const Mesh mesh = trunk_mesh(0);
     const Triangles adjacency = face_adjacency(mesh.faces);
-    const auto trunk = measure_trunk(Slicer(mesh, adjacency), Vec3::Zero(), Vec3::UnitZ(), Vec3::UnitX());
+    const auto trunk = measure_trunk(Slicer(mesh, adjacency), Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(1, 0, 0));
     REQUIRE(trunk.has_value());
     CHECK(trunk->frontness < 1e-3);
 }
@@ -53,6 +56,23 @@ TEST_CASE("without a trunk around it, or with hips along the spine, there is no 
     const Mesh mesh = trunk_mesh(0.06);
     const Triangles adjacency = face_adjacency(mesh.faces);
     const Slicer slicer(mesh, adjacency);
-    CHECK_FALSE(measure_trunk(slicer, Vec3(9, 0, 0), Vec3(9, 0, 1), Vec3::UnitX()).has_value());
-    CHECK_FALSE(measure_trunk(slicer, Vec3::Zero(), Vec3::UnitZ(), Vec3::UnitZ()).has_value());
+    CHECK_FALSE(measure_trunk(slicer, Vec3(9, 0, 0), Vec3(9, 0, 1), Vec3(1, 0, 0)).has_value());
+    CHECK_FALSE(measure_trunk(slicer, Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, 1)).has_value());
+    const Vec3 up = Vec3(1, 2, 3).normalized(); // along the spine but for rounding
+    CHECK_FALSE(measure_trunk(slicer, Vec3(0, 0, 0), up, Vec3((1 / 3.0) * up)).has_value());
+    CHECK_FALSE(measure_trunk(slicer, Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(1, 0, 0)).has_value());
+}
+
+TEST_CASE("in float a trunk has the same front") {
+    const Mesh mesh = trunk_mesh(0.06);
+    const TriangleMesh<float> rounded = mesh_in<float>(mesh);
+    const Triangles adjacency = face_adjacency(mesh.faces);
+    const Vector3<float> hips(0, 0, 0), neck(0, 0, 1), across(0.1F, 0, 0.02F);
+    const auto exact = measure_trunk(Slicer(mesh, adjacency), Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(0.1, 0, 0.02));
+    const auto found = measure_trunk(Slicer(rounded, adjacency), hips, neck, across);
+    REQUIRE(exact.has_value());
+    REQUIRE(found.has_value());
+    CHECK((found->forward.cast<double>() - exact->forward).norm() < 1e-5);
+    CHECK(found->frontness == Approx(exact->frontness).margin(1e-5));
+    CHECK_FALSE(measure_trunk(Slicer(rounded, adjacency), hips, neck, Vector3<float>(1e-8F, 0, 1)).has_value());
 }

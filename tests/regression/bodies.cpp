@@ -28,31 +28,31 @@ const std::vector<SetSample>& body_samples() {
 
 void make_bodies(const fs::path& folder, unsigned jobs) {
     fs::remove_all(folder);
-    std::vector<std::pair<std::string, BodyPlan>> bodies;
+    std::vector<std::pair<std::string, synth::BodyPlan>> bodies;
     for (const SetSample& sample : body_samples()) {
         fs::create_directories(folder / "meshes" / sample.set);
         fs::create_directories(folder / "truth" / sample.set);
-        const std::vector<BodyPlan> plans = body_set(sample.set, seed);
+        const std::vector<synth::BodyPlan> plans = synth::body_set(sample.set, seed);
         for (std::size_t i = 0; i < plans.size(); i += sample.stride) bodies.emplace_back(sample.set, plans[i]);
     }
-    for_each_index(bodies.size(), jobs, [&](std::size_t i) {
+    test::for_each_index(bodies.size(), jobs, [&](std::size_t i) {
         const auto& [set, plan] = bodies[i];
-        const SynthBody body = synthesize_body(plan);
+        const synth::SynthBody body = synth::synthesize_body(plan);
         write_mesh(folder / "meshes" / set / (plan.name + ".off"), body.mesh);
-        write_file_atomically(folder / "truth" / set / (plan.name + ".json"),
-                              truth_to_json(body.truth, set + "/" + plan.name + ".off"));
+        io::write_file_atomically(folder / "truth" / set / (plan.name + ".json"),
+                                  synth::truth_to_json(body.truth, set + "/" + plan.name + ".off"));
     });
 
     const std::string set = "not-a-body";
     fs::create_directories(folder / "meshes" / set);
     fs::create_directories(folder / "truth" / set);
-    const std::vector<std::string> objects = object_names();
-    for_each_index(objects.size(), jobs, [&](std::size_t i) {
-        write_mesh(folder / "meshes" / set / (objects[i] + ".off"), synthesize_object(objects[i], object_faces));
-        write_file_atomically(folder / "truth" / set / (objects[i] + ".json"),
-                              object_truth_to_json(set + "/" + objects[i] + ".off"));
+    const std::vector<std::string> objects = synth::object_names();
+    test::for_each_index(objects.size(), jobs, [&](std::size_t i) {
+        write_mesh(folder / "meshes" / set / (objects[i] + ".off"), synth::synthesize_object(objects[i], object_faces));
+        io::write_file_atomically(folder / "truth" / set / (objects[i] + ".json"),
+                                  synth::object_truth_to_json(set + "/" + objects[i] + ".off"));
     });
-    write_file_atomically(folder / done, "");
+    io::write_file_atomically(folder / done, "");
 }
 
 bool has_bodies(const fs::path& folder) { return fs::exists(folder / done); }

@@ -1,10 +1,8 @@
 #include "scores.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <iterator>
 #include <sstream>
 
 #include <nlohmann/json.hpp>
@@ -13,6 +11,7 @@
 #include <skelgen/evaluation/evaluate.hpp>
 #include <skelgen/extract.hpp>
 #include <skelgen/io/atomic_file.hpp>
+#include <skelgen/io/read_file.hpp>
 #include <skelgen/io/read_mesh.hpp>
 #include <skelgen/io/skeleton_json.hpp>
 
@@ -30,7 +29,7 @@ double rounded(double error) { return std::round(error * 1e4) / 1e4; }
 std::vector<fs::path> meshes_below(const fs::path& folder) {
     std::vector<fs::path> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.path().extension() == ".off") files.push_back(entry.path());
+        if (io::mesh_format_of(entry.path())) files.push_back(entry.path());
     return files;
 }
 
@@ -46,13 +45,13 @@ void extract(const fs::path& mesh, const fs::path& skeleton) {
     } catch (const std::exception& error) {
         std::cerr << mesh.string() + ": " + error.what() + "\n";
     }
-    write_file_atomically(skeleton, "{}\n");
+    io::write_file_atomically(skeleton, "{}\n");
 }
 
 /// Extracts every mesh below the folder to the same place below another.
 void extract_all(const fs::path& meshes, const fs::path& skeletons, unsigned jobs) {
     const std::vector<fs::path> files = meshes_below(meshes);
-    for_each_index(files.size(), jobs, [&](std::size_t i) {
+    test::for_each_index(files.size(), jobs, [&](std::size_t i) {
         const fs::path skeleton = (skeletons / files[i].lexically_relative(meshes)).replace_extension(".json");
         fs::create_directories(skeleton.parent_path());
         extract(files[i], skeleton);
@@ -61,7 +60,7 @@ void extract_all(const fs::path& meshes, const fs::path& skeletons, unsigned job
 
 /// Of a set of bodies: how many are solved, how many have their sides right, and the mean errors. Of a set of what is
 /// no body: how many were refused.
-SetResult to_result(const SetSummary& summary) {
+SetResult to_result(const evaluation::SetSummary& summary) {
     SetResult result;
     result.meshes = summary.meshes;
     if (summary.not_bodies > 0)
@@ -137,17 +136,16 @@ Results measure(const fs::path& folder, unsigned jobs) {
     fs::remove_all(skeletons);
     extract_all(folder / "meshes", skeletons, jobs);
     Results results;
-    for (const SetScore& score : evaluate_folders(folder / "truth", skeletons)) {
-        const SetSummary summary = summarise(score);
+    for (const evaluation::SetScore& score : evaluate_folders(folder / "truth", skeletons)) {
+        const evaluation::SetSummary summary = summarise(score);
         results[summary.name] = to_result(summary);
     }
     return results;
 }
 
 Expectations read_expectations(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
     try {
-        const Json json = Json::parse(in);
+        const Json json = Json::parse(io::read_file(file));
         Expectations expectations;
         expectations.tolerances = {json.at("tolerances").at("count").get<std::size_t>(),
                                    json.at("tolerances").at("joint_error").get<double>()};
@@ -164,7 +162,7 @@ void write_expectations(const fs::path& file, const Expectations& expectations) 
     const Json json{{"tolerances",
                      {{"count", expectations.tolerances.count}, {"joint_error", expectations.tolerances.joint_error}}},
                     {"sets", sets}};
-    write_file_atomically(file, json.dump(1) + "\n");
+    io::write_file_atomically(file, json.dump(1) + "\n");
 }
 
 std::vector<std::string> moves(const Results& before, const Results& after) {

@@ -13,6 +13,7 @@
 #include <skelgen/render/png.hpp>
 
 using namespace skelgen;
+using namespace skelgen::render;
 
 namespace {
 

@@ -8,41 +8,27 @@
 #include <skelgen/io/write_mesh.hpp>
 
 #include "scenes.hpp"
+#include "temporary_folder.hpp"
 
 namespace fs = std::filesystem;
 using namespace skelgen;
+using namespace skelgen::render;
 using namespace skelgen::test;
 
 namespace {
-
-/// A fresh folder that is gone after the test.
-struct TemporaryFolder {
-    fs::path path;
-    TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "skelgen-render-XXXXXX").string();
-        REQUIRE(mkdtemp(name.data()) != nullptr);
-        path = name;
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    ~TemporaryFolder() {
-        std::error_code error;
-        fs::remove_all(path, error);
-    }
-};
 
 std::string content(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-struct Outcome {
+struct CommandResult {
     int status;
     std::string messages;
 };
 
 /// Runs `skelgen render ARGUMENTS` in `folder`, as typed into a shell.
-Outcome render(const std::string& arguments, const fs::path& folder) {
+CommandResult run_render(const std::string& arguments, const fs::path& folder) {
     const std::string line = "cd '" + folder.string() + "' && '" SKELGEN_CLI "' render " + arguments + " 2> messages";
     const int status = std::system(line.c_str());
     return {WEXITSTATUS(status), content(folder / "messages")};
@@ -56,44 +42,44 @@ std::size_t files_in(const fs::path& folder) {
 
 TEST_CASE("skelgen render draws what has no skeleton, and says so") {
     const TemporaryFolder folder;
-    write_mesh(folder.path / "ball.off", sphere(12));
-    const Outcome outcome = render("ball.off -o ball.png --size 100x120", folder.path);
+    write_mesh(folder / "ball.off", sphere(12));
+    const CommandResult outcome = run_render("ball.off -o ball.png --size 100x120", folder.path());
     CHECK(outcome.status == 0);
     CHECK(outcome.messages.rfind("skelgen: warning: ball.off: no skeleton: ", 0) == 0);
-    CHECK(content(folder.path / "ball.png").substr(0, 8) == "\x89PNG\r\n\x1a\n");
+    CHECK(content(folder / "ball.png").substr(0, 8) == "\x89PNG\r\n\x1a\n");
 
-    REQUIRE(render("ball.off --size 100x120 > piped.png", folder.path).status == 0);
-    CHECK(content(folder.path / "piped.png") == content(folder.path / "ball.png"));
+    REQUIRE(run_render("ball.off --size 100x120 > piped.png", folder.path()).status == 0);
+    CHECK(content(folder / "piped.png") == content(folder / "ball.png"));
 
-    REQUIRE(render("ball.off -o ball.svg --background transparent --view 1,2,3", folder.path).status == 0);
-    CHECK(content(folder.path / "ball.svg").rfind("<svg ", 0) == 0);
+    REQUIRE(run_render("ball.off -o ball.svg --background transparent --view 1,2,3", folder.path()).status == 0);
+    CHECK(content(folder / "ball.svg").rfind("<svg ", 0) == 0);
 }
 
 TEST_CASE("skelgen render shows a skeleton file and a truth file instead of extracting") {
     const TemporaryFolder folder;
-    write_mesh(folder.path / "ball.off", sphere(12));
-    std::ofstream(folder.path / "ball.json")
-        << R"({"format": "skelgen-skeleton", "version": 1, "template": "t", "joints": [
+    write_mesh(folder / "ball.off", sphere(12));
+    std::ofstream(folder / "ball.json") << R"({"format": "skelgen-skeleton", "version": 1, "template": "t", "joints": [
                {"name": "root", "parent": null, "position": [0, 0, 0], "radius": 1},
                {"name": "left_hand", "parent": "root", "position": [0.5, 0, 0], "radius": 1}],
                "end_points": {}, "frame": {"origin": [0, 0, 0], "left": [1, 0, 0], "forward": [0, 0, 1], "up": [0, 1, 0]},
                "quality": {"sides_confidence": 1, "matched_nodes": 2, "warnings": []}})";
-    std::ofstream(folder.path / "truth.json") << R"({"joints": {"left_hand": [0.4, 0, 0]}})";
-    const Outcome outcome = render("ball.off -o ball.svg --skeleton ball.json --truth truth.json --names", folder.path);
+    std::ofstream(folder / "truth.json") << R"({"joints": {"left_hand": [0.4, 0, 0]}})";
+    const CommandResult outcome =
+        run_render("ball.off -o ball.svg --skeleton ball.json --truth truth.json --names", folder.path());
     CHECK(outcome.status == 0);
     CHECK(outcome.messages.empty());
-    CHECK(content(folder.path / "ball.svg").find(">left_hand</text>") != std::string::npos);
+    CHECK(content(folder / "ball.svg").find(">left_hand</text>") != std::string::npos);
 }
 
 TEST_CASE("skelgen render makes a contact sheet in which a bad file costs its own cell") {
     const TemporaryFolder folder;
-    fs::create_directory(folder.path / "scans");
-    write_mesh(folder.path / "scans/ball.off", sphere(12));
-    std::ofstream(folder.path / "scans/broken.off") << "nothing of the kind";
-    const Outcome outcome = render("scans -o sheet.svg --size 100x120 --columns 2", folder.path);
+    fs::create_directory(folder / "scans");
+    write_mesh(folder / "scans/ball.off", sphere(12));
+    std::ofstream(folder / "scans/broken.off") << "nothing of the kind";
+    const CommandResult outcome = run_render("scans -o sheet.svg --size 100x120 --columns 2", folder.path());
     CHECK(outcome.status == 5);
     CHECK(outcome.messages.find("skelgen: error: scans/broken.off: ") != std::string::npos);
-    const std::string sheet = content(folder.path / "sheet.svg");
+    const std::string sheet = content(folder / "sheet.svg");
     CHECK(sheet.find("width=\"200\" height=\"120\"") != std::string::npos);
     CHECK(sheet.find(">ball.off</text>") != std::string::npos);
     CHECK(sheet.find(">broken.off</text>") != std::string::npos);
@@ -101,18 +87,18 @@ TEST_CASE("skelgen render makes a contact sheet in which a bad file costs its ow
 
 TEST_CASE("skelgen render refuses what makes no sense and leaves nothing behind") {
     const TemporaryFolder folder;
-    write_mesh(folder.path / "ball.off", sphere(12));
-    std::ofstream(folder.path / "broken.off") << "nothing of the kind";
-    CHECK(render("broken.off -o a.png", folder.path).status == 3);
-    CHECK(render("absent.off -o a.png", folder.path).status == 3);
-    CHECK(render("ball.off -o a.jpg", folder.path).status == 2);
-    CHECK(render("ball.off -o a.png --size 100", folder.path).status == 2);
-    CHECK(render("ball.off -o a.png --size 4x4", folder.path).status == 2);
-    CHECK(render("ball.off -o a.png --view above", folder.path).status == 2);
-    CHECK(render("ball.off -o a.png --background pink", folder.path).status == 2);
-    CHECK(render("ball.off -o a.png --skeleton absent.json", folder.path).status == 3);
-    CHECK(render("ball.off -o a.png --truth ball.off", folder.path).status == 3);
-    CHECK(render("ball.off broken.off -o a.png --skeleton ball.off", folder.path).status == 2);
-    CHECK(render("ball.off -o absent/a.png", folder.path).status == 2);
-    CHECK(files_in(folder.path) == 3); // the two meshes and `messages`
+    write_mesh(folder / "ball.off", sphere(12));
+    std::ofstream(folder / "broken.off") << "nothing of the kind";
+    CHECK(run_render("broken.off -o a.png", folder.path()).status == 3);
+    CHECK(run_render("absent.off -o a.png", folder.path()).status == 3);
+    CHECK(run_render("ball.off -o a.jpg", folder.path()).status == 2);
+    CHECK(run_render("ball.off -o a.png --size 100", folder.path()).status == 2);
+    CHECK(run_render("ball.off -o a.png --size 4x4", folder.path()).status == 2);
+    CHECK(run_render("ball.off -o a.png --view above", folder.path()).status == 2);
+    CHECK(run_render("ball.off -o a.png --background pink", folder.path()).status == 2);
+    CHECK(run_render("ball.off -o a.png --skeleton absent.json", folder.path()).status == 3);
+    CHECK(run_render("ball.off -o a.png --truth ball.off", folder.path()).status == 3);
+    CHECK(run_render("ball.off broken.off -o a.png --skeleton ball.off", folder.path()).status == 2);
+    CHECK(run_render("ball.off -o absent/a.png", folder.path()).status == 2);
+    CHECK(files_in(folder.path()) == 3); // the two meshes and `messages`
 }

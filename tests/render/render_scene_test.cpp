@@ -13,6 +13,7 @@
 #include "scenes.hpp"
 
 using namespace skelgen;
+using namespace skelgen::render;
 using namespace skelgen::test;
 
 namespace {

@@ -69,9 +69,9 @@ inline KinematicSkeleton<double> small_skeleton() {
     return skeleton;
 }
 
-inline bool is_blue(const Pixel& p) { return p[2] > p[0] + 40 && p[2] > p[1]; }
-inline bool is_yellow(const Pixel& p) { return p[0] > p[2] + 40 && p[1] > p[2] + 20; }
-inline bool is_red(const Pixel& p) { return p[0] > p[1] + 60 && p[0] > p[2] + 60; }
+inline bool is_blue(const render::Pixel& p) { return p[2] > p[0] + 40 && p[2] > p[1]; }
+inline bool is_yellow(const render::Pixel& p) { return p[0] > p[2] + 40 && p[1] > p[2] + 20; }
+inline bool is_red(const render::Pixel& p) { return p[0] > p[1] + 60 && p[0] > p[2] + 60; }
 
 /// Pixels of which `property` is true, with the mean of their columns.
 struct Found {
@@ -80,7 +80,7 @@ struct Found {
 };
 
 template <typename Property>
-Found find_pixels(const Image& image, const Property& property) {
+Found find_pixels(const render::Image& image, const Property& property) {
     Found found;
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)

@@ -8,6 +8,7 @@
 #include "scenes.hpp"
 
 using namespace skelgen;
+using namespace skelgen::render;
 using namespace skelgen::test;
 using Vector = Vector3<double>;
 

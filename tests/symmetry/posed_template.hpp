@@ -9,9 +9,9 @@
 
 #include <Eigen/Geometry>
 
+#include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/skeleton_template.hpp>
-#include <skelgen/io/template_json.hpp>
 #include <skelgen/refinement/refine.hpp>
 
 namespace skelgen::test {
@@ -31,22 +31,19 @@ struct TestPose {
 
 /// Joints as the refinement finds them and the frame that they should lead to.
 struct PosedBody {
-    RefinedJoints joints;
+    refinement::RefinedJoints<double> joints;
     BodyFrame<double> frame;
 };
 
 namespace detail {
-
-/// The template's axes (left, forward, up) are a left-handed triple; in space x has to point to the right.
-inline Vector3<double> in_space(const Vector3<double>& p) { return {-p.x(), p.y(), p.z()}; }
 
 inline Eigen::Matrix3d joint_rotation(const TemplateJoint& joint, const Angles& angles) {
     const double degrees = std::numbers::pi / 180, outwards = joint.side == Side::right ? -1 : 1;
     const auto about = [&](double angle, const Vector3<double>& axis) {
         return Eigen::AngleAxisd(degrees * angle, axis).toRotationMatrix();
     };
-    const Vector3<double> right = Vector3<double>::UnitX(), forward = Vector3<double>::UnitY(),
-                          up = Vector3<double>::UnitZ();
+    const Vector3<double> right = -Vector3<double>::UnitX(), forward = Vector3<double>::UnitZ(),
+                          up = Vector3<double>::UnitY();
     switch (joint.role) {
     case JointRole::shoulder:
     case JointRole::elbow:
@@ -81,23 +78,23 @@ inline PosedBody posed(const TestPose& pose, const Eigen::Matrix3d& rotation = E
             detail::joint_rotation(joint, given == pose.joints.end() ? Angles{} : given->second);
         if (joint.parent < 0) {
             turned.push_back(rotation * own);
-            out.joints.positions.row(row) = detail::in_space(joint.position).transpose();
+            out.joints.positions.row(row) = joint.position.transpose();
         } else {
             const auto parent = static_cast<std::size_t>(joint.parent);
-            const Vector3<double> bone = detail::in_space(joint.position - human.joints[parent].position);
+            const Vector3<double> bone = joint.position - human.joints[parent].position;
             out.joints.positions.row(row) =
                 out.joints.positions.row(joint.parent) + (turned[parent] * bone).transpose();
             turned.push_back(turned[parent] * own);
         }
         if (!joint.tip) continue;
-        const Vector3<double> to_tip = detail::in_space(*joint.tip - joint.position);
+        const Vector3<double> to_tip = *joint.tip - joint.position;
         out.joints.tips.emplace_back(static_cast<int>(j),
                                      out.joints.positions.row(row).transpose() + turned.back() * to_tip);
     }
     out.frame.origin = out.joints.positions.row(0).transpose();
-    out.frame.left = -turned[0].col(0);
-    out.frame.forward = turned[0].col(1);
-    out.frame.up = turned[0].col(2);
+    out.frame.left = turned[0].col(0);
+    out.frame.up = turned[0].col(1);
+    out.frame.forward = turned[0].col(2);
     return out;
 }
 
@@ -143,7 +140,7 @@ inline std::vector<TestPose> test_poses() {
     return list;
 }
 
-/// Whole-body rotations: as standing, lying on the back, face down and on the side, upside down, and any.
+/// Whole-body rotations: as standing, lying face down, on the back and on the side, upside down, and any.
 inline std::vector<Eigen::Matrix3d> test_orientations() {
     const auto about = [](double angle, const Vector3<double>& axis) {
         return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
@@ -152,10 +149,19 @@ inline std::vector<Eigen::Matrix3d> test_orientations() {
     return {Eigen::Matrix3d::Identity(),
             about(quarter, Vector3<double>::UnitX()),
             about(-quarter, Vector3<double>::UnitX()),
-            about(quarter, Vector3<double>::UnitY()),
+            about(quarter, Vector3<double>::UnitZ()),
             about(2 * quarter, Vector3<double>::UnitX()),
             about(2.1, {1, 2, 3}),
             about(-1.3, {3, -2, 0.5})};
+}
+
+/// The same joints in another precision.
+template <typename Scalar>
+refinement::RefinedJoints<Scalar> in_precision(const refinement::RefinedJoints<double>& joints) {
+    refinement::RefinedJoints<Scalar> out;
+    out.positions = joints.positions.template cast<Scalar>();
+    for (const auto& [joint, tip] : joints.tips) out.tips.emplace_back(joint, tip.template cast<Scalar>());
+    return out;
 }
 
 } // namespace skelgen::test

@@ -2,15 +2,20 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include <skelgen/core/error.hpp>
+#include <skelgen/core/template_rules.hpp>
 #include <skelgen/symmetry/sides.hpp>
 
 #include "catch.hpp"
 #include "symmetry/posed_template.hpp"
 
 using namespace skelgen;
+using namespace skelgen::symmetry;
 using namespace skelgen::test;
+using Joints = skelgen::refinement::RefinedJoints<double>;
 
 namespace {
 
@@ -18,12 +23,8 @@ double degrees_between(const Vector3<double>& a, const Vector3<double>& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
 }
 
-bool is_leg(JointRole role) {
-    return role == JointRole::hip || role == JointRole::knee || role == JointRole::ankle || role == JointRole::foot;
-}
-
 /// The same joints with the names left and right exchanged where `which` says so.
-RefinedJoints relabelled(const RefinedJoints& joints, const std::function<bool(JointRole)>& which) {
+Joints relabelled(const Joints& joints, const std::function<bool(JointRole)>& which) {
     const auto& human = builtin_template("human21").joints;
     std::vector<std::size_t> other(human.size());
     for (std::size_t j = 0; j < human.size(); ++j) {
@@ -33,7 +34,7 @@ RefinedJoints relabelled(const RefinedJoints& joints, const std::function<bool(J
                 human[k].side != human[j].side)
                 other[j] = k;
     }
-    RefinedJoints out = joints;
+    Joints out = joints;
     for (std::size_t j = 0; j < human.size(); ++j) {
         out.positions.row(static_cast<Eigen::Index>(j)) = joints.positions.row(static_cast<Eigen::Index>(other[j]));
     }
@@ -56,7 +57,7 @@ void check_frame(const BodyFrame<double>& frame, const BodyFrame<double>& expect
     CHECK(degrees_between(frame.up, expected.up) < 20);
 }
 
-Eigen::RowVector3d middle_of_hips(const RefinedJoints& joints) {
+Eigen::RowVector3d middle_of_hips(const Joints& joints) {
     const auto& human = builtin_template("human21").joints;
     Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
     for (std::size_t j = 0; j < human.size(); ++j)
@@ -64,15 +65,45 @@ Eigen::RowVector3d middle_of_hips(const RefinedJoints& joints) {
     return sum;
 }
 
-SidesDecision decide(const RefinedJoints& joints) { return decide_sides(joints, builtin_template("human21")); }
+SidesDecision<double> decide(const Joints& joints) {
+    const Outcome<SidesDecision<double>> sides = decide_sides(joints, builtin_template("human21"));
+    REQUIRE(sides);
+    return *sides;
+}
 
-ErrorCode error_of(const RefinedJoints& joints) {
-    try {
-        static_cast<void>(decide(joints));
-    } catch (const Error& error) {
-        return error.code();
+bool has_no_extent(const Joints& joints) {
+    const Outcome<SidesDecision<double>> sides = decide_sides(joints, builtin_template("human21"));
+    return !sides && sides.failure().reason == FailureReason::no_match &&
+           sides.failure().what.find("no extent") != std::string::npos;
+}
+
+/// The template's own rest pose as if it had been refined.
+Joints rest_pose(const SkeletonTemplate& skeleton_template) {
+    Joints joints;
+    const auto n = static_cast<Eigen::Index>(skeleton_template.joints.size());
+    joints.positions.resize(n, 3);
+    for (Eigen::Index j = 0; j < n; ++j) {
+        const TemplateJoint& joint = skeleton_template.joints[static_cast<std::size_t>(j)];
+        joints.positions.row(j) = joint.position.transpose();
+        if (joint.tip) joints.tips.emplace_back(static_cast<int>(j), *joint.tip);
     }
-    return ErrorCode::internal;
+    return joints;
+}
+
+/// human21 without joints of these roles, their children on their parents.
+SkeletonTemplate without(const std::vector<JointRole>& roles) {
+    const SkeletonTemplate& human = builtin_template("human21");
+    SkeletonTemplate out{"fewer joints", {}};
+    std::vector<int> index(human.joints.size(), -1);
+    for (std::size_t j = 0; j < human.joints.size(); ++j) {
+        TemplateJoint joint = human.joints[j];
+        const int parent = joint.parent < 0 ? -1 : index[static_cast<std::size_t>(joint.parent)];
+        const bool is_left_out = std::find(roles.begin(), roles.end(), joint.role) != roles.end();
+        index[j] = is_left_out ? parent : static_cast<int>(out.joints.size());
+        joint.parent = parent;
+        if (!is_left_out) out.joints.push_back(joint);
+    }
+    return out;
 }
 
 } // namespace
@@ -83,7 +114,7 @@ TEST_CASE("labels that are right stay, in every pose, however the body lies") {
         for (const Eigen::Matrix3d& rotation : test_orientations()) {
             INFO(pose.name << ", orientation " << orientation++);
             const PosedBody body = posed(pose, rotation);
-            const SidesDecision sides = decide(body.joints);
+            const SidesDecision<double> sides = decide(body.joints);
             CHECK_FALSE(sides.swap_legs);
             CHECK_FALSE(sides.swap_arms);
             CHECK(sides.confidence >= 0);
@@ -96,13 +127,13 @@ TEST_CASE("labels that are right stay, in every pose, however the body lies") {
 TEST_CASE("labels that are exchanged are put right: all, the legs' alone, the arms' alone") {
     for (const TestPose& pose : test_poses()) {
         const PosedBody body = posed(pose, test_orientations().back());
-        const SidesDecision right = decide(body.joints);
+        const SidesDecision<double> right = decide(body.joints);
         for (const bool legs : {false, true})
             for (const bool arms : {false, true}) {
                 INFO(pose.name << (legs ? ", legs" : "") << (arms ? ", arms" : "") << " exchanged");
-                const RefinedJoints wrong =
-                    relabelled(body.joints, [&](JointRole role) { return is_leg(role) ? legs : arms; });
-                const SidesDecision sides = decide(wrong);
+                const Joints wrong = relabelled(
+                    body.joints, [&](JointRole role) { return part_of(role) == BodyPart::leg ? legs : arms; });
+                const SidesDecision<double> sides = decide(wrong);
                 CHECK(sides.swap_legs == legs);
                 CHECK(sides.swap_arms == arms);
                 CHECK((sides.frame.left - right.frame.left).norm() < 1e-9);
@@ -121,7 +152,7 @@ TEST_CASE("a mirror image has its sides exchanged") {
         PosedBody body = posed(pose);
         body.joints.positions.col(0) *= -1;
         for (auto& [joint, tip] : body.joints.tips) tip.x() *= -1;
-        const SidesDecision sides = decide(body.joints);
+        const SidesDecision<double> sides = decide(body.joints);
         CHECK(sides.swap_legs);
         CHECK(sides.swap_arms);
     }
@@ -130,10 +161,10 @@ TEST_CASE("a mirror image has its sides exchanged") {
 TEST_CASE("size does not matter") {
     for (const double scale : {1e-3, 1e3}) {
         PosedBody body = posed(test_poses()[2]);
-        const SidesDecision expected = decide(body.joints);
+        const SidesDecision<double> expected = decide(body.joints);
         body.joints.positions *= scale;
         for (auto& [joint, tip] : body.joints.tips) tip *= scale;
-        const SidesDecision sides = decide(body.joints);
+        const SidesDecision<double> sides = decide(body.joints);
         CHECK(sides.swap_legs == expected.swap_legs);
         CHECK(sides.confidence == Approx(expected.confidence));
         CHECK((sides.frame.forward - expected.frame.forward).norm() < 1e-9);
@@ -147,35 +178,35 @@ TEST_CASE("whoever stands straight is told with confidence; turned feet alone le
 }
 
 TEST_CASE("head and trunk tell the sides where feet and knees say nothing") {
-    RefinedJoints joints = posed(test_poses()[0]).joints;
+    Joints joints = posed(test_poses()[0]).joints;
     const auto& human = builtin_template("human21").joints;
     for (std::size_t j = 0; j < human.size(); ++j) // legs and feet straight down, arms straight
         if (human[j].role == JointRole::knee || human[j].role == JointRole::ankle || human[j].role == JointRole::foot) {
             const auto row = static_cast<Eigen::Index>(j);
-            joints.positions.row(row) = joints.positions.row(human[j].parent) - Eigen::RowVector3d(0, 0, 0.3);
+            joints.positions.row(row) = joints.positions.row(human[j].parent) - Eigen::RowVector3d(0, 0.3, 0);
             for (auto& [end, tip] : joints.tips)
                 if (end == static_cast<int>(j))
-                    tip = joints.positions.row(row).transpose() - Vector3<double>(0, 0, 0.1);
+                    tip = joints.positions.row(row).transpose() - Vector3<double>(0, 0.1, 0);
         }
     CHECK(decide(joints).confidence < 0.2);
     const auto exchanged = relabelled(joints, [](JointRole) { return true; });
     for (const bool by_head : {false, true}) {
-        RefinedJoints right = joints, wrong = exchanged;
+        Joints right = joints, wrong = exchanged;
         if (by_head) {
             right.head.emplace();
-            right.head->forward = Vector3<double>::UnitY();
+            right.head->forward = Vector3<double>::UnitZ();
             right.head->frontness = 0.2;
             wrong.head = right.head;
         } else {
-            right.trunk = wrong.trunk = TrunkShape{Vector3<double>::UnitY(), 0.05};
+            right.trunk = wrong.trunk = refinement::TrunkShape<double>{Vector3<double>::UnitZ(), 0.05};
         }
         INFO((by_head ? "head" : "trunk"));
         CHECK_FALSE(decide(right).swap_legs);
         CHECK(decide(wrong).swap_legs);
         CHECK(decide(wrong).swap_arms);
         CHECK(decide(right).confidence > 0.6);
-        CHECK(degrees_between(decide(right).frame.forward, Vector3<double>::UnitY()) < 5);
-        CHECK(degrees_between(decide(wrong).frame.forward, Vector3<double>::UnitY()) < 5);
+        CHECK(degrees_between(decide(right).frame.forward, Vector3<double>::UnitZ()) < 5);
+        CHECK(degrees_between(decide(wrong).frame.forward, Vector3<double>::UnitZ()) < 5);
     }
 }
 
@@ -195,37 +226,87 @@ TEST_CASE("the skeleton has the template's names, order and parents, and the end
 }
 
 TEST_CASE("a body without extent has no sides") {
-    RefinedJoints no_hips = posed(test_poses()[0]).joints;
+    Joints no_hips = posed(test_poses()[0]).joints;
     const auto& human = builtin_template("human21").joints;
     for (std::size_t j = 0; j < human.size(); ++j)
         if (human[j].role == JointRole::hip)
             no_hips.positions.row(static_cast<Eigen::Index>(j)) = no_hips.positions.row(0);
-    CHECK(error_of(no_hips) == ErrorCode::no_skeleton);
+    CHECK(has_no_extent(no_hips));
 
-    RefinedJoints no_trunk = posed(test_poses()[0]).joints;
+    Joints no_trunk = posed(test_poses()[0]).joints;
     for (std::size_t j = 0; j < human.size(); ++j)
         if (human[j].role == JointRole::waist)
             no_trunk.positions.row(static_cast<Eigen::Index>(j)) = middle_of_hips(no_trunk);
-    CHECK(error_of(no_trunk) == ErrorCode::no_skeleton);
+    CHECK(has_no_extent(no_trunk));
 
-    RefinedJoints point = posed(test_poses()[0]).joints;
+    Joints point = posed(test_poses()[0]).joints;
     point.positions.setZero();
     for (auto& [joint, tip] : point.tips) tip.setZero();
-    CHECK(error_of(point) == ErrorCode::no_skeleton);
+    CHECK(has_no_extent(point));
 }
 
-TEST_CASE("a template without ankles and end joints of the arms is told as well") {
+TEST_CASE("a template without neck and wrists is told as well") {
     const SkeletonTemplate& other = builtin_template("pinocchio18");
-    RefinedJoints joints;
-    const auto n = static_cast<Eigen::Index>(other.joints.size());
-    joints.positions.resize(n, 3);
-    for (Eigen::Index j = 0; j < n; ++j) {
-        const TemplateJoint& joint = other.joints[static_cast<std::size_t>(j)];
-        joints.positions.row(j) = test::detail::in_space(joint.position).transpose();
-        if (joint.tip) joints.tips.emplace_back(static_cast<int>(j), test::detail::in_space(*joint.tip));
+    const auto sides = decide_sides(rest_pose(other), other);
+    REQUIRE(sides);
+    CHECK_FALSE(sides->swap_legs);
+    CHECK_FALSE(sides->swap_arms);
+    CHECK(degrees_between(sides->frame.left, Vector3<double>::UnitX()) < 20);
+}
+
+TEST_CASE("arms are told by the first joint that they have, whichever the template leaves out") {
+    using enum JointRole;
+    const std::vector<std::vector<JointRole>> left_out{
+        {shoulder}, {shoulder, elbow}, {shoulder, elbow, wrist}, {waist, neck, ankle}};
+    for (const std::vector<JointRole>& roles : left_out) {
+        const SkeletonTemplate other = without(roles);
+        validate_template(other);
+        INFO(roles.size() << " roles left out");
+        const Joints joints = rest_pose(other);
+        Joints exchanged = joints;
+        for (int j = 0; j < static_cast<int>(other.joints.size()); ++j)
+            if (part_of(other.joint(j).role) == BodyPart::arm)
+                exchanged.positions.row(j) = joints.positions.row(counterpart(other, j));
+        for (auto& [joint, tip] : exchanged.tips)
+            if (other.joint(joint).role == hand) joint = counterpart(other, joint);
+        const auto sides = decide_sides(joints, other), put_right = decide_sides(exchanged, other);
+        REQUIRE(sides);
+        REQUIRE(put_right);
+        CHECK_FALSE(sides->swap_arms);
+        CHECK(put_right->swap_arms);
+        CHECK_FALSE(put_right->swap_legs);
+        const KinematicSkeleton<double> skeleton = assemble(exchanged, other, *put_right);
+        for (std::size_t j = 0; j < skeleton.joints.size(); ++j)
+            CHECK(skeleton.joints[j].position == other.joints[j].position);
+        for (const auto& [name, point] : skeleton.end_points)
+            if (name == "left_fingertip") CHECK(point.x() > 0);
     }
-    const SidesDecision sides = decide_sides(joints, other);
-    CHECK_FALSE(sides.swap_legs);
-    CHECK_FALSE(sides.swap_arms);
-    CHECK(degrees_between(sides.frame.left, -Vector3<double>::UnitX()) < 20);
+}
+
+TEST_CASE("in float, sides and frame are the same") {
+    for (const TestPose& pose : test_poses()) {
+        INFO(pose.name);
+        const PosedBody body = posed(pose, test_orientations().back());
+        const SidesDecision<double> expected = decide(body.joints);
+        const auto sides = decide_sides(in_precision<float>(body.joints), builtin_template("human21"));
+        REQUIRE(sides);
+        CHECK(sides->swap_legs == expected.swap_legs);
+        CHECK(sides->swap_arms == expected.swap_arms);
+        CHECK(sides->confidence == Approx(expected.confidence).margin(1e-4));
+        CHECK((sides->frame.left.cast<double>() - expected.frame.left).norm() < 1e-4);
+        CHECK((sides->frame.forward.cast<double>() - expected.frame.forward).norm() < 1e-4);
+        CHECK((sides->frame.up.cast<double>() - expected.frame.up).norm() < 1e-4);
+    }
+}
+
+TEST_CASE("weights out of their range are refused") {
+    SidesOptions options;
+    options.elbow = -0.1;
+    try {
+        static_cast<void>(decide_sides(posed(test_poses()[0]).joints, builtin_template("human21"), options));
+        FAIL("no error");
+    } catch (const Error& error) {
+        CHECK(error.code() == ErrorCode::usage);
+        CHECK(std::string(error.what()).find("sides.elbow") != std::string::npos);
+    }
 }

@@ -8,6 +8,7 @@
 #include "catch.hpp"
 
 using namespace skelgen;
+using namespace skelgen::symmetry;
 
 namespace {
 
@@ -77,4 +78,14 @@ TEST_CASE("a foot that points backward is left pointing backward") {
     LegBones<double> bones = leg(0, 0);
     bones.foot = -bones.foot;
     CHECK(degrees_from_forward(bones) == Approx(180));
+}
+
+TEST_CASE("in float, the direction is the same") {
+    LegBones<double> bones = leg(50, 30);
+    const Eigen::Matrix3d rotation = (turn(25, up) * turn(20, forward)).toRotationMatrix();
+    bones = {rotation * bones.thigh, rotation * bones.calf, rotation * bones.foot};
+    const LegBones<float> rounded{bones.thigh.cast<float>(), bones.calf.cast<float>(), bones.foot.cast<float>()};
+    const Vector3<float> found =
+        standing_foot_direction(rounded, Vector3<float>(up.cast<float>()), Vector3<float>(right.cast<float>()));
+    CHECK((found.cast<double>() - standing_foot_direction(bones, up, right)).norm() < 1e-5);
 }

@@ -18,6 +18,7 @@
 #include "synth/kinematics.hpp"
 
 using namespace skelgen;
+using namespace skelgen::synth;
 using J = BodyJoint;
 using Vec3 = Vector3<double>;
 
@@ -131,7 +132,7 @@ void check_closed_body(int faces) {
         return edge.second == 1 && edges.count({edge.first.second, edge.first.first}) == 1;
     }));
     CHECK(body.mesh.vertices.rows() - static_cast<Eigen::Index>(edges.size()) / 2 + body.mesh.faces.rows() == 2);
-    CHECK(enclosed_volume(body.mesh) > 0.05);
+    CHECK(core::enclosed_volume(body.mesh) > 0.05);
     CHECK(body.mesh.vertices.col(2).minCoeff() == Approx(0).margin(1e-12));
 }
 
@@ -149,7 +150,7 @@ void check_joints(const Person& person) {
     const SynthBody body = synthesize_body(person.shape, person.pose, 10000); // fine enough to be exact to 1 mm
     for (int j = 0; j < body_joint_count; ++j) {
         INFO(joint_name(static_cast<J>(j)));
-        CHECK(winding_number<double>(body.mesh, joint(body, static_cast<J>(j))) == Approx(1).margin(1e-6));
+        CHECK(core::winding_number<double>(body.mesh, joint(body, static_cast<J>(j))) == Approx(1).margin(1e-6));
     }
     const double tolerance = 0.003 * complete_shape(person.shape).height / 1.75;
     for (const Bone& bone : bones)
@@ -206,7 +207,7 @@ TEST_CASE("bones have the same lengths in every pose") {
 TEST_CASE("the same arguments give the same bytes") {
     const auto bytes = [] {
         const SynthBody body = synthesize_body({}, random_free_pose({}, 7), 5000);
-        return format_mesh(body.mesh, MeshFormat::off) + truth_to_json(body.truth, "body.off");
+        return io::format_mesh(body.mesh, io::MeshFormat::off) + truth_to_json(body.truth, "body.off");
     };
     const bool same = bytes() == bytes(); // not in the CHECK: it would print the files
     CHECK(same);
@@ -241,7 +242,7 @@ TEST_CASE("weight makes a body larger, and mass near the weight asked for") {
     for (const double weight : {50.0, 125.0}) {
         const BodyShape s = shape(35, 1, weight);
         const SynthBody body = synthesize_body(s, spread_limbs(s, named_pose("a")), 5000);
-        const double volume = enclosed_volume(body.mesh);
+        const double volume = core::enclosed_volume(body.mesh);
         CHECK(volume > before);
         CHECK(1000 * volume == Approx(weight).epsilon(0.2)); // a litre weighs about a kilogram
         before = volume;

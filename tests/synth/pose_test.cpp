@@ -4,6 +4,7 @@
 #include "catch.hpp"
 
 using namespace skelgen;
+using namespace skelgen::synth;
 
 TEST_CASE("named poses are within human limits, and an average body holds them without touching itself") {
     for (const std::string& name : pose_names()) {

@@ -15,6 +15,7 @@
 #include "synth/kinematics.hpp"
 
 using namespace skelgen;
+using namespace skelgen::synth;
 
 namespace {
 
@@ -105,7 +106,7 @@ TEST_CASE("clothes change the surface and not the joints") {
     CHECK(is_closed(dressed.mesh));
     CHECK(euler(dressed.mesh) == 2);
     const double weight = complete_shape(plan.shape).weight;
-    CHECK(1000 * enclosed_volume(dressed.mesh) > 1.4 * weight); // kilograms and litres of the naked body
+    CHECK(1000 * core::enclosed_volume(dressed.mesh) > 1.4 * weight); // kilograms and litres of the naked body
     const auto height = dressed.mesh.vertices.col(2).maxCoeff();
     CHECK(height > complete_shape(plan.shape).height + 0.04); // the hat, the boots' soles
     const auto naked = synth::pose_skeleton(synth::proportions_of(plan.shape), plan.pose);
@@ -133,7 +134,7 @@ TEST_CASE("objects are closed meshes of their kind") {
     CHECK(is_closed(torus));
     CHECK(euler(torus) == 0);
     // 2 pi^2 R r^2, of the radii in the field
-    CHECK(enclosed_volume(torus) == Approx(2 * 9.8696 * 0.5 * 0.18 * 0.18).epsilon(0.02));
+    CHECK(core::enclosed_volume(torus) == Approx(2 * 9.8696 * 0.5 * 0.18 * 0.18).epsilon(0.02));
     CHECK(is_closed(chair));
     CHECK(euler(chair) == 0); // the gap below the back rest
     const auto truth = nlohmann::json::parse(object_truth_to_json("not-a-body/chair.off"));

@@ -5,7 +5,7 @@
 
 #include <skelgen/core/mesh.hpp>
 
-namespace skelgen {
+namespace skelgen::core {
 
 /// For each face and each of its edges k (from corner k to k + 1) the face on the other side, -1 at a boundary; m x 3.
 /// The mesh must be edge-manifold. O(m log m).
@@ -31,4 +31,4 @@ namespace skelgen {
     return adjacency;
 }
 
-} // namespace skelgen
+} // namespace skelgen::core

@@ -1,15 +1,12 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
-#include <queue>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include <skelgen/core/curve_skeleton.hpp>
 
-namespace skelgen {
+namespace skelgen::core {
 
 /// Adjacency lists of a curve skeleton with edge lengths; neighbours in ascending order.
 template <typename Scalar = double>
@@ -35,6 +32,35 @@ template <typename Scalar>
     return graph;
 }
 
+/// The nodes from `start` through its neighbour `first` on to the next one that is not of degree 2 (or back to `start`,
+/// on a ring without any), both ends included. O(nodes of the branch).
+template <typename Scalar>
+[[nodiscard]] std::vector<int> branch(const CurveGraph<Scalar>& graph, int start, int first) {
+    std::vector<int> nodes{start, first};
+    while (graph.degree(nodes.back()) == 2 && nodes.back() != start) {
+        const auto& list = graph.neighbours[static_cast<std::size_t>(nodes.back())];
+        nodes.push_back(list[0].first == nodes[nodes.size() - 2] ? list[1].first : list[0].first);
+    }
+    return nodes;
+}
+
+/// Length of the polyline through these nodes of a curve. O(nodes).
+template <typename Scalar>
+[[nodiscard]] Scalar path_length(const CurveSkeleton<Scalar>& curve, const std::vector<int>& nodes) {
+    Scalar length = 0;
+    for (std::size_t i = 1; i < nodes.size(); ++i)
+        length += (curve.nodes.row(nodes[i]) - curve.nodes.row(nodes[i - 1])).norm();
+    return length;
+}
+
+/// Node of a curve nearest to a point, the first of equals; the curve must have one. O(k).
+template <typename Scalar>
+[[nodiscard]] int nearest_node(const CurveSkeleton<Scalar>& curve, const Vector3<Scalar>& point) {
+    Eigen::Index nearest = 0;
+    (curve.nodes.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+    return static_cast<int>(nearest);
+}
+
 /// Independent cycles of a connected curve: 0 for a tree.
 template <typename Scalar>
 [[nodiscard]] int cycle_count(const CurveSkeleton<Scalar>& curve) {
@@ -58,55 +84,19 @@ struct ShortestPaths {
 
 /// Dijkstra on the curve. O((k + edges) log k).
 template <typename Scalar>
-[[nodiscard]] ShortestPaths<Scalar> shortest_paths(const CurveGraph<Scalar>& graph, int source) {
-    ShortestPaths<Scalar> out;
-    out.distance.assign(graph.neighbours.size(), std::numeric_limits<Scalar>::infinity());
-    out.predecessor.assign(graph.neighbours.size(), -1);
-    std::priority_queue<std::pair<Scalar, int>, std::vector<std::pair<Scalar, int>>, std::greater<>> queue;
-    out.distance[static_cast<std::size_t>(source)] = 0;
-    queue.emplace(Scalar(0), source);
-    while (!queue.empty()) {
-        const auto [distance, v] = queue.top();
-        queue.pop();
-        if (distance > out.distance[static_cast<std::size_t>(v)]) continue;
-        for (const auto& [w, length] : graph.neighbours[static_cast<std::size_t>(v)]) {
-            const Scalar candidate = distance + length;
-            if (!(candidate < out.distance[static_cast<std::size_t>(w)])) continue;
-            out.distance[static_cast<std::size_t>(w)] = candidate;
-            out.predecessor[static_cast<std::size_t>(w)] = v;
-            queue.emplace(candidate, w);
-        }
-    }
-    return out;
-}
+[[nodiscard]] ShortestPaths<Scalar> shortest_paths(const CurveGraph<Scalar>& graph, int source);
 
 /// Per node the index of the source nearest along the graph (the lowest one among equals), -1 where none can be
 /// reached. O((k + edges) log k).
 template <typename Scalar>
-[[nodiscard]] std::vector<int> nearest_source(const CurveGraph<Scalar>& graph, const std::vector<int>& sources) {
-    using Claim = std::tuple<Scalar, int, int>; // distance, source, node
-    std::vector<int> owner(graph.neighbours.size(), -1);
-    std::priority_queue<Claim, std::vector<Claim>, std::greater<>> queue;
-    for (std::size_t s = 0; s < sources.size(); ++s) queue.emplace(Scalar(0), static_cast<int>(s), sources[s]);
-    while (!queue.empty()) {
-        const auto [distance, source, v] = queue.top();
-        queue.pop();
-        if (owner[static_cast<std::size_t>(v)] >= 0) continue;
-        owner[static_cast<std::size_t>(v)] = source;
-        for (const auto& [w, length] : graph.neighbours[static_cast<std::size_t>(v)])
-            if (owner[static_cast<std::size_t>(w)] < 0) queue.emplace(distance + length, source, w);
-    }
-    return owner;
-}
+[[nodiscard]] std::vector<int> nearest_source(const CurveGraph<Scalar>& graph, const std::vector<int>& sources);
 
 /// Largest distance along the curve between any two of its nodes. O(k^2 log k).
 template <typename Scalar>
-[[nodiscard]] Scalar curve_diameter(const CurveGraph<Scalar>& graph) {
-    Scalar diameter = 0;
-    for (int v = 0; v < graph.size(); ++v)
-        for (const Scalar d : shortest_paths(graph, v).distance)
-            if (d < std::numeric_limits<Scalar>::infinity()) diameter = std::max(diameter, d);
-    return diameter;
-}
+[[nodiscard]] Scalar curve_diameter(const CurveGraph<Scalar>& graph);
 
-} // namespace skelgen
+} // namespace skelgen::core
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/core/impl/curve_graph.hpp>
+#endif

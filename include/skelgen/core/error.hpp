@@ -5,12 +5,13 @@
 
 namespace skelgen {
 
-/// What a caller can do about a failure; the values are the exit statuses of the command line.
+/// What a caller can do about a failure; the values are the exit statuses of the command line (5 is a batch's).
 enum class ErrorCode {
     internal = 1,    ///< a fault of skelgen's own: report it
     usage = 2,       ///< an argument or option that makes no sense: change the call
     bad_input = 3,   ///< the input cannot be read or is no mesh: repair the file
     no_skeleton = 4, ///< a sound mesh in which no human skeleton could be found
+    not_written = 6, ///< the result cannot be stored (a full disk, say): make room
 };
 
 /// The one exception type that skelgen throws. `what()` states the violated condition and what to do about it,

@@ -7,7 +7,7 @@
 
 #include <skelgen/core/mesh.hpp>
 
-namespace skelgen {
+namespace skelgen::core {
 
 /// Arc length from the first point to each point of a polyline, k entries.
 template <typename Scalar>
@@ -49,4 +49,4 @@ template <typename Scalar>
     return (line.row(after) - line.row(before)).transpose().normalized();
 }
 
-} // namespace skelgen
+} // namespace skelgen::core

@@ -8,18 +8,33 @@
 
 namespace skelgen {
 
-/// The anatomical meaning of a template joint: what the refinement's prior knowledge (LF20 3.2.2) is addressed to.
+/// The anatomical meaning of a template joint: what the refinement's prior knowledge (LF20 section 3.2.2) is addressed
+/// to.
 enum class JointRole { pelvis, waist, chest, neck, head, shoulder, elbow, wrist, hand, hip, knee, ankle, foot };
 
 enum class Side { none, left, right };
 
-/// One joint of a template, in a rest pose that only has to have the right proportions.
+/// The part of the body that a role belongs to.
+enum class BodyPart { trunk, arm, leg };
+
+[[nodiscard]] constexpr BodyPart part_of(JointRole role) {
+    if (role >= JointRole::hip) return BodyPart::leg;
+    return role >= JointRole::shoulder ? BodyPart::arm : BodyPart::trunk;
+}
+
+/// Does a limb end in a joint of this role?
+[[nodiscard]] constexpr bool ends_limb(JointRole role) {
+    return role == JointRole::head || role == JointRole::hand || role == JointRole::foot;
+}
+
+/// One joint of a template, in a rest pose that only has to have the right proportions. Rest poses are read from files
+/// and tabulated: they are double whatever the scalar of the mesh.
 struct TemplateJoint {
     std::string name;
     int parent = -1; ///< index into the joints, smaller than the joint's own; -1 for the root
     JointRole role = JointRole::pelvis;
     Side side = Side::none;
-    Vector3<double> position = Vector3<double>::Zero(); ///< rest pose, any unit: x to the body's left, y forward, z up
+    Vector3<double> position = Vector3<double>::Zero(); ///< rest pose, any unit: x to the body's left, y up, z forward
     double radius = 0; ///< of an end joint: mean distance to the surface around it, same unit; 0: not known
     std::optional<Vector3<double>> tip; ///< of an end joint: the limb's end on the surface, same coordinates
 };
@@ -28,6 +43,28 @@ struct TemplateJoint {
 struct SkeletonTemplate {
     std::string name;
     std::vector<TemplateJoint> joints;
+
+    [[nodiscard]] const TemplateJoint& joint(int j) const { return joints[static_cast<std::size_t>(j)]; }
 };
+
+/// Index of the first joint of that role and side; -1 where there is none. O(joints).
+[[nodiscard]] inline int find_joint(const SkeletonTemplate& skeleton_template, JointRole role, Side side = Side::none) {
+    for (std::size_t j = 0; j < skeleton_template.joints.size(); ++j)
+        if (skeleton_template.joints[j].role == role && skeleton_template.joints[j].side == side)
+            return static_cast<int>(j);
+    return -1;
+}
+
+/// Index of the joint of the same role on the other side; -1 for a joint that has no side. O(joints).
+[[nodiscard]] inline int counterpart(const SkeletonTemplate& skeleton_template, int j) {
+    const TemplateJoint& joint = skeleton_template.joint(j);
+    if (joint.side == Side::none) return -1;
+    return find_joint(skeleton_template, joint.role, joint.side == Side::left ? Side::right : Side::left);
+}
+
+/// Length of the bone between two joints in the rest pose, in the template's unit.
+[[nodiscard]] inline double rest_length(const SkeletonTemplate& skeleton_template, int a, int b) {
+    return (skeleton_template.joint(a).position - skeleton_template.joint(b).position).norm();
+}
 
 } // namespace skelgen

@@ -2,13 +2,14 @@
 
 #include <skelgen/core/mesh.hpp>
 
-namespace skelgen {
+namespace skelgen::curve {
 
-/// Constants of the contraction. Au08 solves the least-squares system [w_L L; W_H] V' = [0; W_H V], whose normal matrix
-/// holds L twice: a bi-Laplacian, without a maximum principle, that throws vertices out of the body on real meshes. We
-/// minimise the energy w_L V'^T(-L)V' + |W_H(V' - V)|^2 + w_M |W_H(V' - P)|^2 instead: one Laplacian, positive weights,
-/// every new vertex a weighted mean of old ones and of centres P of inscribed balls (Tagliasacchi et al. 2012). Au08's
-/// start, w_L = 1e-3 sqrt(mean face area), spends a dozen doublings moving nothing; ours starts where motion starts.
+/// Constants of the contraction. Au08 section 3 solves the least-squares system [w_L L; W_H] V' = [0; W_H V], whose
+/// normal matrix holds L twice: a bi-Laplacian, without a maximum principle, that throws vertices out of the body on
+/// real meshes. We minimise the energy w_L V'^T(-L)V' + |W_H(V' - V)|^2 + w_M |W_H(V' - P)|^2 instead: one Laplacian,
+/// positive weights, every new vertex a weighted mean of old ones and of centres P of inscribed balls (TAOZ12 section
+/// 3). Au08's start, w_L = 1e-3 sqrt(mean face area), spends a dozen doublings moving nothing; ours starts where motion
+/// starts. What has no source here is calibrated on bodies of people.
 struct ContractionOptions {
     double laplacian_weight = 0.4;       ///< w_L of the first iteration
     double laplacian_growth = 1.5;       ///< s_L: factor on w_L after each iteration (Au08: 2)
@@ -20,17 +21,27 @@ struct ContractionOptions {
     int iterations = 20;                 ///< stop after so many iterations at the latest
 };
 
+/// \throws Error usage when an option is out of its range.
+void validate(const ContractionOptions& options);
+
 /// A mesh contracted to a thin, curve-like one, and how far it got.
+template <typename Scalar = double>
 struct Contraction {
-    Points<double> vertices; ///< n x 3, one per vertex of the input mesh
+    Points<Scalar> vertices; ///< n x 3, one per vertex of the input mesh
     int iterations = 0;
-    double volume_ratio = 1; ///< enclosed volume reached, relative to the start's
-    bool converged = false;  ///< the volume fell below the bound, or stopped falling
+    Scalar volume_ratio = 1; ///< enclosed volume reached, relative to the start's
+    bool converged = false;  ///< the volume fell below the bound, or stopped falling; false too where there was none
 };
 
 /// Contracts a surface by implicit mean-curvature flow towards its medial axis. `mesh` must be manifold and well-shaped
-/// (see build_proxy), faces outwards. The system keeps its sparsity: analysed once, factorised once per iteration.
-/// \throws Error internal when a factorisation fails.
-[[nodiscard]] Contraction contract(const TriangleMesh<double>& mesh, const ContractionOptions& options = {});
+/// (see build_proxy), faces outwards; any unit. The system keeps its sparsity: analysed once, factorised once per
+/// iteration. O(iterations n^1.5), a factorisation of a surface's graph each. \throws Error internal when a system
+/// cannot be solved; usage when an option is out of its range.
+template <typename Scalar>
+[[nodiscard]] Contraction<Scalar> contract(const TriangleMesh<Scalar>& mesh, const ContractionOptions& options = {});
 
-} // namespace skelgen
+} // namespace skelgen::curve
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/curve/impl/contraction.hpp>
+#endif

@@ -3,10 +3,11 @@
 #include <vector>
 
 #include <skelgen/core/curve_skeleton.hpp>
+#include <skelgen/core/outcome.hpp>
 #include <skelgen/core/skeleton_template.hpp>
 #include <skelgen/embedding/spectral_matching.hpp>
 
-namespace skelgen {
+namespace skelgen::embedding {
 
 /// A piece of the template between two joints of its reduced graph, and the curve that it lies on.
 struct Chain {
@@ -24,13 +25,20 @@ struct Embedding {
 
 /// Embeds the template in a pruned curve skeleton (LF20 section 3.1): reduced graphs, spectral matching, merging of
 /// unmatched junctions into the matched neighbour with the most branches. Which of two like limbs is the left one is
-/// not known yet. \throws Error no_skeleton when a node of the reduced template finds no partner, or two of its joints
-/// that are neighbours no path between them.
-[[nodiscard]] Embedding embed(const CurveSkeleton<double>& curve, const SkeletonTemplate& skeleton_template,
-                              const MatchingOptions& options = {});
+/// not known yet. O(k^2 log k) for k nodes of the curve; the matching is cheap beside that. \returns failure no_match
+/// when the curve has too few ends and junctions for the reduced template, or is in several pieces. \throws Error usage
+/// when an option is out of its range.
+template <typename Scalar>
+[[nodiscard]] Outcome<Embedding> embed(const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template,
+                                       const MatchingOptions& options = {});
 
 /// How far the curve goes on beyond the chains, as a part of their total length: a person's arm is a sixth of it, and
 /// what fingers, hair and clothes add is less. O(k log k).
-[[nodiscard]] double unmatched_reach(const CurveSkeleton<double>& curve, const Embedding& embedding);
+template <typename Scalar>
+[[nodiscard]] Scalar unmatched_reach(const CurveSkeleton<Scalar>& curve, const Embedding& embedding);
 
-} // namespace skelgen
+} // namespace skelgen::embedding
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/embedding/impl/embed.hpp>
+#endif

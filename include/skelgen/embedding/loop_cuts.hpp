@@ -6,7 +6,7 @@
 #include <skelgen/core/skeleton_template.hpp>
 #include <skelgen/embedding/spectral_matching.hpp>
 
-namespace skelgen {
+namespace skelgen::embedding {
 
 /// Where a loop of a curve skeleton is to be opened: the surface of one list of curve nodes from that of the other.
 struct LoopCut {
@@ -16,11 +16,17 @@ struct LoopCut {
 
 /// Where the loops of a body that touches itself are to be opened, so that the template fits what remains best: a loop
 /// is cut in the middle of one of its branches (hands clasped), or where a branch comes out of what it touches (a hand
-/// on a thigh). Beam search over the cuts of one loop after the other by the distortion of the embedding. \returns as
-/// many cuts as the curve has independent cycles; none when it is a tree, when it has more than six of them (a scan's
-/// tunnels are no contacts), or when no set of cuts lets the template in.
-[[nodiscard]] std::vector<LoopCut> find_loop_cuts(const CurveSkeleton<double>& curve,
+/// on a thigh). Beam search over the cuts of one loop after the other by the distortion of the embedding, which takes
+/// some hundred embeddings a loop at most. \returns as many cuts as the connected curve has independent cycles; none
+/// when it is a tree, when it has more than six of them (a scan's tunnels are no contacts), or when no set of cuts lets
+/// the template in. \throws Error usage when an option is out of its range.
+template <typename Scalar>
+[[nodiscard]] std::vector<LoopCut> find_loop_cuts(const CurveSkeleton<Scalar>& curve,
                                                   const SkeletonTemplate& skeleton_template,
                                                   const MatchingOptions& options = {});
 
-} // namespace skelgen
+} // namespace skelgen::embedding
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/embedding/impl/loop_cuts.hpp>
+#endif

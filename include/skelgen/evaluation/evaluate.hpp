@@ -9,16 +9,9 @@
 #include <vector>
 
 #include <skelgen/core/mesh.hpp>
+#include <skelgen/io/truth_json.hpp>
 
-namespace skelgen {
-
-/// What is known about the body in one mesh, in the mesh's own coordinates.
-struct GroundTruth {
-    double scale = 1;                                            ///< largest geodesic distance: the unit of all errors
-    std::vector<std::pair<std::string, Vector3<double>>> joints; ///< where they are, in the file's order
-    std::map<std::string, Vector3<double>> markers;              ///< surface points that tell limbs and sides
-    bool not_a_body = false; ///< there is no skeleton to be found; all else is at its default
-};
+namespace skelgen::evaluation {
 
 /// Joint positions by joint name, as far as a skeleton file has them.
 using JointPositions = std::map<std::string, Vector3<double>>;
@@ -69,10 +62,6 @@ struct SetSummary {
 /// Names of the 21 joints of `human21`, in template order.
 [[nodiscard]] const std::vector<std::string>& evaluated_joints();
 
-/// Reads `scale`, `joints` and `markers` of a truth file, or that its `not_a_body` is true.
-/// \throws Error bad_input when it cannot be read or misses something.
-[[nodiscard]] GroundTruth read_ground_truth(const std::filesystem::path& path);
-
 /// Reads the joints of a skeleton file and nothing else of it: a result that breaks the file format elsewhere is still
 /// to be scored. Empty when there is no such file, or nothing to score in it.
 [[nodiscard]] JointPositions read_joint_positions(const std::filesystem::path& path);
@@ -80,7 +69,7 @@ struct SetSummary {
 /// Scores one skeleton. O(1).
 /// \throws Error bad_input when `truth` is of no body or lacks a marker, or names a joint that a complete `joints` does
 /// not have.
-[[nodiscard]] MeshScore score_joints(const GroundTruth& truth, const JointPositions& joints);
+[[nodiscard]] MeshScore score_joints(const io::GroundTruth& truth, const JointPositions& joints);
 
 /// The joints, of the 21, at which the mesh's winding number is below one half. O(joints * faces).
 [[nodiscard]] std::vector<std::string> joints_outside(const TriangleMesh<double>& mesh, const JointPositions& joints);
@@ -101,4 +90,9 @@ struct SetSummary {
 /// Sums up one set's scores. O(n log n) in the number of errors.
 [[nodiscard]] SetSummary summarise(const SetScore& set);
 
+} // namespace skelgen::evaluation
+
+namespace skelgen {
+using evaluation::evaluate_file;
+using evaluation::evaluate_folders;
 } // namespace skelgen

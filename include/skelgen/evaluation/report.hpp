@@ -5,7 +5,7 @@
 
 #include <skelgen/evaluation/evaluate.hpp>
 
-namespace skelgen {
+namespace skelgen::evaluation {
 
 /// One line on one mesh: "SET/NAME: solved, mean error 0.0123", or what is wrong with it.
 [[nodiscard]] std::string mesh_score_line(const std::string& set, const MeshScore& score);
@@ -22,4 +22,4 @@ namespace skelgen {
 /// statistics), and `per_mesh` if wanted.
 [[nodiscard]] std::string scores_to_json(const std::vector<SetScore>& sets, bool with_meshes = false);
 
-} // namespace skelgen
+} // namespace skelgen::evaluation

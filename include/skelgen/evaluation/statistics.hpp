@@ -2,7 +2,7 @@
 
 #include <span>
 
-namespace skelgen {
+namespace skelgen::evaluation {
 
 /// The sum by halves: its rounding error grows with log(n) instead of n. Same additions in the same order as NumPy's
 /// `sum`, so that figures can be compared with a script's to the last digit. O(n).
@@ -15,4 +15,4 @@ namespace skelgen {
 /// O(n log n). \throws Error usage when there are no values or `percent` is out of range.
 [[nodiscard]] double percentile(std::span<const double> values, double percent);
 
-} // namespace skelgen
+} // namespace skelgen::evaluation

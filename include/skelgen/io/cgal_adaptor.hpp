@@ -2,39 +2,32 @@
 
 // To and from CGAL::Surface_mesh. Only programs that use CGAL themselves include this header.
 
-#include <cstddef>
-#include <string>
-#include <vector>
-
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/number_utils.h>
 
-#include <skelgen/core/error.hpp>
 #include <skelgen/core/mesh.hpp>
+#include <skelgen/io/half_edge_mesh.hpp>
 #include <skelgen/io/polygon_mesh.hpp>
 
-namespace skelgen {
+namespace skelgen::io {
 
 /// The mesh of a CGAL::Surface_mesh over any kernel's Point_3. Vertices and faces keep their order; removed ones are
 /// left out and the indices close up. Polygons are cut as by `triangulate`. Linear.
 /// \throws Error bad_input as `triangulate`.
 template <typename Scalar = double, typename Point>
 [[nodiscard]] TriangleMesh<Scalar> to_triangle_mesh(const CGAL::Surface_mesh<Point>& mesh) {
-    PolygonMesh polygons;
-    std::vector<int> index(mesh.number_of_vertices() + mesh.number_of_removed_vertices(), -1);
-    int next = 0;
+    detail::PolygonCollector collector(mesh.number_of_vertices() + mesh.number_of_removed_vertices());
+    const auto index = [](auto vertex) { return static_cast<int>(vertex.idx()); };
     for (const auto vertex : mesh.vertices()) {
-        index[static_cast<std::size_t>(vertex.idx())] = next++;
         const Point& point = mesh.point(vertex);
-        for (int axis = 0; axis < 3; ++axis) polygons.coordinates.push_back(CGAL::to_double(point[axis]));
+        collector.add_vertex(index(vertex), CGAL::to_double(point[0]), CGAL::to_double(point[1]),
+                             CGAL::to_double(point[2]));
     }
     for (const auto face : mesh.faces()) {
-        const std::size_t first = polygons.corners.size();
-        for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face)))
-            polygons.corners.push_back(index[static_cast<std::size_t>(vertex.idx())]);
-        polygons.sizes.push_back(static_cast<int>(polygons.corners.size() - first));
+        for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face))) collector.add_corner(index(vertex));
+        collector.end_face();
     }
-    return triangulate<Scalar>(polygons);
+    return triangulate<Scalar>(collector.polygons());
 }
 
 /// A CGAL::Surface_mesh with the same vertex and face indices. Linear.
@@ -55,11 +48,13 @@ template <typename Point, typename Scalar>
     };
     for (Eigen::Index i = 0; i < mesh.faces.rows(); ++i)
         if (result.add_face(vertex(i, 0), vertex(i, 1), vertex(i, 2)) == Mesh::null_face())
-            throw Error(ErrorCode::bad_input,
-                        "face " + std::to_string(i) +
-                            " (counted from 0) does not fit into a half-edge mesh: the surface is "
-                            "not manifold or not consistently turned there; repair it");
+            detail::throw_no_half_edge_face(i);
     return result;
 }
 
+} // namespace skelgen::io
+
+namespace skelgen {
+using io::to_cgal;
+using io::to_triangle_mesh;
 } // namespace skelgen

@@ -6,7 +6,7 @@
 
 #include <skelgen/core/curve_skeleton.hpp>
 
-namespace skelgen {
+namespace skelgen::io {
 
 /// A curve skeleton as text, ready for a file or for standard output. Numbers are the shortest that read back the same.
 /// `radii` and `regions` may be empty. `Scalar` is float or double.
@@ -35,7 +35,8 @@ template <typename Scalar>
 
 /// Writes one of the above by the extension of `path`: .json, .obj, .ply or .swc. Whole or not at all (see
 /// `write_file_atomically`).
-/// \throws Error usage also when the extension is none of these or the file cannot be written.
+/// \throws Error usage also when the extension is none of these; as `write_file_atomically` when the file cannot be
+///         written.
 template <typename Scalar>
 void write_curve(const std::filesystem::path& path, const CurveSkeleton<Scalar>& curve);
 
@@ -48,4 +49,9 @@ template <typename Scalar = double>
 template <typename Scalar = double>
 [[nodiscard]] CurveSkeleton<Scalar> read_curve(const std::filesystem::path& path);
 
+} // namespace skelgen::io
+
+namespace skelgen {
+using io::read_curve;
+using io::write_curve;
 } // namespace skelgen

@@ -3,38 +3,33 @@
 // To and from OpenMesh. Only programs that use OpenMesh themselves include this header.
 
 #include <cstddef>
-#include <string>
-#include <vector>
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
-#include <skelgen/core/error.hpp>
 #include <skelgen/core/mesh.hpp>
+#include <skelgen/io/half_edge_mesh.hpp>
 #include <skelgen/io/polygon_mesh.hpp>
 
-namespace skelgen {
+namespace skelgen::io {
 
 /// The mesh of any OpenMesh TriMesh or PolyMesh with three-dimensional points. Vertices and faces keep their order;
 /// deleted ones are left out and the indices close up. Polygons are cut as by `triangulate`. Linear.
 /// \throws Error bad_input as `triangulate`.
 template <typename Scalar = double, typename Kernel>
 [[nodiscard]] TriangleMesh<Scalar> to_triangle_mesh(const OpenMesh::PolyMeshT<Kernel>& mesh) {
-    PolygonMesh polygons;
-    std::vector<int> index(mesh.n_vertices(), -1);
-    int next = 0;
+    detail::PolygonCollector collector(mesh.n_vertices());
     for (auto vertex = mesh.vertices_sbegin(); vertex != mesh.vertices_end(); ++vertex) {
-        index[static_cast<std::size_t>(vertex->idx())] = next++;
         const auto& point = mesh.point(*vertex);
-        for (unsigned axis = 0; axis < 3; ++axis) polygons.coordinates.push_back(static_cast<double>(point[axis]));
+        collector.add_vertex(vertex->idx(), static_cast<double>(point[0]), static_cast<double>(point[1]),
+                             static_cast<double>(point[2]));
     }
     for (auto face = mesh.faces_sbegin(); face != mesh.faces_end(); ++face) {
-        const std::size_t first = polygons.corners.size();
         for (auto vertex = mesh.cfv_ccwbegin(*face); vertex != mesh.cfv_ccwend(*face); ++vertex)
-            polygons.corners.push_back(index[static_cast<std::size_t>(vertex->idx())]);
-        polygons.sizes.push_back(static_cast<int>(polygons.corners.size() - first));
+            collector.add_corner(vertex->idx());
+        collector.end_face();
     }
-    return triangulate<Scalar>(polygons);
+    return triangulate<Scalar>(collector.polygons());
 }
 
 /// An OpenMesh mesh (`Mesh` is a TriMesh or PolyMesh type) with the same vertex and face indices. Linear.
@@ -56,13 +51,14 @@ template <typename Mesh, typename Scalar>
         const auto handle =
             result.add_face(OpenMesh::VertexHandle(mesh.faces(i, 0)), OpenMesh::VertexHandle(mesh.faces(i, 1)),
                             OpenMesh::VertexHandle(mesh.faces(i, 2)));
-        if (!handle.is_valid())
-            throw Error(ErrorCode::bad_input,
-                        "face " + std::to_string(i) +
-                            " (counted from 0) does not fit into a half-edge mesh: the surface is "
-                            "not manifold or not consistently turned there; repair it");
+        if (!handle.is_valid()) detail::throw_no_half_edge_face(i);
     }
     return result;
 }
 
+} // namespace skelgen::io
+
+namespace skelgen {
+using io::to_openmesh;
+using io::to_triangle_mesh;
 } // namespace skelgen

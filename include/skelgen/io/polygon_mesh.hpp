@@ -4,7 +4,7 @@
 
 #include <skelgen/core/mesh.hpp>
 
-namespace skelgen {
+namespace skelgen::io {
 
 /// Polygons as files hold them, before they become a TriangleMesh.
 struct PolygonMesh {
@@ -26,4 +26,4 @@ inline constexpr int max_face_corners = 10000;
 template <typename Scalar = double>
 [[nodiscard]] TriangleMesh<Scalar> triangulate(const PolygonMesh& polygons);
 
-} // namespace skelgen
+} // namespace skelgen::io

@@ -7,7 +7,7 @@
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/io/mesh_format.hpp>
 
-namespace skelgen {
+namespace skelgen::io {
 
 /// Reads a triangle mesh: OFF (text, Geomview's binary), OBJ, PLY (text, binary of either byte order) or STL (text,
 /// binary). What the file holds decides which it is; its extension only where that says nothing.
@@ -31,4 +31,8 @@ template <typename Scalar = double>
 [[nodiscard]] TriangleMesh<Scalar> parse_mesh(std::string_view content,
                                               std::optional<MeshFormat> extension = std::nullopt);
 
+} // namespace skelgen::io
+
+namespace skelgen {
+using io::read_mesh;
 } // namespace skelgen

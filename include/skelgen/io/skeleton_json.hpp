@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include <skelgen/core/kinematic_skeleton.hpp>
-#include <skelgen/extract.hpp>
+#include <skelgen/core/stage_timings.hpp>
 
-namespace skelgen {
+namespace skelgen::io {
 
 /// The mesh that a skeleton was found in, as far as the skeleton's file tells.
 struct SourceMesh {
@@ -40,7 +40,7 @@ template <typename Scalar>
                                            const SkeletonProvenance& provenance = {});
 
 /// Writes `skeleton_to_json` to a file, wholly or not at all.
-/// \throws Error as `skeleton_to_json`, and usage when the file cannot be written.
+/// \throws Error as `skeleton_to_json`, and as `write_file_atomically` when the file cannot be written.
 template <typename Scalar>
 void write_skeleton(const std::filesystem::path& path, const KinematicSkeleton<Scalar>& skeleton,
                     const SkeletonProvenance& provenance = {});
@@ -63,4 +63,10 @@ struct SkeletonDocument {
 /// \throws Error bad_input when it cannot be read or is no skeleton file.
 [[nodiscard]] KinematicSkeleton<double> read_skeleton(const std::filesystem::path& path);
 
+} // namespace skelgen::io
+
+namespace skelgen {
+using io::read_skeleton;
+using io::skeleton_to_json;
+using io::write_skeleton;
 } // namespace skelgen

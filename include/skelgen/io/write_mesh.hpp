@@ -6,7 +6,7 @@
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/io/mesh_format.hpp>
 
-namespace skelgen {
+namespace skelgen::io {
 
 /// The bytes of a file with this mesh: OFF and OBJ as text with the shortest numbers that read back the same, PLY
 /// binary little-endian with properties of type `Scalar`, STL binary. STL alone loses something: it has single
@@ -17,8 +17,14 @@ template <typename Scalar>
 
 /// Writes `mesh` in the format of the extension: .off, .obj, .ply or .stl. The file appears whole or not at all (see
 /// `write_file_atomically`).
-/// \throws Error usage when the extension is none of these, as `format_mesh`, or when the file cannot be written.
+/// \throws Error usage when the extension is none of these or as `format_mesh`; as `write_file_atomically` when the
+/// file
+///         cannot be written.
 template <typename Scalar>
 void write_mesh(const std::filesystem::path& path, const TriangleMesh<Scalar>& mesh);
 
+} // namespace skelgen::io
+
+namespace skelgen {
+using io::write_mesh;
 } // namespace skelgen

@@ -4,28 +4,35 @@
 
 #include <Eigen/Core>
 
-#include <skelgen/core/curve_graph.hpp>
-#include <skelgen/core/mesh.hpp>
+#include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/core/skeleton_template.hpp>
 #include <skelgen/embedding/embed.hpp>
+#include <skelgen/surface/body.hpp>
 
-namespace skelgen {
+namespace skelgen::refinement {
 
 /// Where a limb ends on the surface.
+template <typename Scalar = double>
 struct EndPoint {
-    int joint = -1;           ///< template joint that ends the limb
-    int vertex = -1;          ///< mesh vertex
-    Eigen::VectorXd distance; ///< per mesh vertex the geodesic distance to it
+    int joint = -1;                  ///< template joint that ends the limb
+    int vertex = -1;                 ///< mesh vertex
+    Eigen::VectorX<Scalar> distance; ///< per mesh vertex the geodesic distance to it; infinite where no path leads
 };
 
-/// The ends of all limbs: near the curve's leaves, the vertices farthest over the surface from the feet (for hands and
-/// head) or from the head (for feet). Defined by the surface alone, they do not depend on how the curve was found.
-/// `surface` as from surface_graph(mesh). O(limbs n log n).
-[[nodiscard]] std::vector<EndPoint> find_end_points(const TriangleMesh<double>& mesh, const CurveGraph<double>& surface,
-                                                    const CurveSkeleton<double>& curve, const Embedding& embedding,
-                                                    const SkeletonTemplate& skeleton_template);
+/// The ends of all limbs, in the order of the embedding's chains: near the curve's leaves, the vertices farthest over
+/// the surface from the feet (for hands and head) or from the head (for feet). Defined by the surface alone, they do
+/// not depend on how the curve was found. O(limbs n log n).
+template <typename Scalar>
+[[nodiscard]] std::vector<EndPoint<Scalar>>
+find_end_points(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve, const embedding::Embedding& embedding,
+                const SkeletonTemplate& skeleton_template);
 
-/// Largest geodesic distance between two ends: the geodesic diameter of a body.
-[[nodiscard]] double geodesic_diameter(const std::vector<EndPoint>& ends);
+/// Largest finite geodesic distance between two ends: the geodesic diameter of a body. O(ends^2).
+template <typename Scalar>
+[[nodiscard]] Scalar geodesic_diameter(const std::vector<EndPoint<Scalar>>& ends);
 
-} // namespace skelgen
+} // namespace skelgen::refinement
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/refinement/impl/end_points.hpp>
+#endif

@@ -3,9 +3,10 @@
 #include <optional>
 
 #include <skelgen/core/mesh.hpp>
+#include <skelgen/core/options.hpp>
 #include <skelgen/refinement/cross_section.hpp>
 
-namespace skelgen {
+namespace skelgen::refinement {
 
 /// Constants of the head's measurement (RB12).
 struct HeadOptions {
@@ -15,28 +16,43 @@ struct HeadOptions {
     double joint_back = 0.1; ///< how far behind the centroid the skull sits on the spine, in diameters
 };
 
+/// \throws Error usage when an option is out of its range.
+inline void validate(const HeadOptions& options) {
+    core::require_in_range("refinement.head.slice", options.slice, 0.002, 1.0);
+    core::require_in_range("refinement.head.throat", options.throat, 0.0, 1.0);
+    core::require_in_range("refinement.head.longest", options.longest, 0.0, 100.0);
+    core::require_in_range("refinement.head.joint_back", options.joint_back, -1.0, 1.0);
+}
+
 /// Size and orientation of a head by its slices.
+template <typename Scalar = double>
 struct HeadShape {
-    Vector3<double> up = Vector3<double>::Zero(); ///< unit, from the neck joint towards the middle of the head
-    Vector3<double> forward =
-        Vector3<double>::Zero(); ///< unit, along the head's longer diameter, to the side of the face
-    Vector3<double> centroid = Vector3<double>::Zero(); ///< mean of the slices' centres weighted by perimeter
-    Vector3<double> joint =
-        Vector3<double>::Zero(); ///< of the skull on the spine: at the nose's height, behind the centroid
-    std::optional<Vector3<double>>
+    Vector3<Scalar> up = Vector3<Scalar>::Zero(); ///< unit, from the neck joint towards the middle of the head
+    Vector3<Scalar> forward =
+        Vector3<Scalar>::Zero(); ///< unit, along the head's longer diameter, to the side of the face
+    Vector3<Scalar> centroid = Vector3<Scalar>::Zero(); ///< mean of the slices' centres weighted by perimeter
+    Vector3<Scalar> joint =
+        Vector3<Scalar>::Zero(); ///< of the skull on the spine: at the nose's height, behind the centroid
+    std::optional<Vector3<Scalar>>
         throat; ///< centre of the neck's thinnest section; none where it is not clearly thinner than what is around it
-    double length = 0;  ///< front to back
-    double breadth = 0; ///< side to side
-    double size =
+    Scalar length = 0;  ///< front to back
+    Scalar breadth = 0; ///< side to side
+    Scalar size =
         1; ///< of the head relative to an adult's, whose neck joint were at `neck`; the smaller of two measures
-    double frontness = 0; ///< how clearly the head faces `forward`: 0 not at all
+    Scalar frontness = 0; ///< how clearly the head faces `forward`: 0 not at all
 };
 
 /// Cuts the head into slices across the line from `neck` to the middle of the head, from `top` down to the throat,
-/// where the slices' diameter has shrunk or their longer axis turns, and measures them (Rau & Brunnett 2012). None when
-/// there are fewer than five slices, when they are round, so that there is no front to see, or longer than a head's.
-/// O(slices (n + m)).
-[[nodiscard]] std::optional<HeadShape> measure_head(const Slicer& slicer, const Vector3<double>& top,
-                                                    const Vector3<double>& neck, const HeadOptions& options = {});
+/// where the slices' diameter has shrunk or their longer axis turns, and measures them (RB12). None when there are
+/// fewer than five slices, when they are round, so that there is no front to see, or longer than a head's. O(slices (n
+/// + m)).
+template <typename Scalar>
+[[nodiscard]] std::optional<HeadShape<Scalar>> measure_head(const Slicer<Scalar>& slicer, const Vector3<Scalar>& top,
+                                                            const Vector3<Scalar>& neck,
+                                                            const HeadOptions& options = {});
 
-} // namespace skelgen
+} // namespace skelgen::refinement
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/refinement/impl/head.hpp>
+#endif

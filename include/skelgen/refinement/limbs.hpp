@@ -1,37 +1,77 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
+#include <skelgen/core/polyline.hpp>
 #include <skelgen/core/skeleton_template.hpp>
 #include <skelgen/refinement/centreline.hpp>
+#include <skelgen/refinement/cross_section.hpp>
 #include <skelgen/refinement/end_points.hpp>
 
-namespace skelgen {
+namespace skelgen::refinement {
 
 /// One chain of the template that ends at a tip (an arm, a leg, the head), and the centreline it lies on.
+template <typename Scalar = double>
 struct Limb {
     std::vector<int> joints; ///< template joints after the branching one, outwards; the last one ends the limb
-    Centreline line;         ///< from the branching node to the tip on the surface
-    std::vector<double>
+    Centreline<Scalar> line; ///< from the branching node to the tip on the surface
+    std::vector<Scalar>
         from_tip; ///< per joint its rest-pose distance from the tip along the template, scaled to this body
-    std::optional<double> top_by_trunk; ///< distance of the first joint from the tip as the trunk's shape tells it
-    double top_deviation = 0;           ///< standard deviation of that
-    double attachment =
+    std::optional<Scalar> top_by_trunk; ///< distance of the first joint from the tip as the trunk's shape tells it
+    Scalar top_deviation = 0;           ///< standard deviation of that
+    Scalar attachment =
         0; ///< arc length on `line` where the limb leaves the trunk: nearer the start sections are not its own
 };
 
-/// Rest-pose length to body length, from the geodesic diameter of the body (all in the body's unit).
-[[nodiscard]] double template_scale(const SkeletonTemplate& skeleton_template, double geodesic_diameter);
+/// Where the limb ends on the surface.
+template <typename Scalar>
+[[nodiscard]] Vector3<Scalar> tip_of(const Limb<Scalar>& limb) {
+    return limb.line.points.template bottomRows<1>().transpose();
+}
 
-/// Sets the limb's centreline and attachment from its end and `from_tip`: through the centres of the rings at equal
+/// Arc length on the limb's centreline at its joint number `i`.
+template <typename Scalar>
+[[nodiscard]] Scalar arc_of(const Limb<Scalar>& limb, std::size_t i) {
+    return limb.line.arc[limb.line.arc.size() - 1] - limb.from_tip[i];
+}
+
+/// The centreline's point at that arc length, clamped to its ends. O(log k).
+template <typename Scalar>
+[[nodiscard]] Vector3<Scalar> point_on(const Limb<Scalar>& limb, Scalar arc) {
+    return core::point_at(limb.line.points, limb.line.arc, arc);
+}
+
+/// Index in the limb of its first joint of that role; none when it has none.
+template <typename Scalar>
+[[nodiscard]] std::optional<std::size_t> find_in_limb(const Limb<Scalar>& limb,
+                                                      const SkeletonTemplate& skeleton_template, JointRole role) {
+    for (std::size_t i = 0; i < limb.joints.size(); ++i)
+        if (skeleton_template.joint(limb.joints[i]).role == role) return i;
+    return std::nullopt;
+}
+
+/// Rest-pose length to body length, from the geodesic diameter of the body (in the body's unit; the template's may be
+/// any).
+template <typename Scalar>
+[[nodiscard]] Scalar template_scale(const SkeletonTemplate& skeleton_template, Scalar geodesic_diameter);
+
+/// The limb with its centreline and attachment, from its end and `from_tip`: through the centres of the rings at equal
 /// geodesic distance from the end, which follow any bend and never stray to another part of the body, then recentred by
-/// perpendicular sections.
-void draw_limb(Limb& limb, const Slicer& slicer, const EndPoint& end, const CentrelineOptions& options = {});
+/// perpendicular sections. O(length / step (n + m)).
+template <typename Scalar>
+[[nodiscard]] Limb<Scalar> draw_limb(Limb<Scalar> limb, const Slicer<Scalar>& slicer, const EndPoint<Scalar>& end,
+                                     const CentrelineOptions& options = {});
 
 /// All limbs of an embedded template, in the order of their ends, their joints at the template's distances.
-[[nodiscard]] std::vector<Limb> trace_limbs(const Slicer& slicer, const std::vector<EndPoint>& ends,
-                                            const SkeletonTemplate& skeleton_template, double scale,
-                                            const CentrelineOptions& options = {});
+template <typename Scalar>
+[[nodiscard]] std::vector<Limb<Scalar>>
+trace_limbs(const Slicer<Scalar>& slicer, const std::vector<EndPoint<Scalar>>& ends,
+            const SkeletonTemplate& skeleton_template, Scalar scale, const CentrelineOptions& options = {});
 
-} // namespace skelgen
+} // namespace skelgen::refinement
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/refinement/impl/limbs.hpp>
+#endif

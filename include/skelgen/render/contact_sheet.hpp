@@ -5,7 +5,7 @@
 
 #include <skelgen/render/image.hpp>
 
-namespace skelgen {
+namespace skelgen::render {
 
 /// How many columns show `cells` pictures of that size most nearly as a square; at least 1.
 [[nodiscard]] int sheet_columns(int cells, int cell_width, int cell_height);
@@ -19,4 +19,4 @@ namespace skelgen {
 [[nodiscard]] std::string svg_contact_sheet(const std::vector<std::string>& cells, int columns, int cell_width,
                                             int cell_height);
 
-} // namespace skelgen
+} // namespace skelgen::render

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace skelgen {
+namespace skelgen::render {
 
 /// One pixel: red, green, blue, opacity, each 0 to 255; the colours are not multiplied by the opacity.
 using Pixel = std::array<std::uint8_t, 4>;
@@ -30,4 +30,4 @@ private:
     }
 };
 
-} // namespace skelgen
+} // namespace skelgen::render

@@ -7,7 +7,7 @@
 #include <skelgen/render/scene.hpp>
 #include <skelgen/render/view.hpp>
 
-namespace skelgen {
+namespace skelgen::render {
 
 enum class Background { white, transparent };
 
@@ -33,4 +33,4 @@ struct RenderOptions {
 /// \throws Error as `render_scene`.
 [[nodiscard]] std::string render_svg(const Scene& scene, const RenderOptions& options = {});
 
-} // namespace skelgen
+} // namespace skelgen::render

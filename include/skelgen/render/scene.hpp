@@ -8,7 +8,7 @@
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
 
-namespace skelgen {
+namespace skelgen::render {
 
 /// A point worth pointing at, such as a reference joint: drawn as a small red cross on top of everything.
 struct Mark {
@@ -27,4 +27,4 @@ struct Scene {
     std::string failure; ///< why something is missing: below the caption in red, and a red frame around the picture
 };
 
-} // namespace skelgen
+} // namespace skelgen::render

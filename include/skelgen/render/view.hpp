@@ -6,7 +6,7 @@
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/render/scene.hpp>
 
-namespace skelgen {
+namespace skelgen::render {
 
 /// Directions relative to the body: `side` is from the person's own left, `top` from above the head.
 enum class NamedView { front, back, side, top, three_quarter };
@@ -30,4 +30,4 @@ struct Camera {
 /// O(vertices).
 [[nodiscard]] Camera look_at(const Scene& scene, const View& view);
 
-} // namespace skelgen
+} // namespace skelgen::render

@@ -12,7 +12,7 @@
 #include <skelgen/synth/scan_faults.hpp>
 #include <skelgen/synth/shape.hpp>
 
-namespace skelgen {
+namespace skelgen::synth {
 
 /// What is known about a synthetic body by construction, in the coordinates of its mesh.
 struct BodyTruth {
@@ -70,4 +70,4 @@ struct BodyPlan {
 /// \param mesh_file what to write into "mesh"
 [[nodiscard]] std::string truth_to_json(const BodyTruth& truth, const std::string& mesh_file);
 
-} // namespace skelgen
+} // namespace skelgen::synth

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace skelgen {
+namespace skelgen::synth {
 
 /// What a synthetic body can wear or carry.
 enum class Garment {
@@ -23,4 +23,4 @@ enum class Garment {
 /// \throws Error usage naming the known garments.
 [[nodiscard]] Garment named_garment(std::string_view name);
 
-} // namespace skelgen
+} // namespace skelgen::synth

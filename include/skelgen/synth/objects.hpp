@@ -6,7 +6,7 @@
 
 #include <skelgen/core/mesh.hpp>
 
-namespace skelgen {
+namespace skelgen::synth {
 
 /// The things that `synthesize_object` knows, none of them one human body: a dog, furniture, single parts of a body,
 /// two people, a sphere, a torus.
@@ -21,4 +21,4 @@ namespace skelgen {
 /// \param mesh_file what to write into "mesh"
 [[nodiscard]] std::string object_truth_to_json(const std::string& mesh_file);
 
-} // namespace skelgen
+} // namespace skelgen::synth

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace skelgen {
+namespace skelgen::synth {
 
 /// The joints of `human21` in its order: parents before children.
 enum class BodyJoint {
@@ -90,4 +90,4 @@ void check_pose(const BodyPose& pose);
 /// \throws Error bad_input when it is no such JSON, usage as `check_pose`.
 [[nodiscard]] BodyPose parse_pose(std::string_view json);
 
-} // namespace skelgen
+} // namespace skelgen::synth

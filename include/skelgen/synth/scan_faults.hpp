@@ -4,7 +4,7 @@
 
 #include <skelgen/core/mesh.hpp>
 
-namespace skelgen {
+namespace skelgen::synth {
 
 /// What a scanner does to a body. Lengths in metres.
 struct ScanFaults {
@@ -25,4 +25,4 @@ struct ScanFaults {
 /// overlap. O(faces * faults).
 [[nodiscard]] TriangleMesh<double> with_scan_faults(const TriangleMesh<double>& mesh, const ScanFaults& faults);
 
-} // namespace skelgen
+} // namespace skelgen::synth

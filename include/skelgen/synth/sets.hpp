@@ -7,7 +7,7 @@
 
 #include <skelgen/synth/body.hpp>
 
-namespace skelgen {
+namespace skelgen::synth {
 
 /// The sets that `body_set` knows: scape (one person, 71 poses), faust (10 people, 10 poses), proportions (children,
 /// very heavy, long and short limbs), partial (feet, hands or an arm missing), joined (arms, hands and thighs grown
@@ -19,4 +19,4 @@ namespace skelgen {
 /// \throws Error usage naming the known sets.
 [[nodiscard]] std::vector<BodyPlan> body_set(std::string_view name, std::uint64_t seed);
 
-} // namespace skelgen
+} // namespace skelgen::synth

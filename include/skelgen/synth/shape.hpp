@@ -1,6 +1,6 @@
 #pragma once
 
-namespace skelgen {
+namespace skelgen::synth {
 
 /// Who a synthetic body is. Every field has a range that `check_shape` states when it is left.
 struct BodyShape {
@@ -24,4 +24,4 @@ void check_shape(const BodyShape& shape);
 /// \throws Error usage as `check_shape`.
 [[nodiscard]] BodyShape complete_shape(const BodyShape& shape);
 
-} // namespace skelgen
+} // namespace skelgen::synth

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <skelgen/anatomy/inside.hpp>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/geometry.hpp>
+
+namespace skelgen::anatomy {
+namespace detail {
+
+template <typename Scalar>
+bool is_inside(const Body<Scalar>& body, const Vector3<Scalar>& p) {
+    return core::winding_number(body.mesh, p) > Scalar(0.5);
+}
+
+/// The place inside nearest to `start`, in steps of the way from there to `goal`; one step farther where that is
+/// inside, too, not to lie on the surface itself.
+template <typename Scalar>
+Vector3<Scalar> first_place_inside(const Body<Scalar>& body, const Vector3<Scalar>& start,
+                                   const Vector3<Scalar>& goal) {
+    constexpr int steps = 20; // each a few millimetres where the surface is a limb's
+    const Vector3<Scalar> way = goal - start;
+    const auto place = [&](int step) -> Vector3<Scalar> {
+        return start + static_cast<Scalar>(std::min(step, steps)) / Scalar(steps) * way;
+    };
+    int step = 1;
+    while (step < steps && !is_inside(body, place(step))) ++step;
+    return is_inside(body, place(step + 1)) ? place(step + 1) : place(step);
+}
+
+} // namespace detail
+
+template <typename Scalar>
+Outcome<MovedInside<Scalar>> move_inside(KinematicSkeleton<Scalar> skeleton, const Body<Scalar>& body,
+                                         const CurveSkeleton<Scalar>& curve) {
+    constexpr std::size_t one_in = 6; // calibrated: all real bodies pass, and all synthetic ones that stand free
+    MovedInside<Scalar> out{std::move(skeleton), {}};
+    std::vector<Joint<Scalar>>& joints = out.skeleton.joints;
+    for (std::size_t j = 0; j < joints.size(); ++j)
+        if (!detail::is_inside(body, joints[j].position)) out.moved.push_back(static_cast<int>(j));
+    if (one_in * out.moved.size() > joints.size())
+        return Failure{FailureReason::no_match, "no human body: " + std::to_string(out.moved.size()) +
+                                                    " joints of its skeleton would lie outside of it"};
+    for (const int j : out.moved) {
+        Joint<Scalar>& joint = joints[static_cast<std::size_t>(j)];
+        const Vector3<Scalar> nearest = curve.nodes.row(core::nearest_node(curve, joint.position));
+        joint.position = detail::first_place_inside(body, joint.position, nearest);
+        out.skeleton.quality.warnings.push_back("joint " + joint.name +
+                                                " was outside the surface and has been moved in");
+    }
+    return out;
+}
+
+} // namespace skelgen::anatomy

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <skelgen/anatomy/joint_offsets.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace skelgen::anatomy {
+namespace detail {
+
+/// Calibrated, see apply_joint_offsets(); as parts of the thigh, the upper arm and the bone from chest to neck.
+struct JointOffsets {
+    double knee_forward = 0.034, knee_outward = 0.021, straight_knee_up = 0.0125, bent_knee_down = 0.04;
+    double hip_outwards = 0.02;
+    double shoulder_forward = 0.035, shoulder_outwards = 0.035;
+    double neck_backward = 0.065;
+};
+
+/// Moves the joints of one skeleton.
+template <typename Scalar>
+class JointMover {
+public:
+    JointMover(KinematicSkeleton<Scalar> skeleton, const SkeletonTemplate& skeleton_template)
+        : skeleton_(std::move(skeleton)), template_(skeleton_template) {}
+
+    /// The front of a knee is where the foot points; the more it is bent, the less flesh there is to one side only, and
+    /// the farther the fold of the skin lies towards the hip from the joint.
+    void move_knee(Side side) {
+        using enum JointRole;
+        Vector3<Scalar>* const knee_at = find(knee, side);
+        const Vector3<Scalar>*const hip_at = find(hip, side), *const ankle_at = find(ankle, side),
+                                    *const foot_at = find(foot, side);
+        if (!knee_at || !hip_at || !ankle_at || !foot_at) return;
+        const Vector3<Scalar> thigh = (*hip_at - *knee_at).normalized(), calf = (*knee_at - *ankle_at).normalized();
+        const Vector3<Scalar> up = (thigh + calf).normalized();
+        const Vector3<Scalar> to_toes = *foot_at - *ankle_at;
+        const Vector3<Scalar> forward = (to_toes - to_toes.dot(up) * up).normalized(), left = up.cross(forward);
+        if (!forward.allFinite() || !left.allFinite()) return;
+        const Scalar length = (*hip_at - *knee_at).norm(), straight = std::max(Scalar(0), thigh.dot(calf));
+        const Scalar leftward = side == Side::left ? part(offsets_.knee_outward) : -part(offsets_.knee_outward);
+        *knee_at +=
+            length *
+            (straight * (part(offsets_.knee_forward) * forward + leftward * left) +
+             (straight * part(offsets_.straight_knee_up) - (1 - straight) * part(offsets_.bent_knee_down)) * up);
+    }
+
+    /// A hip is a little farther down its thigh than the thigh's line goes on to.
+    void move_hip(Side side) {
+        using enum JointRole;
+        Vector3<Scalar>* const hip_at = find(hip, side);
+        const Vector3<Scalar>* const knee_at = find(knee, side);
+        if (hip_at && knee_at) *hip_at += part(offsets_.hip_outwards) * (*knee_at - *hip_at);
+    }
+
+    /// The back of a neck and the front of the shoulders, by where shoulders, trunk and neck face.
+    void move_shoulder_girdle() {
+        using enum JointRole;
+        Vector3<Scalar>*const neck_at = find(neck), *const left_at = find(shoulder, Side::left),
+                              *const right_at = find(shoulder, Side::right);
+        const Vector3<Scalar>* const chest_at = find(chest);
+        if (!neck_at || !chest_at || !left_at || !right_at) return;
+        const Vector3<Scalar> up = *neck_at - *chest_at;
+        const Vector3<Scalar> forward = (*left_at - *right_at).cross(up).normalized();
+        if (!forward.allFinite()) return;
+        *neck_at -= part(offsets_.neck_backward) * up.norm() * forward;
+        move_shoulder(*left_at, find(elbow, Side::left), forward);
+        move_shoulder(*right_at, find(elbow, Side::right), forward);
+    }
+
+    [[nodiscard]] KinematicSkeleton<Scalar> result() && { return std::move(skeleton_); }
+
+private:
+    static Scalar part(double offset) { return static_cast<Scalar>(offset); }
+
+    void move_shoulder(Vector3<Scalar>& shoulder_at, const Vector3<Scalar>* elbow_at, const Vector3<Scalar>& forward) {
+        if (!elbow_at) return;
+        const Vector3<Scalar> arm = *elbow_at - shoulder_at;
+        shoulder_at += part(offsets_.shoulder_outwards) * arm + part(offsets_.shoulder_forward) * arm.norm() * forward;
+    }
+
+    /// None where the template has no such joint.
+    [[nodiscard]] Vector3<Scalar>* find(JointRole role, Side side = Side::none) {
+        const int j = find_joint(template_, role, side);
+        return j < 0 ? nullptr : &skeleton_.joints[static_cast<std::size_t>(j)].position;
+    }
+
+    static constexpr JointOffsets offsets_{};
+    KinematicSkeleton<Scalar> skeleton_;
+    const SkeletonTemplate& template_;
+};
+
+} // namespace detail
+
+template <typename Scalar>
+KinematicSkeleton<Scalar> apply_joint_offsets(KinematicSkeleton<Scalar> skeleton,
+                                              const SkeletonTemplate& skeleton_template) {
+    detail::JointMover<Scalar> joints(std::move(skeleton), skeleton_template);
+    for (const Side side : {Side::left, Side::right}) {
+        joints.move_knee(side);
+        joints.move_hip(side);
+    }
+    joints.move_shoulder_girdle();
+    return std::move(joints).result();
+}
+
+} // namespace skelgen::anatomy

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <skelgen/anatomy/radii.hpp>
+
+#include <algorithm>
+
+#include <skelgen/refinement/cross_section.hpp>
+
+namespace skelgen::anatomy {
+
+template <typename Scalar>
+KinematicSkeleton<Scalar> measure_radii(KinematicSkeleton<Scalar> skeleton, const Body<Scalar>& body) {
+    const refinement::Slicer<Scalar> slicer(body.mesh, body.adjacency);
+    for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+        Joint<Scalar>& joint = skeleton.joints[j];
+        auto other = static_cast<std::size_t>(std::max(joint.parent, 0));
+        if (joint.parent < 0)
+            while (other + 1 < skeleton.joints.size() && skeleton.joints[other].parent != static_cast<int>(j)) ++other;
+        const Vector3<Scalar> bone = joint.position - skeleton.joints[other].position;
+        if (!(bone.norm() > 0)) continue;
+        if (const auto section = slicer.around(joint.position, bone.normalized(), Scalar(0.5) * bone.norm()))
+            joint.radius = section->thickness;
+    }
+    return skeleton;
+}
+
+} // namespace skelgen::anatomy

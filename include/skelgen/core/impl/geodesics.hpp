@@ -1,0 +1,69 @@
+#pragma once
+
+#include <skelgen/core/geodesics.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace skelgen::core {
+namespace detail {
+
+/// Distance between the far corners c and d of two faces that share the edge a b, unfolded into one plane; infinite
+/// when the straight line between them would leave the two faces.
+template <typename Scalar>
+Scalar unfolded_distance(const Vector3<Scalar>& a, const Vector3<Scalar>& b, const Vector3<Scalar>& c,
+                         const Vector3<Scalar>& d) {
+    const Vector3<Scalar> axis = (b - a).normalized();
+    const Scalar cx = (c - a).dot(axis), dx = (d - a).dot(axis);
+    const Scalar cy = ((c - a) - cx * axis).norm(), dy = ((d - a) - dx * axis).norm();
+    const Scalar crossing = cy + dy > 0 ? cx + (dx - cx) * cy / (cy + dy) : cx;
+    if (crossing < 0 || crossing > (b - a).norm()) return std::numeric_limits<Scalar>::infinity();
+    return std::hypot(dx - cx, cy + dy);
+}
+
+} // namespace detail
+
+template <typename Scalar>
+CurveGraph<Scalar> surface_graph(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency) {
+    CurveGraph<Scalar> graph;
+    graph.neighbours.resize(static_cast<std::size_t>(mesh.vertices.rows()));
+    const auto point = [&](int v) { return Vector3<Scalar>(mesh.vertices.row(v)); };
+    const auto link = [&](int u, int v, Scalar length) {
+        graph.neighbours[static_cast<std::size_t>(u)].emplace_back(v, length);
+        graph.neighbours[static_cast<std::size_t>(v)].emplace_back(u, length);
+    };
+    for (int f = 0; f < mesh.faces.rows(); ++f)
+        for (int k = 0; k < 3; ++k) {
+            const int a = mesh.faces(f, k), b = mesh.faces(f, (k + 1) % 3), g = adjacency(f, k);
+            if (g >= 0 && g < f) continue; // once per edge
+            link(a, b, (point(a) - point(b)).norm());
+            if (g < 0) continue;
+            const int c = mesh.faces(f, (k + 2) % 3);
+            int d = mesh.faces(g, 0);
+            for (int corner = 1; corner < 3; ++corner)
+                if (d == a || d == b) d = mesh.faces(g, corner);
+            const Scalar across = detail::unfolded_distance<Scalar>(point(a), point(b), point(c), point(d));
+            if (std::isfinite(across)) link(c, d, across);
+        }
+    return graph;
+}
+
+template <typename Scalar>
+Scalar geodesic_diameter(const CurveGraph<Scalar>& surface) {
+    constexpr int sweeps = 4; // from any vertex to the end farthest from it, to the end farthest from that one, ...
+    Scalar diameter = 0;
+    int source = 0;
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        std::vector<Scalar> distance = shortest_paths(surface, source).distance;
+        for (Scalar& d : distance)
+            if (!std::isfinite(d)) d = -1;
+        const auto farthest = std::max_element(distance.begin(), distance.end());
+        diameter = std::max(diameter, *farthest);
+        source = static_cast<int>(std::distance(distance.begin(), farthest));
+    }
+    return diameter;
+}
+
+} // namespace skelgen::core

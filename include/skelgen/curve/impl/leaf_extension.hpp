@@ -1,0 +1,91 @@
+#pragma once
+
+#include <skelgen/curve/leaf_extension.hpp>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/header_only.hpp>
+#include <skelgen/core/options.hpp>
+
+namespace skelgen::curve {
+namespace detail {
+
+/// The largest subset of `vertices` (ascending) that hangs together on the surface.
+template <typename Scalar>
+std::vector<int> largest_connected_part(const core::CurveGraph<Scalar>& surface, const std::vector<int>& vertices) {
+    std::vector<int> largest;
+    std::vector<bool> seen(vertices.size(), false);
+    const auto place = [&](int v) { return std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin(); };
+    for (std::size_t start = 0; start < vertices.size(); ++start) {
+        if (seen[start]) continue;
+        seen[start] = true;
+        std::vector<int> part{vertices[start]};
+        for (std::size_t i = 0; i < part.size(); ++i)
+            for (const auto& [w, length] : surface.neighbours[static_cast<std::size_t>(part[i])]) {
+                const auto k = static_cast<std::size_t>(place(w));
+                if (k >= vertices.size() || vertices[k] != w || seen[k]) continue;
+                seen[k] = true;
+                part.push_back(w);
+            }
+        if (part.size() > largest.size()) largest = std::move(part);
+    }
+    return largest;
+}
+
+/// The first node on the way back from `leaf` that is at least `reach` away along the curve, or else the one where its
+/// branch ends.
+template <typename Scalar>
+int anchor_node(const CurveSkeleton<Scalar>& curve, const core::CurveGraph<Scalar>& graph, int leaf, Scalar reach) {
+    const int neighbour = graph.neighbours[static_cast<std::size_t>(leaf)].front().first;
+    int anchor = leaf;
+    Scalar walked = 0;
+    for (const int node : core::branch(graph, leaf, neighbour)) {
+        if (walked >= reach) break;
+        walked += (curve.nodes.row(node) - curve.nodes.row(anchor)).norm();
+        anchor = node;
+    }
+    return anchor;
+}
+
+} // namespace detail
+
+SKELGEN_INLINE void validate(const LeafExtensionOptions& options) {
+    core::require_in_range("leaves.anchor", options.anchor, 0.0, 1.0);
+}
+
+template <typename Scalar>
+CurveSkeleton<Scalar> extend_leaves(const CurveSkeleton<Scalar>& curve, const Body<Scalar>& body,
+                                    const LeafExtensionOptions& options) {
+    validate(options);
+    const core::CurveGraph<Scalar> graph = core::curve_graph(curve);
+    const Scalar reach = static_cast<Scalar>(options.anchor) * core::curve_diameter(graph);
+    CurveSkeleton<Scalar> out = curve;
+    for (int leaf = 0; leaf < graph.size(); ++leaf) {
+        if (graph.degree(leaf) != 1) continue;
+        const int anchor = detail::anchor_node(curve, graph, leaf, reach);
+        auto& region = out.regions[static_cast<std::size_t>(leaf)];
+        int tip = -1;
+        Scalar farthest = (curve.nodes.row(leaf) - curve.nodes.row(anchor)).norm();
+        for (const int v : detail::largest_connected_part(body.graph, region)) {
+            const Scalar distance = (body.mesh.vertices.row(v) - curve.nodes.row(anchor)).norm();
+            if (distance > farthest) {
+                farthest = distance;
+                tip = v;
+            }
+        }
+        if (tip < 0) continue;
+        const auto added = static_cast<int>(out.nodes.rows());
+        out.nodes.conservativeResize(added + 1, 3);
+        out.nodes.row(added) = body.mesh.vertices.row(tip);
+        out.edges.push_back({leaf, added});
+        std::erase(region, tip);
+        out.regions.push_back({tip});
+        if (!out.radii.empty()) out.radii.push_back(Scalar(0));
+    }
+    return out;
+}
+
+} // namespace skelgen::curve

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <skelgen/curve/pruning.hpp>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/header_only.hpp>
+#include <skelgen/core/options.hpp>
+
+namespace skelgen::curve {
+namespace detail {
+
+/// Without the nodes of `branch` but its last, which inherits their regions.
+template <typename Scalar>
+CurveSkeleton<Scalar> without_branch(CurveSkeleton<Scalar> curve, const std::vector<int>& branch) {
+    std::vector<int> index(curve.regions.size(), 0);
+    auto& heir = curve.regions[static_cast<std::size_t>(branch.back())];
+    for (std::size_t i = 0; i + 1 < branch.size(); ++i) {
+        index[static_cast<std::size_t>(branch[i])] = -1;
+        const auto& region = curve.regions[static_cast<std::size_t>(branch[i])];
+        heir.insert(heir.end(), region.begin(), region.end());
+    }
+    std::sort(heir.begin(), heir.end());
+
+    int kept = 0;
+    for (std::size_t v = 0; v < index.size(); ++v) {
+        if (index[v] < 0) continue;
+        index[v] = kept;
+        const auto k = static_cast<std::size_t>(kept);
+        if (k != v) {
+            curve.nodes.row(kept) = curve.nodes.row(static_cast<Eigen::Index>(v)).eval();
+            curve.regions[k] = std::move(curve.regions[v]);
+            if (!curve.radii.empty()) curve.radii[k] = curve.radii[v];
+        }
+        ++kept;
+    }
+    curve.nodes.conservativeResize(kept, 3);
+    curve.regions.resize(static_cast<std::size_t>(kept));
+    if (!curve.radii.empty()) curve.radii.resize(static_cast<std::size_t>(kept));
+
+    std::vector<std::array<int, 2>> edges;
+    for (const auto& [a, b] : curve.edges)
+        if (index[static_cast<std::size_t>(a)] >= 0 && index[static_cast<std::size_t>(b)] >= 0)
+            edges.push_back({index[static_cast<std::size_t>(a)], index[static_cast<std::size_t>(b)]});
+    curve.edges = std::move(edges);
+    return curve;
+}
+
+/// Cuts the shortest leaf branch again and again until none is shorter than `length`. Shortest first, because a branch
+/// that loses its neighbour grows into the rest of the curve: of five fingers one goes on as the hand.
+template <typename Scalar>
+CurveSkeleton<Scalar> cut_short_branches(CurveSkeleton<Scalar> curve, Scalar length) {
+    while (true) {
+        const core::CurveGraph<Scalar> graph = core::curve_graph(curve);
+        std::vector<int> shortest;
+        Scalar shortest_length = length;
+        for (int v = 0; v < graph.size(); ++v) {
+            if (graph.degree(v) != 1) continue;
+            std::vector<int> branch = core::branch(graph, v, graph.neighbours[static_cast<std::size_t>(v)][0].first);
+            const Scalar branch_length = core::path_length(curve, branch);
+            if (graph.degree(branch.back()) < 3 || !(branch_length < shortest_length)) continue;
+            shortest = std::move(branch);
+            shortest_length = branch_length;
+        }
+        if (shortest.empty()) return curve;
+        curve = without_branch(std::move(curve), shortest);
+    }
+}
+
+} // namespace detail
+
+SKELGEN_INLINE void validate(const PruningOptions& options) {
+    core::require_in_range("pruning.spur", options.spur, 0.0, 1.0);
+    core::require_in_range("pruning.branch", options.branch, 0.0, 1.0);
+}
+
+template <typename Scalar>
+CurveSkeleton<Scalar> prune(const CurveSkeleton<Scalar>& curve, const PruningOptions& options) {
+    validate(options);
+    const Scalar unit = core::curve_diameter(core::curve_graph(curve));
+    CurveSkeleton<Scalar> out = detail::cut_short_branches(curve, static_cast<Scalar>(options.spur) * unit);
+    return detail::cut_short_branches(std::move(out), static_cast<Scalar>(options.branch) * unit);
+}
+
+} // namespace skelgen::curve

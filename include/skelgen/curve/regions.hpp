@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include <skelgen/core/curve_skeleton.hpp>
+#include <skelgen/curve/proxy.hpp>
+#include <skelgen/surface/body.hpp>
+
+namespace skelgen::curve {
+
+/// The inverse of the regions: per vertex of a mesh of so many the node that it belongs to, -1 for those that are in no
+/// region. O(vertices).
+template <typename Scalar>
+[[nodiscard]] std::vector<int> node_of_vertex(const CurveSkeleton<Scalar>& curve, Eigen::Index vertices) {
+    std::vector<int> node(static_cast<std::size_t>(vertices), -1);
+    for (std::size_t k = 0; k < curve.regions.size(); ++k)
+        for (const int v : curve.regions[k]) node[static_cast<std::size_t>(v)] = static_cast<int>(k);
+    return node;
+}
+
+/// The same curve with regions of the body's vertices in place of those of its proxy. Each of the body's vertices goes
+/// to the node of the proxy's vertex that is nearest along the surface, not through space, so that a hand on a thigh
+/// stays a hand. A region may come out empty. O(n log n).
+template <typename Scalar>
+[[nodiscard]] CurveSkeleton<Scalar> spread_regions(const CurveSkeleton<Scalar>& curve, const Proxy<Scalar>& proxy,
+                                                   const Body<Scalar>& body);
+
+} // namespace skelgen::curve
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/curve/impl/regions.hpp>
+#endif

@@ -1,0 +1,131 @@
+#pragma once
+
+#include <skelgen/embedding/embed.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <skelgen/core/curve_graph.hpp>
+#include <skelgen/embedding/reduced_graph.hpp>
+
+namespace skelgen::embedding {
+namespace detail {
+
+/// Chains of the template: from each joint of the reduced graph, given by `ends`, up to the next one above it.
+inline std::vector<std::vector<int>> template_chains(const SkeletonTemplate& skeleton_template,
+                                                     const std::vector<int>& ends) {
+    std::vector<bool> is_end(skeleton_template.joints.size(), false);
+    for (const int j : ends) is_end[at(j)] = true;
+    std::vector<std::vector<int>> chains;
+    for (const int end : ends) {
+        std::vector<int> chain{end};
+        for (int j = skeleton_template.joint(end).parent; j >= 0; j = skeleton_template.joint(j).parent) {
+            chain.push_back(j);
+            if (is_end[at(j)]) break;
+        }
+        if (chain.size() < 2) continue;
+        std::reverse(chain.begin(), chain.end());
+        chains.push_back(std::move(chain));
+    }
+    return chains;
+}
+
+/// Where each unmatched junction of the curve goes: the matched neighbour in the reduced graph with the most branches.
+template <typename Scalar>
+std::vector<int> merge_targets(const core::CurveGraph<Scalar>& graph, const std::vector<bool>& matched) {
+    std::vector<int> target(matched.size());
+    for (int v = 0; v < graph.size(); ++v) {
+        target[at(v)] = v;
+        if (graph.degree(v) < 3 || matched[at(v)]) continue;
+        int best = -1;
+        for (const auto& [first, length] : graph.neighbours[at(v)]) {
+            const int w = core::branch(graph, v, first).back();
+            const bool better = best < 0 || graph.degree(w) > graph.degree(best);
+            if (matched[at(w)] && graph.degree(w) >= 3 && better) best = w;
+        }
+        if (best >= 0) target[at(v)] = best;
+    }
+    return target;
+}
+
+/// The nodes of a path with merged junctions drawn together: everything before the last node merged into its start, and
+/// after the first merged into its end, is the start or end itself.
+inline std::vector<int> without_merged(const std::vector<int>& path, const std::vector<int>& target) {
+    std::size_t first = 0, last = path.size() - 1;
+    for (std::size_t i = 1; i + 1 < path.size(); ++i)
+        if (target[at(path[i])] == path.front()) first = i;
+    for (std::size_t i = path.size() - 1; i-- > first + 1;)
+        if (target[at(path[i])] == path.back()) last = i;
+    std::vector<int> out{path.front()};
+    for (std::size_t i = first + 1; i < last; ++i) out.push_back(path[i]);
+    out.push_back(path.back());
+    return out;
+}
+
+inline Failure in_several_pieces() {
+    return {FailureReason::no_match, "no human body: its curve skeleton is in several pieces"};
+}
+
+} // namespace detail
+
+template <typename Scalar>
+Outcome<Embedding> embed(const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template,
+                         const MatchingOptions& options) {
+    validate(options);
+    const ReducedGraph<Scalar> reduced_curve = reduce(curve), reduced_template = reduce<Scalar>(skeleton_template);
+    const auto wanted = static_cast<int>(reduced_template.origin.size());
+    const auto found = static_cast<int>(reduced_curve.origin.size());
+    if (found < wanted)
+        return Failure{FailureReason::no_match, "no human body: its curve skeleton has " + std::to_string(found) +
+                                                    " ends and junctions, the template needs " +
+                                                    std::to_string(wanted) +
+                                                    "; check that head, hands and feet are there and stand free"};
+    if (!reduced_curve.distances.allFinite()) return detail::in_several_pieces();
+    const std::vector<int> rounded =
+        spectral_assignment(affinity_matrix(reduced_curve, reduced_template, options), wanted);
+    const std::vector<int> partner = least_distorted(
+        reduced_curve, reduced_template, descend(reduced_curve, reduced_template, rounded, options), options);
+
+    Embedding out;
+    out.distortion = distortion(reduced_curve, reduced_template, partner, options);
+    out.node_of_joint.assign(skeleton_template.joints.size(), -1);
+    const core::CurveGraph<Scalar> graph = core::curve_graph(curve);
+    std::vector<bool> matched(graph.neighbours.size(), false);
+    for (int j = 0; j < wanted; ++j) {
+        const int node = reduced_curve.origin[detail::at(partner[detail::at(j)])];
+        out.node_of_joint[detail::at(reduced_template.origin[detail::at(j)])] = node;
+        matched[detail::at(node)] = true;
+        ++out.matched_nodes;
+    }
+
+    const std::vector<int> target = detail::merge_targets(graph, matched);
+    for (std::vector<int>& joints : detail::template_chains(skeleton_template, reduced_template.origin)) {
+        const int start = out.node_of_joint[detail::at(joints.front())];
+        const int end = out.node_of_joint[detail::at(joints.back())];
+        const core::ShortestPaths<Scalar> paths = core::shortest_paths(graph, start);
+        if (!std::isfinite(paths.distance[detail::at(end)])) return detail::in_several_pieces();
+        std::vector<int> nodes = detail::without_merged(paths.path_to(end), target);
+        out.chains.push_back({std::move(joints), std::move(nodes)});
+    }
+    return out;
+}
+
+template <typename Scalar>
+Scalar unmatched_reach(const CurveSkeleton<Scalar>& curve, const Embedding& embedding) {
+    core::CurveGraph<Scalar> graph = core::curve_graph(curve);
+    Scalar matched = 0;
+    std::vector<std::pair<int, Scalar>> on_chains;
+    for (const Chain& chain : embedding.chains) {
+        matched += core::path_length(curve, chain.nodes);
+        for (const int node : chain.nodes) on_chains.emplace_back(node, Scalar(0));
+    }
+    graph.neighbours.push_back(std::move(on_chains)); // a node at no distance from all of them
+    Scalar reach = 0;
+    for (const Scalar d : core::shortest_paths(graph, graph.size() - 1).distance)
+        if (std::isfinite(d)) reach = std::max(reach, d);
+    return matched > 0 ? reach / matched : Scalar(0);
+}
+
+} // namespace skelgen::embedding

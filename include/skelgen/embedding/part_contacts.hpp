@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+
+#include <skelgen/core/curve_skeleton.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/curve/find_curve.hpp>
+#include <skelgen/embedding/spectral_matching.hpp>
+#include <skelgen/surface/body.hpp>
+
+namespace skelgen::embedding {
+
+/// A body whose surface has been cut where it touched itself, and the curve that was then found in it.
+template <typename Scalar = double>
+struct PartedBody {
+    Body<Scalar> body;                ///< vertices along the cuts are there twice, and new ones close the holes
+    curve::CurveResult<Scalar> curve; ///< a tree
+};
+
+/// Parts a body where it touches itself: the loops of its `curve` are opened where the template then fits best (see
+/// find_loop_cuts), the surface is cut there, and the curve is found again, until it has no loops. `curve` is connected
+/// and its regions index the body's vertices. \returns none when `curve` has no loop, when no way to cut it lets the
+/// template in, or when a cut opens no loop or takes off a limb. Each round takes as long as find_curve, and there is
+/// at most one for each loop. \throws Error usage when an option is out of its range.
+template <typename Scalar>
+[[nodiscard]] std::optional<PartedBody<Scalar>>
+part_contacts(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template,
+              const MatchingOptions& matching = {}, const curve::CurveOptions& curve_options = {});
+
+} // namespace skelgen::embedding
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/embedding/impl/part_contacts.hpp>
+#endif

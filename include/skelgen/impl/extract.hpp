@@ -1,0 +1,239 @@
+#pragma once
+
+#include <skelgen/extract.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <skelgen/anatomy/complete.hpp>
+#include <skelgen/core/error.hpp>
+#include <skelgen/core/header_only.hpp>
+#include <skelgen/core/template_rules.hpp>
+#include <skelgen/embedding/embed.hpp>
+#include <skelgen/embedding/part_contacts.hpp>
+#include <skelgen/refinement/end_points.hpp>
+
+namespace skelgen {
+namespace detail {
+
+class Stopwatch {
+public:
+    /// Milliseconds since the last lap.
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const double elapsed = std::chrono::duration<double, std::milli>(now - last_).count();
+        last_ = now;
+        return elapsed;
+    }
+
+private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+inline StageTimings operator+(const StageTimings& a, const StageTimings& b) {
+    return {a.curve + b.curve, a.embed + b.embed, a.refine + b.refine, a.sides + b.sides, a.total + b.total};
+}
+
+/// A body reaches far for its surface: toe to fingertip takes 1.34 (very heavy, or in a coat) to 1.85 times (thin) the
+/// square root of its area; a ball 0.9, a dog 1.2, two people hand in hand 2.2: measured on registered and generated
+/// bodies and objects. `diameter` is geodesic, for unit area.
+template <typename Scalar>
+std::optional<Failure> not_slender(Scalar diameter) {
+    constexpr Scalar least = Scalar(1.26), most = Scalar(2.1);
+    if (diameter < least)
+        return Failure{FailureReason::no_body, "no human body: too compact a shape for one with arms and legs"};
+    if (diameter > most)
+        return Failure{FailureReason::no_body, "no single human body: too thin and long a shape for one"};
+    return std::nullopt;
+}
+
+/// What goes on as far as a person's arm (a sixth of the curve) and belongs to no limb is another body's.
+template <typename Scalar>
+std::optional<Failure> not_single(const CurveSkeleton<Scalar>& curve, const embedding::Embedding& embedding) {
+    constexpr Scalar arm = Scalar(0.17);
+    if (embedding::unmatched_reach(curve, embedding) > arm)
+        return Failure{FailureReason::no_body,
+                       "no single human body: a limb is left over; separate bodies that are joined to others"};
+    return std::nullopt;
+}
+
+/// A skeleton in the body's coordinates, and how good it is.
+template <typename Scalar>
+struct Candidate {
+    KinematicSkeleton<Scalar> skeleton;
+    curve::CurveResult<Scalar> curve;
+    Scalar geodesic_diameter = 0;
+    int misplaced = 0; ///< joints whose bones have unlikely lengths
+};
+
+/// One attempt, with one curve: what LF20's Fig. 1 shows from the embedding on.
+template <typename Scalar>
+struct Attempt {
+    Outcome<Candidate<Scalar>> outcome;
+    StageTimings timings;
+};
+
+template <typename Scalar>
+Attempt<Scalar> fit_to_curve(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found,
+                             const SkeletonTemplate& wanted, const ExtractOptions& options) {
+    const CurveSkeleton<Scalar>& curve = found.curve;
+    Stopwatch stage;
+    StageTimings timings;
+    const auto failed = [&](const Failure& failure) { return Attempt<Scalar>{failure, timings}; };
+
+    const Outcome<embedding::Embedding> embedding = embedding::embed(curve, wanted, options.matching);
+    if (!embedding) return failed(embedding.failure());
+    if (const auto failure = not_single(curve, *embedding)) return failed(*failure);
+    timings.embed = stage.lap();
+
+    const auto ends = refinement::find_end_points(body, curve, *embedding, wanted);
+    const Scalar diameter = refinement::geodesic_diameter(ends);
+    if (const auto failure = not_slender(diameter)) return failed(*failure);
+    const auto joints = refinement::refine(body, ends, curve, *embedding, wanted, options.refinement);
+    timings.refine = stage.lap();
+
+    const auto sides = symmetry::decide_sides(joints, wanted, options.sides);
+    if (!sides) return failed(sides.failure());
+    auto completed = anatomy::complete_skeleton(symmetry::assemble(joints, wanted, *sides), body, curve, wanted);
+    timings.sides = stage.lap();
+    if (!completed) return failed(completed.failure());
+    completed->skeleton.quality.matched_nodes = embedding->matched_nodes;
+    return {Candidate<Scalar>{std::move(completed->skeleton), found, diameter, completed->misplaced}, timings};
+}
+
+/// How much looks wrong with a skeleton: joints misplaced, and last a curve whose contraction did not converge.
+template <typename Scalar>
+std::pair<int, bool> faults(const Candidate<Scalar>& found) {
+    return {found.misplaced, !found.curve.converged};
+}
+
+/// The best of up to three attempts with curves of ever finer proxies; the first one where little looks wrong ends it.
+template <typename Scalar>
+Attempt<Scalar> fit_to_finer_curves(const Body<Scalar>& body, const curve::CurveResult<Scalar>& curve,
+                                    const SkeletonTemplate& wanted, const ExtractOptions& options) {
+    constexpr int attempts = 3;   // each half as fine again as the last one
+    constexpr int suspicious = 3; // joints misplaced
+    Attempt<Scalar> best = fit_to_curve(body, curve, wanted, options);
+    curve::CurveOptions finer = options.curve;
+    for (int attempt = 1; attempt < attempts; ++attempt) {
+        const bool good = best.outcome && best.outcome->misplaced < suspicious && best.outcome->curve.converged;
+        if (good || (!best.outcome && best.outcome.failure().reason == FailureReason::no_body)) break;
+        Stopwatch stage;
+        finer.proxy.vertices = std::min(finer.proxy.vertices + finer.proxy.vertices / 2, curve::most_proxy_vertices);
+        const curve::CurveResult<Scalar> finer_curve = find_curve(body, finer);
+        StageTimings timings = best.timings;
+        timings.curve += stage.lap();
+        Attempt<Scalar> next = fit_to_curve(body, finer_curve, wanted, options);
+        timings = timings + next.timings;
+        const bool refused = !next.outcome && next.outcome.failure().reason == FailureReason::no_body;
+        const bool better = next.outcome && (!best.outcome || faults(*next.outcome) < faults(*best.outcome));
+        if (refused || better) best = std::move(next);
+        best.timings = timings;
+    }
+    return best;
+}
+
+/// Where limbs touch, the surface may have been cut in the wrong place, and uncut, the curve runs on from one limb to
+/// the other: so much less can the skeleton be trusted. Calibrated on generated bodies that touch themselves.
+template <typename Scalar>
+KinematicSkeleton<Scalar> less_certain_for_contacts(KinematicSkeleton<Scalar> skeleton, int contacts, bool cut) {
+    const double often_right = cut ? 0.75 : 0.7;
+    skeleton.quality.sides_confidence *= often_right;
+    for (Joint<Scalar>& joint : skeleton.joints) joint.confidence *= often_right;
+    skeleton.quality.warnings.push_back("the body touches itself in " + std::to_string(contacts) +
+                                        (contacts == 1 ? " place" : " places") +
+                                        (cut ? ": it was cut there" : ": limbs may be mistaken"));
+    return skeleton;
+}
+
+/// The result in the input's coordinates.
+template <typename Scalar>
+Outcome<Fit<Scalar>> to_fit(const Body<Scalar>& body, Attempt<Scalar> attempt) {
+    if (!attempt.outcome) return attempt.outcome.failure();
+    Candidate<Scalar>& found = *attempt.outcome;
+    if (body.dropped_pieces > 0)
+        found.skeleton.quality.warnings.push_back(std::to_string(body.dropped_pieces) +
+                                                  " pieces not connected to the body were left out");
+    if (!found.curve.converged)
+        found.skeleton.quality.warnings.push_back("the curve skeleton's contraction did not converge");
+    return Fit<Scalar>{surface::to_input(body, found.skeleton), surface::to_input(body, found.curve.curve),
+                       body.similarity.scale * found.geodesic_diameter, attempt.timings};
+}
+
+/// Fits the template to a body that touches itself: to its surface cut there, or, where that fails, as it is.
+template <typename Scalar>
+Outcome<Fit<Scalar>> fit_touching_body(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found,
+                                       const SkeletonTemplate& wanted, const ExtractOptions& options) {
+    const CurveSkeleton<Scalar>& curve = found.curve;
+    // Two bodies that touch are refused first: cutting them apart would hide that there are two.
+    if (const auto embedding = embedding::embed(curve, wanted, options.matching))
+        if (const auto failure = not_single(curve, *embedding)) return *failure;
+
+    Stopwatch stage;
+    const int contacts = core::cycle_count(curve);
+    const auto parted = embedding::part_contacts(body, curve, wanted, options.matching, options.curve);
+    StageTimings cutting;
+    cutting.curve = stage.lap();
+    const auto finish = [&](const Body<Scalar>& fitted_body, Attempt<Scalar> attempt, bool cut) {
+        if (attempt.outcome)
+            attempt.outcome->skeleton = less_certain_for_contacts(std::move(attempt.outcome->skeleton), contacts, cut);
+        attempt.timings = attempt.timings + cutting;
+        return to_fit(fitted_body, std::move(attempt));
+    };
+    if (parted) {
+        Attempt<Scalar> attempt = fit_to_finer_curves(parted->body, parted->curve, wanted, options);
+        if (attempt.outcome) return finish(parted->body, std::move(attempt), true);
+        cutting = cutting + attempt.timings;
+    }
+    return finish(body, fit_to_finer_curves(body, found, wanted, options), false);
+}
+
+} // namespace detail
+
+SKELGEN_INLINE void validate(const ExtractOptions& options) {
+    if (!options.skeleton_template.joints.empty()) validate_template(options.skeleton_template);
+    surface::validate(options.prepare);
+    curve::validate(options.curve);
+    embedding::validate(options.matching);
+    refinement::validate(options.refinement);
+    symmetry::validate(options.sides);
+}
+
+template <typename Scalar>
+Outcome<Fit<Scalar>> fit(const Body<Scalar>& body, const curve::CurveResult<Scalar>& curve,
+                         const SkeletonTemplate& skeleton_template, const ExtractOptions& options) {
+    validate(options);
+    validate_template(skeleton_template);
+    if (core::cycle_count(curve.curve) > 0) return detail::fit_touching_body(body, curve, skeleton_template, options);
+    return detail::to_fit(body, detail::fit_to_finer_curves(body, curve, skeleton_template, options));
+}
+
+template <typename Scalar>
+Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options) {
+    detail::Stopwatch total, stage;
+    validate(options);
+    const SkeletonTemplate& wanted =
+        options.skeleton_template.joints.empty() ? builtin_template("human21") : options.skeleton_template;
+
+    const Body<Scalar> body = prepare(mesh, options.prepare);
+    const curve::CurveResult<Scalar> curve = find_curve(body, options.curve);
+    const double curve_ms = stage.lap();
+    Outcome<Fit<Scalar>> found = fit(body, curve, wanted, options);
+
+    if (!found) throw Error(ErrorCode::no_skeleton, found.failure().what);
+    found->timings.curve += curve_ms;
+    found->timings.total = total.lap();
+    return *std::move(found);
+}
+
+template <typename Scalar>
+CurveSkeleton<Scalar> find_curve_skeleton(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options) {
+    const Body<Scalar> body = prepare(mesh, options.prepare);
+    return surface::to_input(body, find_curve(body, options.curve).curve);
+}
+
+} // namespace skelgen

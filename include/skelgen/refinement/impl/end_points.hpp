@@ -1,0 +1,71 @@
+#pragma once
+
+#include <skelgen/refinement/end_points.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/geometry.hpp>
+
+namespace skelgen::refinement {
+namespace detail {
+
+/// How far from the curve's leaf an end may lie, relative to the geodesic diameter: about a hand's length.
+template <typename Scalar>
+inline constexpr Scalar end_reach = Scalar(0.08);
+
+template <typename Scalar>
+Eigen::VectorX<Scalar> distances_from(const core::CurveGraph<Scalar>& surface, int vertex) {
+    const std::vector<Scalar> distance = core::shortest_paths(surface, vertex).distance;
+    return Eigen::Map<const Eigen::VectorX<Scalar>>(distance.data(), static_cast<Eigen::Index>(distance.size()));
+}
+
+/// Sum of the distances to the ends at the other end of the body.
+template <typename Scalar>
+Eigen::VectorX<Scalar> remoteness(const EndPoint<Scalar>& end, const std::vector<EndPoint<Scalar>>& ends,
+                                  const SkeletonTemplate& skeleton_template) {
+    const bool is_foot = skeleton_template.joint(end.joint).role == JointRole::foot;
+    Eigen::VectorX<Scalar> sum = Eigen::VectorX<Scalar>::Zero(end.distance.size());
+    for (const EndPoint<Scalar>& other : ends)
+        if (skeleton_template.joint(other.joint).role == (is_foot ? JointRole::head : JointRole::foot))
+            sum += other.distance;
+    return sum;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+std::vector<EndPoint<Scalar>> find_end_points(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve,
+                                              const embedding::Embedding& embedding,
+                                              const SkeletonTemplate& skeleton_template) {
+    std::vector<EndPoint<Scalar>> leaves;
+    for (const embedding::Chain& chain : embedding.chains) {
+        if (!ends_limb(skeleton_template.joint(chain.joints.back()).role)) continue;
+        const int vertex =
+            core::nearest_vertex(body.mesh, Vector3<Scalar>(curve.nodes.row(chain.nodes.back()).transpose()));
+        leaves.push_back({chain.joints.back(), vertex, detail::distances_from(body.graph, vertex)});
+    }
+    const Scalar radius = detail::end_reach<Scalar> * geodesic_diameter(leaves);
+    std::vector<EndPoint<Scalar>> ends;
+    for (const EndPoint<Scalar>& leaf : leaves) {
+        const Eigen::VectorX<Scalar> far = detail::remoteness(leaf, leaves, skeleton_template);
+        int best = leaf.vertex;
+        for (Eigen::Index v = 0; v < far.size(); ++v)
+            if (leaf.distance[v] <= radius && std::isfinite(far[v]) && far[v] > far[best]) best = static_cast<int>(v);
+        ends.push_back(
+            {leaf.joint, best, best == leaf.vertex ? leaf.distance : detail::distances_from(body.graph, best)});
+    }
+    return ends;
+}
+
+template <typename Scalar>
+Scalar geodesic_diameter(const std::vector<EndPoint<Scalar>>& ends) {
+    Scalar diameter = 0;
+    for (const EndPoint<Scalar>& a : ends)
+        for (const EndPoint<Scalar>& b : ends)
+            if (std::isfinite(a.distance[b.vertex])) diameter = std::max(diameter, a.distance[b.vertex]);
+    return diameter;
+}
+
+} // namespace skelgen::refinement

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <skelgen/refinement/hip_anchor.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include <skelgen/refinement/fork.hpp>
+
+namespace skelgen::refinement {
+namespace detail {
+
+/// Height of the hips above the fork of the legs, as a part of the rest-pose thigh. Calibrated: mean over 50 registered
+/// bodies, its standard deviation between and within people a seventh of it.
+template <typename Scalar>
+inline constexpr Scalar hips_above_fork = Scalar(0.16);
+
+/// Standard deviation of that height for a thigh that prolongs the trunk, as a part of the thigh. Calibrated on the
+/// same bodies.
+template <typename Scalar>
+inline constexpr Scalar least_top_deviation = Scalar(0.03);
+
+/// How much more it is for a thigh at right angles to the trunk, whose skin takes the fork along. Calibrated on the
+/// same bodies.
+template <typename Scalar>
+inline constexpr Scalar flexed_top_deviation = Scalar(0.15);
+
+/// Tops that make a leg more unlike the template's than this (logarithm of length) are those of clothes. A working
+/// value, as is the next one.
+template <typename Scalar>
+inline constexpr Scalar unlike_template = Scalar(0.22);
+
+/// Tops that make the legs more unlike each other than this are, too.
+template <typename Scalar>
+inline constexpr Scalar unlike_other = Scalar(0.15);
+
+/// The limb with its top where its first bone, as a straight line, comes nearest to `place`.
+template <typename Scalar>
+Limb<Scalar> with_top(Limb<Scalar> limb, const Vector3<Scalar>& place, const Vector3<Scalar>& up,
+                      const BoneLineOptions& options) {
+    const auto line = fit_first_bone(limb, options);
+    if (!line) return limb;
+    Eigen::Index nearest = 0;
+    (limb.line.points.rowwise() - line->point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+    const Scalar outwards = (place - limb.line.points.row(nearest).transpose()).dot(line->direction);
+    const Scalar from_tip = limb.line.arc[limb.line.arc.size() - 1] - limb.line.arc[nearest] - outwards;
+    if (!(from_tip > 0) || std::abs(std::log(from_tip / limb.from_tip.front())) > unlike_template<Scalar>) return limb;
+    limb.top_by_trunk = from_tip;
+    const Scalar flexed = 1 + line->direction.dot(up), thigh = arc_of(limb, 1) - arc_of(limb, 0);
+    limb.top_deviation = (least_top_deviation<Scalar> + flexed_top_deviation<Scalar> * flexed) * thigh;
+    return limb;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+std::vector<Limb<Scalar>> anchor_hips(std::vector<Limb<Scalar>> limbs, const TriangleMesh<Scalar>& mesh,
+                                      const std::vector<EndPoint<Scalar>>& ends,
+                                      const SkeletonTemplate& skeleton_template, Scalar scale,
+                                      const BoneLineOptions& options) {
+    std::vector<std::size_t> legs;
+    std::optional<Vector3<Scalar>> neck;
+    Scalar thigh = 0;
+    for (std::size_t i = 0; i < limbs.size(); ++i) {
+        const std::vector<int>& joints = limbs[i].joints;
+        const JointRole end = skeleton_template.joint(joints.back()).role;
+        if (end == JointRole::head) neck = point_on(limbs[i], arc_of(limbs[i], 0));
+        if (end != JointRole::foot || joints.size() < 2) continue;
+        if (skeleton_template.joint(joints[0]).role != JointRole::hip) continue;
+        legs.push_back(i);
+        thigh = scale * static_cast<Scalar>(rest_length(skeleton_template, joints[0], joints[1]));
+    }
+    if (legs.size() != 2 || !neck) return limbs;
+    const auto fork = fork_between(mesh, ends[legs[0]], ends[legs[1]]);
+    if (!fork) return limbs;
+    const Vector3<Scalar> up = (*neck - *fork).normalized();
+    const Vector3<Scalar> hips = *fork + detail::hips_above_fork<Scalar> * thigh * up;
+    for (const std::size_t leg : legs) limbs[leg] = detail::with_top(std::move(limbs[leg]), hips, up, options);
+    std::optional<Scalar>&one = limbs[legs[0]].top_by_trunk, &other = limbs[legs[1]].top_by_trunk;
+    if (one && other && std::abs(std::log(*one / *other)) > detail::unlike_other<Scalar>) one = other = std::nullopt;
+    return limbs;
+}
+
+} // namespace skelgen::refinement

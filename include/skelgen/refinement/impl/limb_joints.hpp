@@ -1,0 +1,138 @@
+#pragma once
+
+#include <skelgen/refinement/limb_joints.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+namespace skelgen::refinement {
+namespace detail {
+
+/// The part of either bone next to an elbow or knee that is left out of its line: folded flesh widens the sections
+/// there. A working value, not a measured one, as are the next three.
+template <typename Scalar>
+inline constexpr Scalar folded_part = Scalar(0.2);
+
+/// The part next to wrist or ankle, which disturb less than the joints at the trunk.
+template <typename Scalar>
+inline constexpr Scalar end_joint_part = Scalar(0.1);
+
+/// How far from its place by ratio the lines of a joint's bones may meet, in the length of both bones together: farther
+/// off they are not those of this joint.
+template <typename Scalar>
+inline constexpr Scalar farthest_meeting = Scalar(0.3);
+
+/// How much of the first bone, counted from elbow or knee, must be outside of the trunk for the place where the limb
+/// enters it to tell the bone's direction.
+template <typename Scalar>
+inline constexpr Scalar least_visible_bone = Scalar(0.3);
+
+/// 0 up to `from`, 1 from `to` on, smooth between.
+template <typename Scalar>
+Scalar smooth_step(Scalar from, Scalar to, Scalar x) {
+    const Scalar t = std::clamp((x - from) / (to - from), Scalar(0), Scalar(1));
+    return t * t * (3 - 2 * t);
+}
+
+/// Angle between unit directions.
+template <typename Scalar>
+Scalar degrees_between(const Vector3<Scalar>& a, const Vector3<Scalar>& b) {
+    return std::acos(std::clamp(a.dot(b), Scalar(-1), Scalar(1))) * (180 / std::numbers::pi_v<Scalar>);
+}
+
+} // namespace detail
+
+template <typename Scalar>
+Placement<Scalar> place_by_ratio(Placement<Scalar> placement, const Limb<Scalar>& limb) {
+    for (std::size_t i = 0; i < limb.joints.size(); ++i) placement.put(limb.joints[i], point_on(limb, arc_of(limb, i)));
+    return placement;
+}
+
+template <typename Scalar>
+Placement<Scalar> place_neck(Placement<Scalar> placement, const Limb<Scalar>& limb, const HeadShape<Scalar>& head,
+                             const NeckOptions& options) {
+    const int neck = limb.joints.front();
+    if (placement.role(neck) != JointRole::neck || !head.throat) return placement;
+    const Vector3<Scalar> place = placement.at(neck);
+    const Scalar height = (tip_of(limb) - place).norm();
+    const Scalar higher = (*head.throat - place).dot(head.up) - static_cast<Scalar>(options.below_throat) * height;
+    placement.put(neck, place + static_cast<Scalar>(options.throat_weight) * higher * head.up);
+    return placement;
+}
+
+template <typename Scalar>
+Placement<Scalar> place_wrist(Placement<Scalar> placement, const Limb<Scalar>& limb, const WristOptions& options) {
+    const auto found = find_in_limb(limb, placement.skeleton_template(), JointRole::wrist);
+    if (!found || *found == 0) return placement;
+    const Scalar window = static_cast<Scalar>(options.window) * (limb.from_tip[*found - 1] - limb.from_tip[*found]);
+    const Scalar centre = arc_of(limb, *found);
+    Eigen::Index thinnest = -1;
+    for (Eigen::Index i = 0; i < limb.line.arc.size(); ++i) {
+        if (std::abs(limb.line.arc[i] - centre) > window || limb.line.area[i] <= 0) continue;
+        if (thinnest < 0 || limb.line.thickness[i] < limb.line.thickness[thinnest]) thinnest = i;
+    }
+    if (thinnest >= 0) placement.put(limb.joints[*found], limb.line.points.row(thinnest).transpose());
+    return placement;
+}
+
+template <typename Scalar>
+Placement<Scalar> place_bend(Placement<Scalar> placement, const Limb<Scalar>& limb, const BendOptions& options,
+                             const BoneLineOptions& bone_line) {
+    using detail::folded_part;
+    for (std::size_t i = 1; i + 1 < limb.joints.size(); ++i) {
+        const int joint = limb.joints[i];
+        if (placement.role(joint) != JointRole::elbow && placement.role(joint) != JointRole::knee) continue;
+        const Scalar here = arc_of(limb, i), inner = arc_of(limb, i - 1), outer = arc_of(limb, i + 1);
+        const Scalar inner_start = std::max(limb.attachment, inner + joint_part<Scalar> * (here - inner));
+        auto upper = fit_bone(limb.line, inner_start, here - folded_part<Scalar> * (here - inner), bone_line);
+        if (!upper) upper = fit_bone(limb.line, inner_start, here, bone_line); // little of it is on its own
+        const auto lower = fit_bone(limb.line, here + folded_part<Scalar> * (outer - here),
+                                    outer - detail::end_joint_part<Scalar> * (outer - here), bone_line);
+        if (!upper || !lower) continue;
+        const auto meeting = meeting_point(*upper, *lower);
+        const Vector3<Scalar> ratio = placement.at(joint);
+        if (!meeting || (*meeting - ratio).norm() > detail::farthest_meeting<Scalar> * (outer - inner)) continue;
+        const Scalar weight = static_cast<Scalar>(options.weight) *
+                              detail::smooth_step(static_cast<Scalar>(options.from), static_cast<Scalar>(options.full),
+                                                  detail::degrees_between(upper->direction, lower->direction));
+        placement.put(joint, ratio + weight * (*meeting - ratio));
+    }
+    return placement;
+}
+
+template <typename Scalar>
+Placement<Scalar> place_girdle(Placement<Scalar> placement, const Limb<Scalar>& limb, const GirdleOptions& options,
+                               const BoneLineOptions& bone_line) {
+    if (limb.joints.size() < 2) return placement;
+    const int top = limb.joints[0], next = limb.joints[1];
+    const JointRole role = placement.role(top);
+    if (role != JointRole::shoulder && role != JointRole::hip) return placement;
+    const Scalar inner = arc_of(limb, 0), outer = arc_of(limb, 1);
+    const auto line = fit_first_bone(limb, bone_line);
+    const Scalar length = limb.from_tip[0] - limb.from_tip[1];
+    const Vector3<Scalar> start = placement.at(next);
+    const auto towards = [&](const Vector3<Scalar>& p) -> Vector3<Scalar> {
+        return start + length * (p - start).normalized();
+    };
+    std::vector<Vector3<Scalar>> ways;
+    if (line) ways.push_back(start - length * line->direction);
+    if (limb.attachment < outer - detail::least_visible_bone<Scalar> * (outer - inner))
+        ways.push_back(towards(point_on(limb, limb.attachment)));
+    ways.push_back(towards(point_on(limb, inner)));
+    placement.put(top, ways.front());
+
+    const int anchor = role == JointRole::shoulder ? placement.find(JointRole::neck) : -1;
+    if (anchor < 0) return placement;
+    const Scalar rest = placement.rest_distance(top, anchor);
+    const auto misfit = [&](const Vector3<Scalar>& p) { return std::abs((p - placement.at(anchor)).norm() - rest); };
+    if (misfit(ways.front()) > static_cast<Scalar>(options.tolerance) * rest)
+        placement.put(top, *std::min_element(ways.begin(), ways.end(),
+                                             [&](const auto& p, const auto& q) { return misfit(p) < misfit(q); }));
+    return placement;
+}
+
+} // namespace skelgen::refinement

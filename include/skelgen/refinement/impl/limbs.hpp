@@ -1,0 +1,123 @@
+#pragma once
+
+#include <skelgen/refinement/limbs.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <skelgen/embedding/reduced_graph.hpp>
+
+namespace skelgen::refinement {
+namespace detail {
+
+/// The geodesic diameter of a body (toe to fingertip over the surface) as a part of the longest path along the bones of
+/// its skeleton. Calibrated: mean over 50 adults in 10 poses each.
+inline constexpr double diameter_of_longest_path = 0.92;
+
+/// A section this much larger than the limb's own is no longer the limb's: it has run into the trunk, or into the other
+/// leg (a thigh or an upper arm widens by half at most from its middle to its top).
+template <typename Scalar>
+inline constexpr Scalar attachment_growth = Scalar(1.7);
+
+/// A limb is drawn this much beyond its first joint, in its own length, so that there are sections at that joint even
+/// where the limb is a little longer than the template says. A working value, not a measured one.
+template <typename Scalar>
+inline constexpr Scalar drawn_length = Scalar(1.05);
+
+/// Arc length where the limb leaves the trunk, looking inwards from `own` away from the tip; the reference is the mean
+/// section over the `stretch` before that.
+template <typename Scalar>
+Scalar find_attachment(const Centreline<Scalar>& line, Scalar own, Scalar stretch) {
+    const Eigen::Index last = line.arc.size() - 1;
+    Scalar sum = 0, count = 0;
+    for (Eigen::Index i = last; i >= 1; --i) {
+        const Scalar from_tip = line.arc[last] - line.arc[i];
+        if (line.area[i] <= 0 || from_tip < own - stretch) continue;
+        if (from_tip <= own) {
+            sum += line.area[i];
+            count += 1;
+        } else if (count > 0 && line.area[i] > attachment_growth<Scalar> * sum / count) {
+            return line.arc[i + 1];
+        }
+    }
+    return line.arc[0];
+}
+
+/// Centres of the rings around a limb, from `length` away from its end down to the end itself. Each is looked for near
+/// the last one: where the end touches another part of the body, that has rings at the same distance.
+template <typename Scalar>
+Points<Scalar> ring_centres(const Slicer<Scalar>& slicer, const EndPoint<Scalar>& end, Scalar length, Scalar step) {
+    const Eigen::VectorX<Scalar> field = end.distance.cwiseMin(2 * length); // finite where no path leads
+    std::vector<Vector3<Scalar>> centres{slicer.mesh().vertices.row(end.vertex).transpose()};
+    const int rings = static_cast<int>(std::ceil(length / step - Scalar(0.5)));
+    for (int ring = rings; ring-- > 0;)
+        if (const auto centre =
+                slicer.level_set_centre(field, length - static_cast<Scalar>(ring) * step, centres.back(), 2 * step))
+            centres.push_back(*centre);
+    Points<Scalar> out(static_cast<Eigen::Index>(centres.size()), 3);
+    for (std::size_t i = 0; i < centres.size(); ++i)
+        out.row(out.rows() - 1 - static_cast<Eigen::Index>(i)) = centres[i].transpose();
+    return out;
+}
+
+/// The limb's first bone is surely the limb's own up to its middle; nearer its outer joint, a folded elbow or knee
+/// widens the sections. Three tenths of the bone, ending in its middle, are the reference.
+template <typename Scalar>
+Scalar attachment_of(const Limb<Scalar>& limb) {
+    const Scalar top = limb.from_tip.front(), next = limb.from_tip.size() > 1 ? limb.from_tip[1] : 0;
+    return find_attachment(limb.line, next + Scalar(0.5) * (top - next), Scalar(0.3) * (top - next));
+}
+
+/// The joints of the limb that `end` ends, outwards, without the one it branches off from.
+inline std::vector<int> joints_up_to(const SkeletonTemplate& skeleton_template, int end) {
+    std::vector<int> children(skeleton_template.joints.size(), 0);
+    for (const TemplateJoint& joint : skeleton_template.joints)
+        if (joint.parent >= 0) ++children[static_cast<std::size_t>(joint.parent)];
+    std::vector<int> joints;
+    for (int j = end; j >= 0 && (j == end || children[static_cast<std::size_t>(j)] == 1);
+         j = skeleton_template.joint(j).parent)
+        joints.push_back(j);
+    std::reverse(joints.begin(), joints.end());
+    return joints;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+Scalar template_scale(const SkeletonTemplate& skeleton_template, Scalar geodesic_diameter) {
+    return geodesic_diameter /
+           static_cast<Scalar>(detail::diameter_of_longest_path * embedding::longest_path(skeleton_template));
+}
+
+template <typename Scalar>
+Limb<Scalar> draw_limb(Limb<Scalar> limb, const Slicer<Scalar>& slicer, const EndPoint<Scalar>& end,
+                       const CentrelineOptions& options) {
+    const Scalar length = detail::drawn_length<Scalar> * limb.from_tip.front();
+    limb.line =
+        draw_centreline(slicer, detail::ring_centres(slicer, end, length, static_cast<Scalar>(options.step)), options);
+    limb.attachment = detail::attachment_of(limb);
+    return limb;
+}
+
+template <typename Scalar>
+std::vector<Limb<Scalar>> trace_limbs(const Slicer<Scalar>& slicer, const std::vector<EndPoint<Scalar>>& ends,
+                                      const SkeletonTemplate& skeleton_template, Scalar scale,
+                                      const CentrelineOptions& options) {
+    std::vector<Limb<Scalar>> limbs;
+    for (const EndPoint<Scalar>& end_point : ends) {
+        const TemplateJoint& end = skeleton_template.joint(end_point.joint);
+        Limb<Scalar> limb;
+        limb.joints = detail::joints_up_to(skeleton_template, end_point.joint);
+        limb.from_tip.resize(limb.joints.size());
+        double distance = end.tip ? (*end.tip - end.position).norm() : 0;
+        for (std::size_t i = limb.joints.size(); i-- > 0;) {
+            limb.from_tip[i] = scale * static_cast<Scalar>(distance);
+            distance += rest_length(skeleton_template, limb.joints[i], skeleton_template.joint(limb.joints[i]).parent);
+        }
+        limbs.push_back(draw_limb(std::move(limb), slicer, end_point, options));
+    }
+    return limbs;
+}
+
+} // namespace skelgen::refinement

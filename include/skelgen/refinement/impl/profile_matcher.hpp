@@ -1,0 +1,209 @@
+#pragma once
+
+#include <skelgen/refinement/profile_matcher.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace skelgen::refinement {
+namespace detail {
+
+/// The u of a profile's first entry.
+template <typename Scalar>
+inline constexpr Scalar first_u = Scalar(-0.6);
+
+/// Between two entries of a profile.
+template <typename Scalar>
+inline constexpr Scalar step_u = Scalar(0.1);
+
+/// Weight of samples on hand and foot, whose shape changes most, against 1 of the others. A working value.
+template <typename Scalar>
+inline constexpr Scalar end_weight = Scalar(0.3);
+
+/// Deviations at which a sample's say in the stoutness is halved: a Cauchy weight, whose usual scale this nearly is
+/// (HW77: 2.385).
+template <typename Scalar>
+inline constexpr Scalar halved_at = Scalar(2.5);
+
+/// How often the stoutness is found, each time with the weights that follow from the last.
+inline constexpr int stoutness_rounds = 3;
+
+/// Mean squared deviations beyond which a limb is unlike the profile (in trousers, in armour) and tells less.
+template <typename Scalar>
+inline constexpr Scalar far_misfit = Scalar(2);
+
+/// Thickness of a leg, as a part of its calf, up to which legs do not touch. A working value, as is the next one.
+template <typename Scalar>
+inline constexpr Scalar slim = Scalar(0.13);
+
+/// What each calf's length that a leg is thicker adds to the standard deviation of where its top is.
+template <typename Scalar>
+inline constexpr Scalar touching_growth = Scalar(5);
+
+/// An upper bone is never taken to be shorter than this part of its usual length, whatever the trunk says: its
+/// logarithm has to exist.
+template <typename Scalar>
+inline constexpr Scalar shortest_upper_bone = Scalar(0.1);
+
+/// Logarithms of lengths are looked for up to so far from the template's: lengths from 3/4 to 4/3 of it.
+template <typename Scalar>
+inline constexpr Scalar widest_search = Scalar(0.3);
+
+/// Step of the first grid of logarithms.
+template <typename Scalar>
+inline constexpr Scalar search_step = Scalar(0.03);
+
+/// How many times finer the second grid is: half a percent of a length.
+template <typename Scalar>
+inline constexpr Scalar finer_search = Scalar(6);
+
+template <typename Scalar>
+Scalar squared(Scalar x) {
+    return x * x;
+}
+
+/// What a stretch of the profile costs on one limb: squared deviations of the thickness and of the lengths.
+template <typename Scalar>
+class StretchCost {
+public:
+    StretchCost(const MatchedLimb<Scalar>& limb, const Profile& profile, const ThicknessProfileOptions& options)
+        : limb_(limb), profile_(profile), options_(options) {}
+
+    /// Ratios are logarithms, to the limb at rest.
+    [[nodiscard]] Stretch<Scalar> stretch(Scalar outer_ratio, Scalar bone_ratio) const {
+        const Scalar outer = limb_.rest.outer * std::exp(outer_ratio), bone = std::exp(bone_ratio);
+        const Scalar middle = outer + bone * lower_bone();
+        return {outer, middle, middle + bone * upper_bone()};
+    }
+
+    [[nodiscard]] Scalar operator()(Scalar outer_ratio, Scalar bone_ratio) const {
+        const Stretch<Scalar> s = stretch(outer_ratio, bone_ratio);
+        const ProfileFit<Scalar> fit =
+            fit_profile(limb_.samples, profile_, s, static_cast<Scalar>(options_.thickness_deviation));
+        return static_cast<Scalar>(options_.independent_samples) * far_misfit<Scalar> *
+                   std::log1p(fit.misfit / far_misfit<Scalar>) +
+               squared(outer_ratio / static_cast<Scalar>(options_.end_deviation)) +
+               squared(std::log(s.middle / limb_.rest.middle) / static_cast<Scalar>(options_.limb_deviation)) +
+               squared(bone_ratio / static_cast<Scalar>(options_.bone_deviation)) + disproportion(s, fit.stoutness);
+    }
+
+private:
+    [[nodiscard]] Scalar lower_bone() const { return limb_.rest.middle - limb_.rest.outer; }
+    [[nodiscard]] Scalar upper_bone() const { return limb_.rest.inner - limb_.rest.middle; }
+
+    /// Of the upper bone, whose upper end is known, to the lower one. Clothes hide that end: far off, it says little.
+    [[nodiscard]] Scalar disproportion(const Stretch<Scalar>& s, Scalar stoutness) const {
+        if (!limb_.top) return 0;
+        constexpr auto far = static_cast<Scalar>(far_off);
+        const Scalar upper = std::max(limb_.top->from_tip - s.middle, shortest_upper_bone<Scalar> * upper_bone());
+        const Scalar x = std::log(upper / (s.inner - s.middle));
+        const Scalar deviation = deviation_of(*limb_.top, stoutness, s);
+        const Scalar xx = x * x / (squared(static_cast<Scalar>(options_.proportion_deviation)) + squared(deviation));
+        return far * std::log1p(xx / far);
+    }
+
+    const MatchedLimb<Scalar>& limb_;
+    const Profile& profile_;
+    ThicknessProfileOptions options_;
+};
+
+/// Logarithms of lengths to those at rest: of the lower bones, and of each limb from joint to tip.
+template <typename Scalar>
+struct StretchRatios {
+    Scalar bone = 0;
+    std::vector<Scalar> outer;
+    Scalar cost = std::numeric_limits<Scalar>::infinity();
+};
+
+/// The cheapest ratios on a grid of that step around `centre`.
+template <typename Scalar>
+StretchRatios<Scalar> search_ratios(const std::vector<StretchCost<Scalar>>& costs, const StretchRatios<Scalar>& centre,
+                                    Scalar reach, Scalar step) {
+    const int steps = static_cast<int>(std::lround(reach / step));
+    StretchRatios<Scalar> best = centre;
+    best.cost = std::numeric_limits<Scalar>::infinity();
+    for (int i = -steps; i <= steps; ++i) {
+        StretchRatios<Scalar> next{centre.bone + static_cast<Scalar>(i) * step, centre.outer, 0};
+        for (std::size_t k = 0; k < costs.size(); ++k) {
+            Scalar least = std::numeric_limits<Scalar>::infinity();
+            for (int j = -steps; j <= steps; ++j) {
+                const Scalar outer = centre.outer[k] + static_cast<Scalar>(j) * step;
+                const Scalar cost = costs[k](outer, next.bone);
+                if (cost < least) {
+                    least = cost;
+                    next.outer[k] = outer;
+                }
+            }
+            next.cost += least;
+        }
+        if (next.cost < best.cost) best = next;
+    }
+    return best;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+std::optional<Scalar> value_at(const Profile& profile, Scalar u) {
+    const Scalar x = (u - detail::first_u<Scalar>) / detail::step_u<Scalar>;
+    if (!(x >= 0) || x >= static_cast<Scalar>(profile.size() - 1)) return std::nullopt;
+    const auto i = static_cast<std::size_t>(x);
+    const auto here = static_cast<Scalar>(profile[i]), next = static_cast<Scalar>(profile[i + 1]);
+    return here + (x - static_cast<Scalar>(i)) * (next - here);
+}
+
+template <typename Scalar>
+ProfileFit<Scalar> fit_profile(const std::vector<Sample<Scalar>>& samples, const Profile& profile,
+                               const Stretch<Scalar>& stretch, Scalar deviation) {
+    struct Residual {
+        Scalar value, weight;
+    };
+    std::vector<Residual> residuals;
+    for (const Sample<Scalar>& sample : samples) {
+        const Scalar u = stretch.u(sample.from_tip);
+        if (const auto expected = value_at(profile, u))
+            residuals.push_back({sample.log_thickness - *expected, u < 0 ? detail::end_weight<Scalar> : Scalar(1)});
+    }
+    Scalar offset = 0; // how stout the limb is
+    for (int round = 0; round < detail::stoutness_rounds; ++round) {
+        Scalar sum = 0, weights = 0;
+        for (const Residual& r : residuals) {
+            const Scalar far = (r.value - offset) / (detail::halved_at<Scalar> * deviation);
+            const Scalar weight = round == 0 ? r.weight : r.weight / (1 + far * far);
+            sum += weight * r.value;
+            weights += weight;
+        }
+        if (!(weights > 0)) return {};
+        offset = sum / weights;
+    }
+    Scalar sum = 0, weights = 0;
+    for (const Residual& r : residuals) {
+        const Scalar far = (r.value - offset) / deviation;
+        sum += r.weight * std::min(far * far, static_cast<Scalar>(worst_misfit));
+        weights += r.weight;
+    }
+    return {sum / weights, offset};
+}
+
+template <typename Scalar>
+Scalar deviation_of(const Top<Scalar>& top, Scalar stoutness, const Stretch<Scalar>& s) {
+    const Scalar thickness = std::exp(stoutness) / (s.middle - s.outer);
+    return top.deviation + detail::touching_growth<Scalar> * std::max(Scalar(0), thickness - detail::slim<Scalar>);
+}
+
+template <typename Scalar>
+std::vector<Stretch<Scalar>> best_stretches(const std::vector<MatchedLimb<Scalar>>& limbs, const Profile& profile,
+                                            const ThicknessProfileOptions& options) {
+    std::vector<detail::StretchCost<Scalar>> costs;
+    for (const MatchedLimb<Scalar>& limb : limbs) costs.emplace_back(limb, profile, options);
+    constexpr Scalar step = detail::search_step<Scalar>;
+    const detail::StretchRatios<Scalar> none{0, std::vector<Scalar>(limbs.size(), Scalar(0))};
+    const auto coarse = detail::search_ratios(costs, none, detail::widest_search<Scalar>, step);
+    const auto fine = detail::search_ratios(costs, coarse, step, step / detail::finer_search<Scalar>);
+    std::vector<Stretch<Scalar>> stretches;
+    for (std::size_t k = 0; k < limbs.size(); ++k) stretches.push_back(costs[k].stretch(fine.outer[k], fine.bone));
+    return stretches;
+}
+
+} // namespace skelgen::refinement

@@ -1,0 +1,189 @@
+#pragma once
+
+#include <skelgen/refinement/thickness_profile.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace skelgen::refinement {
+namespace detail {
+
+/// Sections this many times thicker than the profile has them are a coat's or a skirt's. A working value, as are the
+/// next three.
+template <typename Scalar>
+inline constexpr Scalar clothed_growth = Scalar(1.35);
+
+/// They are looked for from the trunk to this u, just above elbow or knee.
+template <typename Scalar>
+inline constexpr Scalar above_middle_joint = Scalar(1.2);
+
+/// There must be so many more of them than of others: one or two are noise.
+inline constexpr int least_clothed_sections = 3;
+
+/// Logarithm of the ratio of lower bones that people's usual variety reaches: within it the upper bones' ratio goes
+/// with it by half, beyond it more and more.
+template <typename Scalar>
+inline constexpr Scalar usual_ratio = Scalar(0.1);
+
+/// Thickness of the limb where its sections are its own.
+template <typename Scalar>
+std::vector<Sample<Scalar>> thickness_samples(const Limb<Scalar>& limb) {
+    std::vector<Sample<Scalar>> samples;
+    const Scalar end = limb.line.arc[limb.line.arc.size() - 1];
+    for (Eigen::Index i = 0; i < limb.line.arc.size(); ++i)
+        if (limb.line.arc[i] > limb.attachment && limb.line.thickness[i] > 0)
+            samples.push_back({end - limb.line.arc[i], std::log(limb.line.thickness[i])});
+    return samples;
+}
+
+/// A limb with the joints of an arm or of a leg: their indices in the limb, and where the template has them.
+template <typename Scalar>
+struct ProfiledLimb {
+    Limb<Scalar>* limb;
+    BodyPart part;
+    std::size_t inner, middle, outer;
+    Stretch<Scalar> rest;
+    Scalar bone_ratio = 1;
+    ProfileFit<Scalar> fit = {};
+};
+
+template <typename Scalar>
+std::optional<ProfiledLimb<Scalar>> as_profiled(Limb<Scalar>& limb, const SkeletonTemplate& skeleton_template) {
+    using enum JointRole;
+    const bool leg = find_in_limb(limb, skeleton_template, knee).has_value();
+    const auto inner = find_in_limb(limb, skeleton_template, leg ? hip : shoulder);
+    const auto middle = find_in_limb(limb, skeleton_template, leg ? knee : elbow);
+    const auto outer = find_in_limb(limb, skeleton_template, leg ? ankle : wrist);
+    if (!inner || !middle || !outer) return std::nullopt;
+    return ProfiledLimb<Scalar>{&limb,  leg ? BodyPart::leg : BodyPart::arm,
+                                *inner, *middle,
+                                *outer, {limb.from_tip[*outer], limb.from_tip[*middle], limb.from_tip[*inner]}};
+}
+
+/// Arc length of the limb's attachment moved outwards to where, seen from the trunk, its sections cease to be a third
+/// thicker than the profile has them: nearer the trunk they are a coat's or a skirt's. A fold is thick, too, but not
+/// all the way to the trunk.
+template <typename Scalar>
+Scalar clothed_attachment(const Limb<Scalar>& limb, const Profile& profile, const Stretch<Scalar>& stretch,
+                          Scalar stoutness) {
+    const Scalar too_thick = std::log(clothed_growth<Scalar>);
+    const Scalar end = limb.line.arc[limb.line.arc.size() - 1];
+    int more_too_thick = 0, most = least_clothed_sections - 1; // sections, counted from the trunk
+    Scalar attachment = limb.attachment;
+    for (Eigen::Index i = 0; i + 1 < limb.line.arc.size(); ++i) {
+        if (limb.line.arc[i] <= limb.attachment || !(limb.line.thickness[i] > 0)) continue;
+        const Scalar u = stretch.u(end - limb.line.arc[i]);
+        if (u < above_middle_joint<Scalar>) break;
+        const Scalar expected = value_at(profile, u).value_or(static_cast<Scalar>(profile.back()));
+        more_too_thick += std::log(limb.line.thickness[i]) > expected + stoutness + too_thick ? 1 : -1;
+        if (more_too_thick <= most) continue;
+        most = more_too_thick;
+        attachment = limb.line.arc[i + 1];
+    }
+    return attachment;
+}
+
+template <typename Scalar>
+std::optional<Top<Scalar>> top_of(const ProfiledLimb<Scalar>& p) {
+    if (!p.limb->top_by_trunk) return std::nullopt;
+    return Top<Scalar>{*p.limb->top_by_trunk, p.limb->top_deviation / (p.rest.inner - p.rest.middle)};
+}
+
+/// The limbs with the joints of both arms or both legs, from elbow or knee outwards, where they fit best.
+template <typename Scalar>
+std::vector<ProfiledLimb<Scalar>> with_outer_joints(std::vector<ProfiledLimb<Scalar>> limbs, BodyPart part,
+                                                    const ThicknessProfileOptions& options) {
+    const Profile& profile = part == BodyPart::leg ? leg_profile : arm_profile;
+    std::vector<ProfiledLimb<Scalar>*> pair;
+    std::vector<MatchedLimb<Scalar>> matched;
+    for (ProfiledLimb<Scalar>& p : limbs)
+        if (p.part == part) {
+            pair.push_back(&p);
+            matched.push_back({thickness_samples(*p.limb), p.rest, top_of(p)});
+        }
+    if (pair.empty()) return limbs;
+    const std::vector<Stretch<Scalar>> found = best_stretches(matched, profile, options);
+    for (std::size_t k = 0; k < pair.size(); ++k) {
+        ProfiledLimb<Scalar>& p = *pair[k];
+        p.fit = fit_profile(matched[k].samples, profile, found[k], static_cast<Scalar>(options.thickness_deviation));
+        p.limb->attachment = clothed_attachment(*p.limb, profile, found[k], p.fit.stoutness);
+        std::vector<Scalar>& from_tip = p.limb->from_tip;
+        for (std::size_t i = p.outer; i < from_tip.size(); ++i) from_tip[i] *= found[k].outer / p.rest.outer;
+        from_tip[p.middle] = found[k].middle;
+        p.bone_ratio = (found[k].middle - found[k].outer) / (p.rest.middle - p.rest.outer);
+    }
+    return limbs;
+}
+
+/// Geometric mean of the ratios of the lower bones that `use` selects; 1 for none.
+template <typename Scalar, typename Use>
+Scalar mean_bone_ratio(const std::vector<ProfiledLimb<Scalar>>& limbs, Use&& use) {
+    Scalar sum = 0, count = 0;
+    for (const ProfiledLimb<Scalar>& p : limbs)
+        if (use(p)) {
+            sum += std::log(p.bone_ratio);
+            count += 1;
+        }
+    return count > 0 ? std::exp(sum / count) : 1;
+}
+
+/// How much longer than the template's an upper bone is where the lower one is `lower` times as long: half as much in
+/// people's usual variety (on a logarithmic scale), as much where a limb is plainly of another length.
+template <typename Scalar>
+Scalar upper_bone_ratio(Scalar lower) {
+    constexpr Scalar usual = usual_ratio<Scalar>;
+    const Scalar x = std::log(lower), shared = (x * x + Scalar(0.5) * usual * usual) / (x * x + usual * usual);
+    return std::exp(shared * x);
+}
+
+/// Length of the upper bones of arms or legs: as the lower ones' length makes them likely, and as the trunk tells it,
+/// of both sides together, as they are equally long.
+template <typename Scalar>
+Scalar upper_bone_length(const std::vector<ProfiledLimb<Scalar>>& limbs, BodyPart part, Scalar by_ratio,
+                         const ThicknessProfileOptions& options) {
+    Scalar sum = 0, weights = 0, count = 0;
+    for (const ProfiledLimb<Scalar>& p : limbs) {
+        const std::optional<Top<Scalar>> top = top_of(p);
+        if (p.part != part || !top) continue;
+        const Scalar middle = p.limb->from_tip[p.middle];
+        const Scalar deviation =
+            deviation_of(*top, p.fit.stoutness, Stretch<Scalar>{p.limb->from_tip[p.outer], middle, 0});
+        const Scalar weight = 1 / (deviation * deviation);
+        sum += weight * std::log(std::max(top->from_tip - middle, shortest_upper_bone<Scalar> * by_ratio) / by_ratio);
+        weights += weight;
+        count += 1;
+    }
+    if (!(count > 0)) return by_ratio;
+    const Scalar difference = sum / weights, trunk_variance = count / weights;
+    const auto proportion_deviation = static_cast<Scalar>(options.proportion_deviation);
+    const Scalar ratio_variance = proportion_deviation * proportion_deviation;
+    const Scalar doubt =
+        1 + difference * difference / (static_cast<Scalar>(far_off) * (ratio_variance + trunk_variance));
+    return by_ratio * std::exp(difference * ratio_variance / (ratio_variance + doubt * doubt * trunk_variance));
+}
+
+} // namespace detail
+
+template <typename Scalar>
+ThicknessMatch<Scalar> match_thickness_profiles(std::vector<Limb<Scalar>> limbs,
+                                                const SkeletonTemplate& skeleton_template,
+                                                const ThicknessProfileOptions& options) {
+    std::vector<detail::ProfiledLimb<Scalar>> all;
+    for (Limb<Scalar>& limb : limbs)
+        if (const auto p = detail::as_profiled(limb, skeleton_template)) all.push_back(*p);
+    for (const BodyPart part : {BodyPart::arm, BodyPart::leg})
+        all = detail::with_outer_joints(std::move(all), part, options);
+    for (const detail::ProfiledLimb<Scalar>& p : all) {
+        const Scalar ratio = detail::mean_bone_ratio(all, [&](const auto& q) { return q.part == p.part; });
+        const Scalar by_ratio = detail::upper_bone_ratio(ratio) * (p.rest.inner - p.rest.middle);
+        p.limb->from_tip[p.inner] =
+            p.limb->from_tip[p.middle] + detail::upper_bone_length(all, p.part, by_ratio, options);
+    }
+    const Scalar ratio = detail::mean_bone_ratio(all, [](const auto&) { return true; });
+    return {std::move(limbs), ratio};
+}
+
+} // namespace skelgen::refinement

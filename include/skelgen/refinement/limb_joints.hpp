@@ -1,0 +1,91 @@
+#pragma once
+
+#include <skelgen/core/options.hpp>
+#include <skelgen/refinement/bone_line.hpp>
+#include <skelgen/refinement/head.hpp>
+#include <skelgen/refinement/limbs.hpp>
+#include <skelgen/refinement/placement.hpp>
+
+namespace skelgen::refinement {
+
+/// Where the neck's joint is from the throat; calibrated between registered and landmarked bodies.
+struct NeckOptions {
+    double below_throat = 0.07; ///< of the distance from neck to top of the head
+    double throat_weight = 0.6; ///< of the throat against the place by ratio: 0 to 1
+};
+
+/// Where the wrist may be.
+struct WristOptions {
+    double window = 0.03; ///< of the forearm: how far from its place the thinnest section is looked for
+};
+
+/// When an elbow or a knee shows where it is.
+struct BendOptions {
+    double from = 25; ///< degrees; below, it is straight and placed by length ratio
+    double full = 45; ///< degrees; above, it is placed by its bones' lines; between, blended
+    double weight =
+        0.7; ///< from the centreline to where the lines meet; calibrated on registered and landmarked bodies
+};
+
+/// When the line of an upper arm is not believed.
+struct GirdleOptions {
+    double tolerance = 0.4; ///< of the rest-pose distance between shoulder and neck: how far a shoulder may be off
+};
+
+/// \throws Error usage when an option is out of its range.
+inline void validate(const NeckOptions& options) {
+    core::require_in_range("refinement.neck.below_throat", options.below_throat, -1.0, 1.0);
+    core::require_in_range("refinement.neck.throat_weight", options.throat_weight, 0.0, 1.0);
+}
+
+/// \throws Error usage when an option is out of its range.
+inline void validate(const WristOptions& options) {
+    core::require_in_range("refinement.wrist.window", options.window, 0.0, 0.5);
+}
+
+/// \throws Error usage when an option is out of its range.
+inline void validate(const BendOptions& options) {
+    core::require_in_range("refinement.bend.from", options.from, 0.0, 179.0);
+    core::require_in_range("refinement.bend.full", options.full, options.from + 1, 180.0);
+    core::require_in_range("refinement.bend.weight", options.weight, 0.0, 2.0);
+}
+
+/// \throws Error usage when an option is out of its range.
+inline void validate(const GirdleOptions& options) {
+    core::require_in_range("refinement.girdle.tolerance", options.tolerance, 0.0, 100.0);
+}
+
+/// Joints at the template's length ratios (LF20 section 3.1), counted from the limb's end, which the mesh shows, not
+/// from the trunk, where the curve is anybody's guess.
+template <typename Scalar>
+[[nodiscard]] Placement<Scalar> place_by_ratio(Placement<Scalar> placement, const Limb<Scalar>& limb);
+
+/// Neck: brought nearer to its height below the throat. Where the limb does not begin with a neck, or the head shows no
+/// throat, nothing moves.
+template <typename Scalar>
+[[nodiscard]] Placement<Scalar> place_neck(Placement<Scalar> placement, const Limb<Scalar>& limb,
+                                           const HeadShape<Scalar>& head, const NeckOptions& options = {});
+
+/// Wrist: the thinnest section near it (LF20 section 3.2.2).
+template <typename Scalar>
+[[nodiscard]] Placement<Scalar> place_wrist(Placement<Scalar> placement, const Limb<Scalar>& limb,
+                                            const WristOptions& options = {});
+
+/// Elbow, knee: at its length ratio when straight, near where the lines of its two bones meet when bent. The lines meet
+/// a little outside of the joint, as folded flesh pushes both of them out, and the centreline passes inside of it.
+template <typename Scalar>
+[[nodiscard]] Placement<Scalar> place_bend(Placement<Scalar> placement, const Limb<Scalar>& limb,
+                                           const BendOptions& options = {}, const BoneLineOptions& bone_line = {});
+
+/// Shoulder, hip: the limb's own sections end short of them; the line of the bone goes on to its length. Where the bone
+/// shows too little of itself, in a deep crouch or behind crossed arms, that line points anywhere: then of all the ways
+/// to go on the one that keeps the rest-pose distance from the neck best, which must have been placed.
+template <typename Scalar>
+[[nodiscard]] Placement<Scalar> place_girdle(Placement<Scalar> placement, const Limb<Scalar>& limb,
+                                             const GirdleOptions& options = {}, const BoneLineOptions& bone_line = {});
+
+} // namespace skelgen::refinement
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/refinement/impl/limb_joints.hpp>
+#endif

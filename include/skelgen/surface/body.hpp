@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/curve_skeleton.hpp>
+#include <skelgen/core/kinematic_skeleton.hpp>
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/surface/similarity.hpp>
+
+namespace skelgen {
+
+/// The surface that every later stage works on: one manifold piece in canonical form (unit area, centred, principal
+/// axes along x, y, z, faces outwards), what is known of its connectivity, and the way back to the input.
+template <typename Scalar = double>
+struct Body {
+    TriangleMesh<Scalar> mesh;
+    Triangles adjacency;            ///< as from core::face_adjacency(mesh.faces)
+    core::CurveGraph<Scalar> graph; ///< as from core::surface_graph(mesh, adjacency)
+    Similarity<Scalar> similarity;  ///< from the input's coordinates to the mesh's
+    std::vector<int> source;        ///< per vertex that of the input at the same place, -1 for those added
+    int dropped_pieces = 0;         ///< connected pieces smaller than this one, left out
+};
+
+namespace surface {
+
+/// A body of that mesh, with its connectivity; `mesh` must be manifold and in canonical form. O(n log n).
+template <typename Scalar>
+[[nodiscard]] Body<Scalar> make_body(TriangleMesh<Scalar> mesh, const Similarity<Scalar>& similarity,
+                                     std::vector<int> source, int dropped_pieces);
+
+/// Where vertices come from whose sources have sources themselves; -1 stays. O(n).
+[[nodiscard]] inline std::vector<int> composed(std::vector<int> source, const std::vector<int>& source_of_source) {
+    for (int& v : source)
+        if (v >= 0) v = source_of_source[static_cast<std::size_t>(v)];
+    return source;
+}
+
+/// A curve skeleton of the body in the input's coordinates. Its regions index the input's vertices; where fans of faces
+/// touch, several vertices of the body stand for one of the input: it goes to the first region that has it. O(n).
+template <typename Scalar>
+[[nodiscard]] CurveSkeleton<Scalar> to_input(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve);
+
+/// A kinematic skeleton of the body in the input's coordinates. O(joints).
+template <typename Scalar>
+[[nodiscard]] KinematicSkeleton<Scalar> to_input(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton);
+
+} // namespace surface
+} // namespace skelgen
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/surface/impl/body.hpp>
+#endif

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <skelgen/surface/body.hpp>
+
+#include <unordered_set>
+#include <utility>
+
+#include <skelgen/core/adjacency.hpp>
+#include <skelgen/core/geodesics.hpp>
+
+namespace skelgen::surface {
+
+template <typename Scalar>
+Body<Scalar> make_body(TriangleMesh<Scalar> mesh, const Similarity<Scalar>& similarity, std::vector<int> source,
+                       int dropped_pieces) {
+    Triangles adjacency = core::face_adjacency(mesh.faces);
+    core::CurveGraph<Scalar> graph = core::surface_graph(mesh, adjacency);
+    return {std::move(mesh), std::move(adjacency), std::move(graph), similarity, std::move(source), dropped_pieces};
+}
+
+template <typename Scalar>
+CurveSkeleton<Scalar> to_input(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve) {
+    CurveSkeleton<Scalar> out = curve;
+    for (Eigen::Index v = 0; v < curve.nodes.rows(); ++v)
+        out.nodes.row(v) = body.similarity.to_input(curve.nodes.row(v).transpose()).transpose();
+    for (Scalar& radius : out.radii) radius *= body.similarity.scale;
+    std::unordered_set<int> taken;
+    for (std::size_t k = 0; k < curve.regions.size(); ++k) {
+        out.regions[k].clear();
+        for (const int v : curve.regions[k])
+            if (const int vertex = body.source[static_cast<std::size_t>(v)]; vertex >= 0 && taken.insert(vertex).second)
+                out.regions[k].push_back(vertex);
+    }
+    return out;
+}
+
+template <typename Scalar>
+KinematicSkeleton<Scalar> to_input(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton) {
+    const Similarity<Scalar>& similarity = body.similarity;
+    KinematicSkeleton<Scalar> out = skeleton;
+    for (Joint<Scalar>& joint : out.joints) {
+        joint.position = similarity.to_input(joint.position);
+        joint.radius *= similarity.scale;
+    }
+    for (auto& [name, point] : out.end_points) point = similarity.to_input(point);
+    out.frame = {similarity.to_input(skeleton.frame.origin), similarity.direction_to_input(skeleton.frame.left),
+                 similarity.direction_to_input(skeleton.frame.forward),
+                 similarity.direction_to_input(skeleton.frame.up)};
+    return out;
+}
+
+} // namespace skelgen::surface

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include <skelgen/core/mesh.hpp>
+
+namespace skelgen::surface {
+
+/// A mesh made edge- and vertex-manifold, and where its vertices come from.
+template <typename Scalar = double>
+struct ManifoldParts {
+    TriangleMesh<Scalar> mesh;
+    std::vector<int> source; ///< per vertex, the vertex of the original mesh at the same place
+    int dropped_pieces = 0;  ///< connected pieces smaller than the largest one, left out
+};
+
+/// Cuts a triangle soup into manifold pieces and keeps the one with the largest area. Two faces stay joined along an
+/// edge only when they alone share it and run through it in opposite senses; a vertex where several fans of faces touch
+/// (every SCAPE body has one) becomes one vertex per fan; faces that repeat a vertex are left out. O(n log n).
+template <typename Scalar>
+[[nodiscard]] ManifoldParts<Scalar> largest_manifold_part(const TriangleMesh<Scalar>& mesh);
+
+} // namespace skelgen::surface
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/surface/impl/manifold_parts.hpp>
+#endif

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <skelgen/core/mesh.hpp>
+
+namespace skelgen {
+
+/// A rotation, a uniform scale and a translation: canonical = rotation * (input - origin) / scale.
+template <typename Scalar = double>
+struct Similarity {
+    Eigen::Matrix<Scalar, 3, 3> rotation = Eigen::Matrix<Scalar, 3, 3>::Identity();
+    Vector3<Scalar> origin = Vector3<Scalar>::Zero();
+    Scalar scale = 1;
+
+    [[nodiscard]] Vector3<Scalar> to_canonical(const Vector3<Scalar>& p) const {
+        return rotation * (p - origin) / scale;
+    }
+    [[nodiscard]] Vector3<Scalar> to_input(const Vector3<Scalar>& p) const {
+        return rotation.transpose() * p * scale + origin;
+    }
+    [[nodiscard]] Vector3<Scalar> direction_to_input(const Vector3<Scalar>& d) const {
+        return rotation.transpose() * d;
+    }
+};
+
+} // namespace skelgen

@@ -1,0 +1,208 @@
+#pragma once
+
+#include <skelgen/symmetry/sides.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <skelgen/core/options.hpp>
+#include <skelgen/symmetry/standing_pose.hpp>
+
+namespace skelgen::symmetry {
+namespace detail {
+
+/// Refined joints, looked up by role and side.
+template <typename Scalar>
+class JointsByRole {
+public:
+    JointsByRole(const refinement::RefinedJoints<Scalar>& joints, const SkeletonTemplate& skeleton_template)
+        : joints_(joints), template_(skeleton_template) {}
+
+    [[nodiscard]] std::optional<Vector3<Scalar>> find(JointRole role, Side side = Side::none) const {
+        const int j = find_joint(template_, role, side);
+        if (j < 0) return std::nullopt;
+        return joints_.positions.row(j).transpose();
+    }
+
+    /// Of a joint that every template has.
+    [[nodiscard]] Vector3<Scalar> get(JointRole role, Side side = Side::none) const { return find(role, side).value(); }
+
+    /// The end of the limb of which this is the last joint.
+    [[nodiscard]] std::optional<Vector3<Scalar>> tip(JointRole role, Side side) const {
+        const int j = find_joint(template_, role, side);
+        for (const auto& [end, point] : joints_.tips)
+            if (end == j) return point;
+        return std::nullopt;
+    }
+
+private:
+    const refinement::RefinedJoints<Scalar>& joints_;
+    const SkeletonTemplate& template_;
+};
+
+template <typename Scalar>
+LegBones<Scalar> leg_bones(const JointsByRole<Scalar>& joints, Side side) {
+    using enum JointRole;
+    const Vector3<Scalar> knee_at = joints.get(knee, side);
+    const Vector3<Scalar> ankle_at = joints.find(ankle, side).value_or(knee_at);
+    const Vector3<Scalar> toe = joints.tip(foot, side).value_or(joints.get(foot, side));
+    return {knee_at - joints.get(hip, side), ankle_at - knee_at, toe - ankle_at};
+}
+
+/// Where the axis of a bent elbow points: left, times the sine of the bend. None without elbow or shoulder.
+template <typename Scalar>
+std::optional<Vector3<Scalar>> elbow_axis(const JointsByRole<Scalar>& joints, Side side) {
+    using enum JointRole;
+    const auto shoulder_at = joints.find(shoulder, side), elbow_at = joints.find(elbow, side);
+    if (!shoulder_at || !elbow_at) return std::nullopt;
+    const Vector3<Scalar> hand_at = joints.find(wrist, side).value_or(joints.get(hand, side));
+    // The forearm folds forwards: forearm x upper arm points left.
+    return (hand_at - *elbow_at).normalized().cross((*elbow_at - *shoulder_at).normalized());
+}
+
+/// From the right to the left arm, by the first joint that both have.
+template <typename Scalar>
+Vector3<Scalar> between_arms(const JointsByRole<Scalar>& joints) {
+    using enum JointRole;
+    for (const JointRole role : {shoulder, elbow, wrist})
+        if (const auto left = joints.find(role, Side::left), right = joints.find(role, Side::right); left && right)
+            return *left - *right;
+    return joints.get(hand, Side::left) - joints.get(hand, Side::right);
+}
+
+inline double sum_of(const std::vector<SideVote>& votes) {
+    double total = 0;
+    for (const SideVote& vote : votes) total += vote.strength;
+    return total;
+}
+
+/// 1 when all witnesses agree and at least one of them is strong, 0 when they cancel out or none says anything.
+inline double confidence_of(const std::vector<SideVote>& votes) {
+    constexpr double strong = 0.5; // one foot turned out by 60 degrees
+    double magnitude = 0;
+    for (const SideVote& vote : votes) magnitude += std::abs(vote.strength);
+    if (!(magnitude > 0)) return 0;
+    return std::abs(sum_of(votes)) / magnitude * std::min(1.0, magnitude / strong);
+}
+
+/// The joint that ends up under the name of template joint `j`.
+template <typename Scalar>
+int source_of(int j, const SkeletonTemplate& skeleton_template, const SidesDecision<Scalar>& sides) {
+    const BodyPart part = part_of(skeleton_template.joint(j).role);
+    const bool swapped = part == BodyPart::leg ? sides.swap_legs : part == BodyPart::arm && sides.swap_arms;
+    const int other = swapped ? counterpart(skeleton_template, j) : -1;
+    return other >= 0 ? other : j;
+}
+
+inline std::string end_point_name(const TemplateJoint& joint) {
+    const std::string prefix = joint.side == Side::left ? "left_" : joint.side == Side::right ? "right_" : "";
+    return prefix + (joint.role == JointRole::hand ? "fingertip" : joint.role == JointRole::foot ? "toe" : "head_top");
+}
+
+/// Votes of one kind added up, positive for the sides as decided.
+template <typename Scalar>
+std::vector<SideVote> votes_by_witness(const SidesDecision<Scalar>& sides) {
+    std::vector<SideVote> out;
+    for (const SideVote& vote : sides.votes) {
+        auto same = std::find_if(out.begin(), out.end(), [&](const SideVote& v) { return v.witness == vote.witness; });
+        if (same == out.end()) same = out.insert(out.end(), {vote.witness, 0});
+        same->strength += sides.swap_legs ? -vote.strength : vote.strength;
+    }
+    return out;
+}
+
+inline std::string doubt_of_sides(const std::vector<SideVote>& votes) {
+    std::string against;
+    for (const SideVote& vote : votes)
+        if (vote.strength < 0) against += (against.empty() ? "" : ", ") + vote.witness;
+    return "left and right may be exchanged: " + (against.empty()
+                                                      ? "feet, knees, elbows, head and trunk hardly tell them"
+                                                      : "the witnesses disagree (against: " + against + ")");
+}
+
+} // namespace detail
+
+SKELGEN_INLINE void validate(const SidesOptions& options) {
+    constexpr double most = 1000;
+    core::require_in_range("sides.foot", options.foot, 0.0, most);
+    core::require_in_range("sides.knee", options.knee, 0.0, most);
+    core::require_in_range("sides.elbow", options.elbow, 0.0, most);
+    core::require_in_range("sides.head", options.head, 0.0, most);
+    core::require_in_range("sides.trunk", options.trunk, 0.0, most);
+}
+
+template <typename Scalar>
+Outcome<SidesDecision<Scalar>> decide_sides(const refinement::RefinedJoints<Scalar>& joints,
+                                            const SkeletonTemplate& skeleton_template, const SidesOptions& options) {
+    using enum JointRole;
+    validate(options);
+    const detail::JointsByRole<Scalar> by_role(joints, skeleton_template);
+    const Vector3<Scalar> left_hip = by_role.get(hip, Side::left), right_hip = by_role.get(hip, Side::right);
+    const Vector3<Scalar> hips_middle = Scalar(0.5) * (left_hip + right_hip), hips = left_hip - right_hip;
+    const Vector3<Scalar> spine = by_role.find(waist).value_or(by_role.get(chest)) - hips_middle;
+    const Vector3<Scalar> up = spine.normalized();
+    const Vector3<Scalar> across = detail::without_component(hips, up).normalized();
+    if (!(spine.norm() > 0) || !(across.norm() > Scalar(0.5))) // a unit vector, or zero
+        return Failure{FailureReason::no_match, "no human body: its trunk or its hips have no extent"};
+
+    SidesDecision<Scalar> out;
+    // Does a direction that ought to be the left one say that `across` points left?
+    const auto vote = [&](const char* witness, double weight, const Vector3<Scalar>& left) {
+        out.votes.push_back({witness, weight * static_cast<double>(left.dot(across))});
+    };
+    Vector3<Scalar> forward = Vector3<Scalar>::Zero();
+    for (const Side side : {Side::left, Side::right}) {
+        const LegBones<Scalar> leg = detail::leg_bones(by_role, side);
+        const Vector3<Scalar> standing = detail::without_component(standing_foot_direction(leg, up, across), up);
+        forward += standing;
+        vote("foot", options.foot, up.cross(standing)); // up x forward is left
+        // The calf folds backwards: thigh x calf points left.
+        vote("knee", options.knee, leg.thigh.normalized().cross(leg.calf.normalized()));
+        if (const auto axis = detail::elbow_axis(by_role, side)) vote("elbow", options.elbow, *axis);
+    }
+    constexpr double clear_head = 0.08, clear_trunk = 0.012; // median frontness over 96 real bodies
+    if (joints.head)
+        vote("head", options.head * std::min(1.0, static_cast<double>(joints.head->frontness) / clear_head),
+             up.cross(joints.head->forward));
+    if (joints.trunk)
+        vote("trunk", options.trunk * std::min(1.0, static_cast<double>(joints.trunk->frontness) / clear_trunk),
+             up.cross(joints.trunk->forward));
+    out.swap_legs = detail::sum_of(out.votes) < 0;
+    out.confidence = detail::confidence_of(out.votes);
+
+    // Where the feet say nothing, or are outvoted, the hips decide; where they speak, they know better than hips that a
+    // deep crouch hides. Half of one foot that points straight ahead is speaking.
+    const Vector3<Scalar> decided = out.swap_legs ? Vector3<Scalar>(-across) : across;
+    Vector3<Scalar> left = up.cross(forward);
+    if (!(left.norm() > Scalar(0.5)) || left.dot(decided) < 0) left = decided;
+    out.frame.origin = by_role.get(pelvis);
+    out.frame.up = up;
+    out.frame.left = detail::without_component(left, up).normalized();
+    out.frame.forward = out.frame.left.cross(up);
+    out.swap_arms = detail::between_arms(by_role).dot(left) < 0;
+    return out;
+}
+
+template <typename Scalar>
+KinematicSkeleton<Scalar> assemble(const refinement::RefinedJoints<Scalar>& joints,
+                                   const SkeletonTemplate& skeleton_template, const SidesDecision<Scalar>& sides) {
+    KinematicSkeleton<Scalar> out;
+    out.template_name = skeleton_template.name;
+    for (int j = 0; j < static_cast<int>(skeleton_template.joints.size()); ++j) {
+        const TemplateJoint& joint = skeleton_template.joint(j);
+        const int source = detail::source_of(j, skeleton_template, sides);
+        out.joints.push_back({joint.name, joint.parent, joints.positions.row(source).transpose(), Scalar(0)});
+        for (const auto& [end, tip] : joints.tips)
+            if (end == source) out.end_points.emplace_back(detail::end_point_name(joint), tip);
+    }
+    out.frame = sides.frame;
+    out.quality.sides_confidence = sides.confidence;
+    out.quality.side_votes = detail::votes_by_witness(sides);
+    constexpr double doubtful = 0.5; // below, more than a quarter of all that is said is against, or all are weak
+    if (sides.confidence < doubtful) out.quality.warnings.push_back(detail::doubt_of_sides(out.quality.side_votes));
+    return out;
+}
+
+} // namespace skelgen::symmetry

@@ -1,0 +1,40 @@
+// The curve stage, compiled once for each scalar.
+
+#include <skelgen/curve/impl/centring.hpp>
+#include <skelgen/curve/impl/contraction.hpp>
+#include <skelgen/curve/impl/find_curve.hpp>
+#include <skelgen/curve/impl/laplacian.hpp>
+#include <skelgen/curve/impl/leaf_extension.hpp>
+#include <skelgen/curve/impl/limb_ends.hpp>
+#include <skelgen/curve/impl/medial_balls.hpp>
+#include <skelgen/curve/impl/proxy.hpp>
+#include <skelgen/curve/impl/pruning.hpp>
+#include <skelgen/curve/impl/regions.hpp>
+#include <skelgen/curve/impl/surgery.hpp>
+
+namespace skelgen::curve {
+
+#define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
+    template Proxy<Scalar> build_proxy(const TriangleMesh<Scalar>&, const ProxyOptions&);                              \
+    template Eigen::SparseMatrix<core::Accumulator> cotangent_laplacian(const Points<Scalar>&, const Triangles&,       \
+                                                                        double);                                       \
+    template MedialBalls<Scalar> medial_balls(const TriangleMesh<Scalar>&, Scalar);                                    \
+    template Contraction<Scalar> contract(const TriangleMesh<Scalar>&, const ContractionOptions&);                     \
+    template CurveSkeleton<Scalar> connectivity_surgery(const Points<Scalar>&, const Triangles&,                       \
+                                                        const SurgeryOptions&);                                        \
+    template CurveSkeleton<Scalar> centre_nodes(const CurveSkeleton<Scalar>&, const TriangleMesh<Scalar>&,             \
+                                                const Points<Scalar>&);                                                \
+    template CurveSkeleton<Scalar> spread_regions(const CurveSkeleton<Scalar>&, const Proxy<Scalar>&,                  \
+                                                  const Body<Scalar>&);                                                \
+    template CurveSkeleton<Scalar> extend_leaves(const CurveSkeleton<Scalar>&, const Body<Scalar>&,                    \
+                                                 const LeafExtensionOptions&);                                         \
+    template CurveSkeleton<Scalar> prune(const CurveSkeleton<Scalar>&, const PruningOptions&);                         \
+    template CurveSkeleton<Scalar> place_limb_ends(const CurveSkeleton<Scalar>&, const TriangleMesh<Scalar>&);         \
+    template CurveResult<Scalar> find_curve(const Body<Scalar>&, const CurveOptions&);
+
+SKELGEN_INSTANTIATE(float)
+SKELGEN_INSTANTIATE(double)
+
+#undef SKELGEN_INSTANTIATE
+
+} // namespace skelgen::curve

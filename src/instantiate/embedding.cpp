@@ -1,0 +1,36 @@
+// The embedding compiled once, for float and double.
+
+#include <skelgen/embedding/impl/embed.hpp>
+#include <skelgen/embedding/impl/loop_cuts.hpp>
+#include <skelgen/embedding/impl/part_contacts.hpp>
+#include <skelgen/embedding/impl/reduced_graph.hpp>
+#include <skelgen/embedding/impl/spectral_matching.hpp>
+
+namespace skelgen::embedding {
+
+#define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
+    template ReducedGraph<Scalar> reduce(const CurveSkeleton<Scalar>&);                                                \
+    template ReducedGraph<Scalar> reduce<Scalar>(const SkeletonTemplate&);                                             \
+    template Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> affinity_matrix(                                    \
+        const ReducedGraph<Scalar>&, const ReducedGraph<Scalar>&, const MatchingOptions&);                             \
+    template std::vector<int> spectral_assignment(const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>&, int);  \
+    template Scalar distortion(const ReducedGraph<Scalar>&, const ReducedGraph<Scalar>&, const std::vector<int>&,      \
+                               const MatchingOptions&);                                                                \
+    template std::vector<int> descend(const ReducedGraph<Scalar>&, const ReducedGraph<Scalar>&, std::vector<int>,      \
+                                      const MatchingOptions&);                                                         \
+    template std::vector<int> least_distorted(const ReducedGraph<Scalar>&, const ReducedGraph<Scalar>&,                \
+                                              std::vector<int>, const MatchingOptions&);                               \
+    template Outcome<Embedding> embed(const CurveSkeleton<Scalar>&, const SkeletonTemplate&, const MatchingOptions&);  \
+    template Scalar unmatched_reach(const CurveSkeleton<Scalar>&, const Embedding&);                                   \
+    template std::vector<LoopCut> find_loop_cuts(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,                \
+                                                 const MatchingOptions&);                                              \
+    template std::optional<PartedBody<Scalar>> part_contacts(const Body<Scalar>&, const CurveSkeleton<Scalar>&,        \
+                                                             const SkeletonTemplate&, const MatchingOptions&,          \
+                                                             const curve::CurveOptions&);
+
+SKELGEN_INSTANTIATE(float)
+SKELGEN_INSTANTIATE(double)
+
+#undef SKELGEN_INSTANTIATE
+
+} // namespace skelgen::embedding

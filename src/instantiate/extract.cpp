@@ -1,0 +1,18 @@
+// The way of a mesh through all stages, compiled once for each scalar.
+
+#include <skelgen/impl/extract.hpp>
+
+namespace skelgen {
+
+#define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
+    template Outcome<Fit<Scalar>> fit(const Body<Scalar>&, const curve::CurveResult<Scalar>&, const SkeletonTemplate&, \
+                                      const ExtractOptions&);                                                          \
+    template Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>&, const ExtractOptions&);                  \
+    template CurveSkeleton<Scalar> find_curve_skeleton(const TriangleMesh<Scalar>&, const ExtractOptions&);
+
+SKELGEN_INSTANTIATE(float)
+SKELGEN_INSTANTIATE(double)
+
+#undef SKELGEN_INSTANTIATE
+
+} // namespace skelgen

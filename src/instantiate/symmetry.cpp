@@ -1,0 +1,21 @@
+// The symmetry compiled once, for float and double.
+
+#include <skelgen/symmetry/impl/sides.hpp>
+#include <skelgen/symmetry/impl/standing_pose.hpp>
+
+namespace skelgen::symmetry {
+
+#define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
+    template Vector3<Scalar> standing_foot_direction(LegBones<Scalar>, const Vector3<Scalar>&, const Vector3<Scalar>&, \
+                                                     Scalar);                                                          \
+    template Outcome<SidesDecision<Scalar>> decide_sides(const refinement::RefinedJoints<Scalar>&,                     \
+                                                         const SkeletonTemplate&, const SidesOptions&);                \
+    template KinematicSkeleton<Scalar> assemble(const refinement::RefinedJoints<Scalar>&, const SkeletonTemplate&,     \
+                                                const SidesDecision<Scalar>&);
+
+SKELGEN_INSTANTIATE(float)
+SKELGEN_INSTANTIATE(double)
+
+#undef SKELGEN_INSTANTIATE
+
+} // namespace skelgen::symmetry

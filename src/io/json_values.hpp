@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include <skelgen/core/mesh.hpp>
+
+/// What all readers of JSON files share.
+namespace skelgen::io::detail {
+
+/// JSON with its keys in the order in which they are written.
+using Json = nlohmann::ordered_json;
+
+/// \throws Error bad_input with the place of the first mistake when `text` is no JSON.
+[[nodiscard]] Json parse_json(std::string_view text);
+
+/// The point that a list of three numbers stands for; none when `value` is something else.
+[[nodiscard]] std::optional<Vector3<double>> to_point(const Json& value);
+
+} // namespace skelgen::io::detail

@@ -1,0 +1,80 @@
+#include <skelgen/anatomy/complete.hpp>
+#include <skelgen/anatomy/joint_offsets.hpp>
+#include <skelgen/core/geometry.hpp>
+
+#include "anatomy/rest_skeleton.hpp"
+#include "catch.hpp"
+
+using namespace skelgen;
+using namespace skelgen::anatomy;
+using namespace skelgen::test;
+
+namespace {
+
+/// Tubes around the bones of human21, and a curve with a node at each joint.
+Body<double> tube_body() {
+    std::vector<std::array<Vec3, 2>> bones;
+    for (const TemplateJoint& joint : builtin_template("human21").joints)
+        if (joint.parent >= 0)
+            bones.push_back({builtin_template("human21").joint(joint.parent).position, joint.position});
+    return body_of(tubes(bones, 0.05, 0.03));
+}
+
+CurveSkeleton<double> curve_of_joints() {
+    CurveSkeleton<double> curve;
+    const KinematicSkeleton<double> rest = rest_skeleton();
+    curve.nodes.resize(static_cast<Eigen::Index>(rest.joints.size()), 3);
+    for (std::size_t j = 0; j < rest.joints.size(); ++j)
+        curve.nodes.row(static_cast<Eigen::Index>(j)) = rest.joints[j].position.transpose();
+    return curve;
+}
+
+} // namespace
+
+TEST_CASE("a skeleton is completed: offsets, joints inside, radii, and confidences of where the joints then are") {
+    const SkeletonTemplate& human = builtin_template("human21");
+    const Body<double> body = tube_body();
+    KinematicSkeleton<double> sided = rest_skeleton();
+    sided.quality.sides_confidence = 1;
+    at(sided, "head") += Vec3(0, 0, 0.12);
+    const auto found = complete_skeleton(sided, body, curve_of_joints(), human);
+    REQUIRE(found);
+    const KinematicSkeleton<double>& skeleton = found->skeleton;
+    CHECK(found->misplaced == 0);
+    CHECK(at(skeleton, "left_knee") == at(apply_joint_offsets(sided, human), "left_knee"));
+    for (const Joint<double>& joint : skeleton.joints) {
+        INFO(joint.name);
+        CHECK(core::winding_number(body.mesh, joint.position) == Approx(1));
+        CHECK(joint.radius > 0.03);
+        CHECK(joint.radius < 0.12);
+    }
+    REQUIRE(skeleton.quality.warnings.size() == 1);
+    CHECK(skeleton.quality.warnings[0].find("head") != std::string::npos);
+    CHECK(joint_named(skeleton, "head").confidence <= 0.5);
+    CHECK(joint_named(skeleton, "left_wrist").confidence > 0.9);
+    CHECK(skeleton.frame.origin == at(skeleton, "crotch"));
+}
+
+TEST_CASE("a skeleton with unlikely bones all over is no match") {
+    const SkeletonTemplate& human = builtin_template("human21");
+    KinematicSkeleton<double> sided = rest_skeleton();
+    for (const char* name :
+         {"left_elbow", "right_knee", "waist", "right_wrist", "left_ankle"}) { // to its parent's place
+        const Joint<double>& joint = joint_named(sided, name);
+        at(sided, name) = 0.9 * sided.joints[static_cast<std::size_t>(joint.parent)].position + 0.1 * joint.position;
+    }
+    const auto found = complete_skeleton(sided, tube_body(), curve_of_joints(), human);
+    REQUIRE_FALSE(found);
+    CHECK(found.failure().reason == FailureReason::no_match);
+    CHECK(found.failure().what.find("joints of its skeleton would have bones of unlikely lengths") !=
+          std::string::npos);
+}
+
+TEST_CASE("a skeleton that lies beside its body is no match") {
+    KinematicSkeleton<double> sided = rest_skeleton();
+    for (Joint<double>& joint : sided.joints) joint.position += Vec3(0, 0, 1);
+    const auto found = complete_skeleton(sided, tube_body(), curve_of_joints(), builtin_template("human21"));
+    REQUIRE_FALSE(found);
+    CHECK(found.failure().reason == FailureReason::no_match);
+    CHECK(found.failure().what.find("21 joints of its skeleton would lie outside of it") != std::string::npos);
+}

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include <skelgen/core/adjacency.hpp>
+#include <skelgen/core/geodesics.hpp>
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/surface/body.hpp>
+
+namespace skelgen::test {
+
+/// A body of that mesh as it stands: neither moved, turned nor scaled.
+template <typename Scalar>
+Body<Scalar> body_of(const TriangleMesh<Scalar>& mesh) {
+    const Triangles adjacency = core::face_adjacency(mesh.faces);
+    std::vector<int> source(static_cast<std::size_t>(mesh.vertices.rows()));
+    std::iota(source.begin(), source.end(), 0);
+    return {mesh, adjacency, core::surface_graph(mesh, adjacency), {}, source, 0};
+}
+
+/// A body of that mesh scaled to unit area, as the pipeline does, in the precision asked for.
+template <typename Scalar = double>
+Body<Scalar> unit_body(TriangleMesh<double> mesh) {
+    mesh.vertices /= std::sqrt(core::surface_area(mesh));
+    return body_of(TriangleMesh<Scalar>{mesh.vertices.template cast<Scalar>(), mesh.faces});
+}
+
+} // namespace skelgen::test

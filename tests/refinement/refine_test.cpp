@@ -1,0 +1,187 @@
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include <Eigen/Geometry>
+#include <nlohmann/json.hpp>
+
+#include <skelgen/io/read_mesh.hpp>
+#include <skelgen/refinement/refine.hpp>
+#include <skelgen/surface/prepare.hpp>
+
+#include "catch.hpp"
+#include "limb_shapes.hpp"
+#include "mesh_changes.hpp"
+#include "stick_figure.hpp"
+
+using namespace skelgen;
+using namespace skelgen::refinement;
+using namespace skelgen::test;
+
+namespace {
+
+/// The sample body, and a curve and embedding for it by where its joints really are: what is wrong is the refinement's.
+struct SampleBody {
+    Body<double> body;
+    std::vector<Vec3> truth, tips; ///< per joint, in the body's coordinates
+    Vec3 forward;
+    double diameter = 0; ///< geodesic, in the same unit
+    std::optional<BoneCurve<double>> bones;
+
+    SampleBody() {
+        const std::string folder = std::string(SKELGEN_DATA) + "/sample/";
+        body = surface::prepare(read_mesh<double>(folder + "body.off"));
+        std::ifstream file(folder + "body.json");
+        const auto json = nlohmann::json::parse(file);
+        const auto place = [&](const nlohmann::json& p) {
+            return body.similarity.to_canonical(Vec3(p[0], p[1], p[2]));
+        };
+        const SkeletonTemplate& human = builtin_template("human21");
+        for (const TemplateJoint& joint : human.joints) {
+            truth.push_back(place(json["joints"][joint.name]));
+            const std::string side = joint.side == Side::left ? "left_" : joint.side == Side::right ? "right_" : "";
+            const char* end = joint.role == JointRole::head   ? "head_top"
+                              : joint.role == JointRole::hand ? "fingertip"
+                                                              : "toe";
+            tips.push_back(joint.tip ? place(json["end_points"][side + end]) : Vec3::Zero());
+        }
+        forward = body.similarity.rotation * -Vec3::UnitY(); // z up, the person's left on +x
+        diameter = json["scale"].get<double>() / body.similarity.scale;
+        bones.emplace(human, truth, tips);
+    }
+
+    /// Per joint, in geodesic diameters.
+    [[nodiscard]] Eigen::VectorXd errors(const Points<double>& positions) const {
+        Eigen::VectorXd out(positions.rows());
+        for (Eigen::Index j = 0; j < out.size(); ++j)
+            out[j] = (positions.row(j).transpose() - truth[static_cast<std::size_t>(j)]).norm() / diameter;
+        return out;
+    }
+};
+
+const SampleBody& sample() {
+    static const SampleBody made;
+    return made;
+}
+
+template <typename Scalar>
+RefinedJoints<Scalar> refined(const Body<Scalar>& body, const BoneCurve<Scalar>& bones, const SkeletonTemplate& human,
+                              const RefinementOptions& options = {}) {
+    const auto ends = find_end_points(body, bones.curve, bones.embedding, human);
+    return refine(body, ends, bones.curve, bones.embedding, human, options);
+}
+
+RefinedJoints<double> refined_sample() { return refined(sample().body, *sample().bones, builtin_template("human21")); }
+
+double largest_distance(const Points<double>& a, const Points<double>& b) {
+    return (a - b).rowwise().norm().maxCoeff();
+}
+
+} // namespace
+
+TEST_CASE("the sample body's joints are found near where they are") {
+    const SkeletonTemplate& human = builtin_template("human21");
+    const RefinedJoints<double> joints = refined_sample();
+    REQUIRE(joints.positions.rows() == 21);
+    const Eigen::VectorXd errors = sample().errors(joints.positions);
+    for (Eigen::Index j = 0; j < errors.size(); ++j) {
+        INFO(human.joint(static_cast<int>(j)).name << ": " << errors[j]);
+        CHECK(errors[j] < 0.025);
+    }
+    INFO("mean error " << errors.mean());
+    CHECK(errors.mean() < 0.008); // people differ by 0.0096 (LF20, table 1)
+}
+
+TEST_CASE("the sample body's limbs end in its tips, and its head and trunk look ahead") {
+    const SkeletonTemplate& human = builtin_template("human21");
+    const RefinedJoints<double> joints = refined_sample();
+    REQUIRE(joints.tips.size() == 5);
+    for (const auto& [joint, place] : joints.tips) {
+        INFO(human.joint(joint).name);
+        CHECK((place - sample().tips[static_cast<std::size_t>(joint)]).norm() < 0.03 * sample().diameter);
+        CHECK((sample().body.mesh.vertices.rowwise() - place.transpose()).rowwise().norm().minCoeff() < 1e-12);
+    }
+    REQUIRE(joints.head.has_value());
+    CHECK(joints.head->forward.dot(sample().forward) > 0.95);
+    REQUIRE(joints.trunk.has_value());
+    CHECK(joints.trunk->forward.dot(sample().forward) > 0.95);
+}
+
+TEST_CASE("a template in another unit has the same joints") {
+    const RefinedJoints<double> joints = refined_sample();
+    for (const double unit : {100.0, 0.001}) {
+        const SkeletonTemplate human = scaled(builtin_template("human21"), unit);
+        const RefinedJoints<double> same = refined(sample().body, *sample().bones, human);
+        CHECK(largest_distance(same.positions, joints.positions) < 1e-9);
+        CHECK(same.head->frontness == Approx(joints.head->frontness));
+        CHECK(same.trunk->frontness == Approx(joints.trunk->frontness));
+    }
+}
+
+TEST_CASE("in float the joints are the same to a ten-thousandth of the body") {
+    const SkeletonTemplate& human = builtin_template("human21");
+    const SampleBody& body = sample();
+    const Body<float> rounded = body_of<float>(body.body.mesh);
+    const BoneCurve<float> bones(human, body.truth, body.tips);
+    const Points<double> found = refined(rounded, bones, human).positions.cast<double>();
+    CHECK(largest_distance(found, refined_sample().positions) < 1e-4 * body.diameter);
+}
+
+TEST_CASE("the joints turn with the body") {
+    const SkeletonTemplate& human = builtin_template("human21");
+    const RefinedJoints<double> joints = refined_sample();
+    const Motion motion{random_rotation(11), 1, Vec3(0.3, -2, 1)};
+    std::vector<Vec3> truth, tips;
+    for (const Vec3& p : sample().truth) truth.push_back(motion.apply(p));
+    for (const Vec3& p : sample().tips) tips.push_back(motion.apply(p));
+    const BoneCurve<double> bones(human, truth, tips);
+    const RefinedJoints<double> turned = refined(body_of<double>(moved(sample().body.mesh, motion)), bones, human);
+    for (Eigen::Index j = 0; j < turned.positions.rows(); ++j)
+        CHECK((motion.undo(turned.positions.row(j).transpose()) - joints.positions.row(j).transpose()).norm() < 1e-6);
+}
+
+TEST_CASE("a stick figure at rest has its joints near their places at rest, both sides alike") {
+    const SkeletonTemplate& human = builtin_template("human21");
+    const StickFigure<double> figure;
+    const auto ends = find_end_points(figure.body, figure.curve, figure.embedding, human);
+    const auto joints = refine(figure.body, ends, figure.curve, figure.embedding, human);
+    const double diameter = geodesic_diameter(ends);
+    for (int j = 0; j < 21; ++j) {
+        const TemplateJoint& joint = human.joint(j);
+        const Vec3 found = joints.positions.row(j).transpose();
+        INFO(joint.name);
+        CHECK((found - joint.position).norm() < 0.04 * diameter); // it has neither calves nor a throat to go by
+        if (joint.side != Side::left) continue;
+        const Vec3 other = joints.positions.row(counterpart(human, j)).transpose();
+        CHECK((found - Vec3(-other.x(), other.y(), other.z())).norm() < 0.01 * diameter);
+    }
+}
+
+TEST_CASE("options that make no sense are refused, whichever step they are for") {
+    const SkeletonTemplate& human = builtin_template("human21");
+    const auto refusal = [&](const RefinementOptions& options) -> std::string {
+        try {
+            (void)refined(sample().body, *sample().bones, human, options);
+        } catch (const Error& error) {
+            CHECK(error.code() == ErrorCode::usage);
+            return error.what();
+        }
+        return "";
+    };
+    CHECK(refusal({}).empty());
+    RefinementOptions options;
+    options.centreline.step = 0;
+    CHECK(refusal(options).find("refinement.centreline.step") != std::string::npos);
+    options = {};
+    options.bend.full = options.bend.from;
+    CHECK(refusal(options).find("refinement.bend.full") != std::string::npos);
+    options = {};
+    options.larger_head = -1;
+    CHECK(refusal(options).find("refinement.larger_head") != std::string::npos);
+    options = {};
+    options.thickness_profile.bone_deviation = 0;
+    CHECK(refusal(options).find("refinement.thickness_profile.bone_deviation") != std::string::npos);
+    options = {};
+    options.crotch.depth = std::nan("");
+    CHECK(refusal(options).find("refinement.crotch.depth") != std::string::npos);
+}

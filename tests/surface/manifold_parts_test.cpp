@@ -1,0 +1,104 @@
+#include <algorithm>
+
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/surface/manifold_parts.hpp>
+
+#include "catch.hpp"
+#include "mesh_changes.hpp"
+#include "shapes.hpp"
+
+using namespace skelgen;
+using namespace skelgen::core;
+using namespace skelgen::surface;
+using namespace skelgen::test;
+
+namespace {
+
+/// `mesh` with vertex `from` replaced by `to` in all faces.
+Mesh joined(Mesh mesh, int from, int to) {
+    mesh.faces = (mesh.faces.array() == from).select(to, mesh.faces);
+    return mesh;
+}
+
+void check_sources(const ManifoldParts<double>& parts, const Mesh& mesh) {
+    REQUIRE(parts.source.size() == static_cast<std::size_t>(parts.mesh.vertices.rows()));
+    for (std::size_t v = 0; v < parts.source.size(); ++v)
+        REQUIRE(parts.mesh.vertices.row(static_cast<Eigen::Index>(v)) == mesh.vertices.row(parts.source[v]));
+}
+
+} // namespace
+
+TEST_CASE("a sound mesh comes through whole") {
+    const Mesh mesh = torus(1, 0.3);
+    const ManifoldParts<double> parts = largest_manifold_part(mesh);
+    CHECK(parts.dropped_pieces == 0);
+    CHECK(parts.mesh.vertices.rows() == mesh.vertices.rows());
+    CHECK(parts.mesh.faces.rows() == mesh.faces.rows());
+    CHECK(euler_characteristic(parts.mesh.faces) == 0);
+    CHECK(is_closed(parts.mesh.faces));
+    check_sources(parts, mesh);
+}
+
+TEST_CASE("a vertex where two fans of one surface touch becomes two") {
+    // Two vertices of a sphere that are no neighbours made one: Euler characteristic 1, as of SCAPE's bodies.
+    const Mesh pinched = joined(sphere(1, 3), 3, 0);
+    REQUIRE(euler_characteristic(pinched.faces) == 1);
+    const ManifoldParts<double> parts = largest_manifold_part(pinched);
+    CHECK(parts.dropped_pieces == 0);
+    CHECK(parts.mesh.faces.rows() == pinched.faces.rows());
+    CHECK(euler_characteristic(parts.mesh.faces) == 2);
+    CHECK(is_closed(parts.mesh.faces));
+    CHECK(std::count(parts.source.begin(), parts.source.end(), 0) == 2);
+    check_sources(parts, pinched);
+}
+
+TEST_CASE("two surfaces that touch in a vertex are two pieces") {
+    const Mesh large = sphere(2, 3), small = sphere(1, 3);
+    const Mesh touching = joined(side_by_side(large, small), static_cast<int>(large.vertices.rows()), 0);
+    const ManifoldParts<double> parts = largest_manifold_part(touching);
+    CHECK(parts.dropped_pieces == 1);
+    CHECK(parts.mesh.faces.rows() == large.faces.rows());
+    CHECK(is_closed(parts.mesh.faces));
+}
+
+TEST_CASE("of several pieces the one with the largest area stays and the others are counted") {
+    const Mesh small = sphere(0.5, 4), large = sphere(1, 2);
+    Mesh mesh = side_by_side(side_by_side(small, large), small); // the small ones have more faces
+    for (const int seed : {1, 2, 3}) {
+        const ManifoldParts<double> parts = largest_manifold_part(shuffled(mesh, static_cast<unsigned>(seed)));
+        CHECK(parts.dropped_pieces == 2);
+        CHECK(parts.mesh.faces.rows() == large.faces.rows());
+        CHECK(surface_area(parts.mesh) == Approx(surface_area(large)));
+    }
+}
+
+TEST_CASE("a fin on an edge is cut off and the edge healed") {
+    Mesh fin = sphere(1, 2);
+    const int a = fin.faces(0, 0), b = fin.faces(0, 1), tip = static_cast<int>(fin.vertices.rows());
+    fin.vertices.conservativeResize(tip + 1, 3);
+    fin.vertices.row(tip) = 2 * fin.vertices.row(a);
+    fin.faces.conservativeResize(fin.faces.rows() + 1, 3);
+    fin.faces.bottomRows<1>() << a, b, tip;
+    const ManifoldParts<double> parts = largest_manifold_part(fin);
+    CHECK(parts.dropped_pieces == 1); // the fin
+    CHECK(parts.mesh.faces.rows() == fin.faces.rows() - 1);
+    CHECK(is_closed(parts.mesh.faces));
+    CHECK(euler_characteristic(parts.mesh.faces) == 2);
+}
+
+TEST_CASE("faces that repeat a vertex are left out and open nothing") {
+    Mesh mesh = sphere(1, 2);
+    mesh.faces.conservativeResize(mesh.faces.rows() + 1, 3);
+    mesh.faces.bottomRows<1>() << 4, 4, 7;
+    const ManifoldParts<double> parts = largest_manifold_part(mesh);
+    CHECK(parts.mesh.faces.rows() == mesh.faces.rows() - 1);
+    CHECK(is_closed(parts.mesh.faces));
+}
+
+TEST_CASE("faces that turn against their neighbours are cut off") {
+    Mesh mesh = sphere(1, 3);
+    std::swap(mesh.faces(17, 0), mesh.faces(17, 1));
+    const ManifoldParts<double> parts = largest_manifold_part(mesh);
+    CHECK(parts.dropped_pieces == 1);
+    CHECK(parts.mesh.faces.rows() == mesh.faces.rows() - 1);
+}

@@ -1,0 +1,89 @@
+#include <limits>
+#include <type_traits>
+
+#include <skelgen/core/adjacency.hpp>
+#include <skelgen/core/error.hpp>
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/surface/prepare.hpp>
+
+#include "catch.hpp"
+#include "mesh_changes.hpp"
+#include "shapes.hpp"
+
+using namespace skelgen;
+using namespace skelgen::core;
+using namespace skelgen::surface;
+using namespace skelgen::test;
+
+TEST_CASE("a body is one closed surface of unit area that knows its connectivity and the way back") {
+    const Mesh large = moved(torus(1, 0.3), {random_rotation(2), 40, Vec3(1, 2, 3)}), small = sphere(0.1, 2);
+    const Mesh mesh = shuffled(side_by_side(small, large), 3);
+    const Body<double> body = prepare(mesh);
+    CHECK(body.dropped_pieces == 1);
+    CHECK(surface_area(body.mesh) == Approx(1).epsilon(1e-3)); // the small piece counts for the scale
+    CHECK(is_closed(body.mesh.faces));
+    CHECK(body.adjacency == face_adjacency(body.mesh.faces));
+    REQUIRE(body.graph.size() == body.mesh.vertices.rows());
+    REQUIRE(body.source.size() == static_cast<std::size_t>(body.mesh.vertices.rows()));
+    for (Eigen::Index v = 0; v < body.mesh.vertices.rows(); ++v) {
+        const Vec3 input = mesh.vertices.row(body.source[static_cast<std::size_t>(v)]);
+        REQUIRE((body.similarity.to_input(body.mesh.vertices.row(v).transpose()) - input).norm() < 1e-10);
+    }
+}
+
+TEMPLATE_TEST_CASE("curves and skeletons go back to the input's coordinates and indices", "", float, double) {
+    const Mesh exact = moved(capsule(0.3, 4), {random_rotation(5), 7, Vec3(10, -20, 5)});
+    const TriangleMesh<TestType> mesh{exact.vertices.cast<TestType>(), exact.faces};
+    const Body<TestType> body = prepare(mesh);
+    CurveSkeleton<TestType> curve;
+    curve.nodes = body.mesh.vertices.topRows(2);
+    curve.edges = {{0, 1}};
+    curve.regions = {{0, 2}, {1}};
+    curve.radii = {TestType(0.1), TestType(0.2)};
+    const CurveSkeleton<TestType> back = to_input(body, curve);
+    for (int v = 0; v < 2; ++v)
+        CHECK((back.nodes.row(v) - mesh.vertices.row(body.source[static_cast<std::size_t>(v)])).norm() <
+              TestType(200) * std::numeric_limits<TestType>::epsilon());
+    CHECK(back.regions[0] == std::vector<int>{body.source[0], body.source[2]});
+    CHECK(back.radii[1] == Approx(TestType(0.2) * body.similarity.scale));
+
+    KinematicSkeleton<TestType> skeleton;
+    skeleton.joints.push_back({"root", -1, curve.nodes.row(0).transpose(), TestType(0.1)});
+    skeleton.frame.up = body.similarity.rotation * Vector3<TestType>::UnitX();
+    const KinematicSkeleton<TestType> moved_back = to_input(body, skeleton);
+    CHECK((moved_back.joints[0].position - back.nodes.row(0).transpose()).norm() == TestType(0));
+    CHECK((moved_back.frame.up - Vector3<TestType>::UnitX()).norm() < 10 * std::numeric_limits<TestType>::epsilon());
+}
+
+TEST_CASE("a vertex of the input where fans touch goes to one region only") {
+    Mesh pinched = sphere(1, 3);
+    pinched.faces = (pinched.faces.array() == 3).select(0, pinched.faces);
+    const Body<double> body = prepare(pinched);
+    CurveSkeleton<double> curve;
+    curve.nodes = Points<double>::Zero(2, 3);
+    curve.regions.resize(2);
+    for (int v = 0; v < body.mesh.vertices.rows(); ++v) curve.regions[static_cast<std::size_t>(v % 2)].push_back(v);
+    const CurveSkeleton<double> back = to_input(body, curve);
+    CHECK(back.regions[0].size() + back.regions[1].size() == static_cast<std::size_t>(body.mesh.vertices.rows()) - 1);
+}
+
+TEST_CASE("what is no surface is bad input") {
+    const auto code = [](const Mesh& mesh) {
+        try {
+            static_cast<void>(prepare(mesh));
+        } catch (const Error& error) {
+            return error.code();
+        }
+        return ErrorCode::internal;
+    };
+    Mesh mesh = sphere(1, 2);
+    mesh.vertices(4, 1) = std::numeric_limits<double>::quiet_NaN();
+    CHECK(code(mesh) == ErrorCode::bad_input);
+    mesh = sphere(1, 2);
+    mesh.faces(3, 0) = static_cast<int>(mesh.vertices.rows());
+    CHECK(code(mesh) == ErrorCode::bad_input);
+    mesh.faces(3, 0) = -1;
+    CHECK(code(mesh) == ErrorCode::bad_input);
+    CHECK(code(Mesh{}) == ErrorCode::bad_input);
+    CHECK(code(make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}})) == ErrorCode::bad_input);
+}
