@@ -4,7 +4,8 @@ include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/skelgen")
 
 # One export set a part: whoever finds skelgen alone needs no library of a part.
-install(TARGETS skelgen_core skelgen EXPORT skelgen-targets FILE_SET HEADERS)
+install(TARGETS skelgen_core EXPORT skelgen-targets FILE_SET HEADERS FILE_SET definitions)
+install(TARGETS skelgen EXPORT skelgen-targets FILE_SET HEADERS)
 install(EXPORT skelgen-targets NAMESPACE skelgen:: DESTINATION "${package_dir}")
 foreach(part IN ITEMS render evaluation synth)
   if(TARGET skelgen_${part})

@@ -1,16 +1,11 @@
 # Every file that is built or installed, by name: a file more or less is then a change that CMake sees. The tests are
 # listed in tests/CMakeLists.txt.
 
+# Those that declare, and those that define: each of the former includes its counterpart in header-only use.
 set(skelgen_core_headers
     include/skelgen/anatomy/complete.hpp
     include/skelgen/anatomy/confidence.hpp
     include/skelgen/anatomy/equal_bones.hpp
-    include/skelgen/anatomy/impl/complete.hpp
-    include/skelgen/anatomy/impl/confidence.hpp
-    include/skelgen/anatomy/impl/equal_bones.hpp
-    include/skelgen/anatomy/impl/inside.hpp
-    include/skelgen/anatomy/impl/joint_offsets.hpp
-    include/skelgen/anatomy/impl/radii.hpp
     include/skelgen/anatomy/inside.hpp
     include/skelgen/anatomy/joint_offsets.hpp
     include/skelgen/anatomy/radii.hpp
@@ -22,11 +17,6 @@ set(skelgen_core_headers
     include/skelgen/core/geodesics.hpp
     include/skelgen/core/geometry.hpp
     include/skelgen/core/header_only.hpp
-    include/skelgen/core/impl/builtin_templates.hpp
-    include/skelgen/core/impl/curve_graph.hpp
-    include/skelgen/core/impl/geodesics.hpp
-    include/skelgen/core/impl/geometry.hpp
-    include/skelgen/core/impl/template_rules.hpp
     include/skelgen/core/kinematic_skeleton.hpp
     include/skelgen/core/mesh.hpp
     include/skelgen/core/options.hpp
@@ -39,6 +29,58 @@ set(skelgen_core_headers
     include/skelgen/curve/centring.hpp
     include/skelgen/curve/contraction.hpp
     include/skelgen/curve/find_curve.hpp
+    include/skelgen/curve/laplacian.hpp
+    include/skelgen/curve/leaf_extension.hpp
+    include/skelgen/curve/limb_ends.hpp
+    include/skelgen/curve/medial_balls.hpp
+    include/skelgen/curve/proxy.hpp
+    include/skelgen/curve/pruning.hpp
+    include/skelgen/curve/regions.hpp
+    include/skelgen/curve/surgery.hpp
+    include/skelgen/embedding/embed.hpp
+    include/skelgen/embedding/loop_cuts.hpp
+    include/skelgen/embedding/part_contacts.hpp
+    include/skelgen/embedding/reduced_graph.hpp
+    include/skelgen/embedding/spectral_matching.hpp
+    include/skelgen/extract.hpp
+    include/skelgen/refinement/bone_line.hpp
+    include/skelgen/refinement/centreline.hpp
+    include/skelgen/refinement/cross_section.hpp
+    include/skelgen/refinement/end_points.hpp
+    include/skelgen/refinement/fork.hpp
+    include/skelgen/refinement/head.hpp
+    include/skelgen/refinement/hip_anchor.hpp
+    include/skelgen/refinement/limb_joints.hpp
+    include/skelgen/refinement/limbs.hpp
+    include/skelgen/refinement/placement.hpp
+    include/skelgen/refinement/profile_matcher.hpp
+    include/skelgen/refinement/refine.hpp
+    include/skelgen/refinement/thickness_profile.hpp
+    include/skelgen/refinement/trunk_joints.hpp
+    include/skelgen/refinement/trunk_shape.hpp
+    include/skelgen/surface/body.hpp
+    include/skelgen/surface/canonical_form.hpp
+    include/skelgen/surface/cut_surface.hpp
+    include/skelgen/surface/denoise.hpp
+    include/skelgen/surface/manifold_parts.hpp
+    include/skelgen/surface/prepare.hpp
+    include/skelgen/surface/similarity.hpp
+    include/skelgen/symmetry/sides.hpp
+    include/skelgen/symmetry/standing_pose.hpp
+    include/skelgen/version.hpp
+)
+set(skelgen_core_definitions
+    include/skelgen/anatomy/impl/complete.hpp
+    include/skelgen/anatomy/impl/confidence.hpp
+    include/skelgen/anatomy/impl/equal_bones.hpp
+    include/skelgen/anatomy/impl/inside.hpp
+    include/skelgen/anatomy/impl/joint_offsets.hpp
+    include/skelgen/anatomy/impl/radii.hpp
+    include/skelgen/core/impl/builtin_templates.hpp
+    include/skelgen/core/impl/curve_graph.hpp
+    include/skelgen/core/impl/geodesics.hpp
+    include/skelgen/core/impl/geometry.hpp
+    include/skelgen/core/impl/template_rules.hpp
     include/skelgen/curve/impl/centring.hpp
     include/skelgen/curve/impl/contraction.hpp
     include/skelgen/curve/impl/find_curve.hpp
@@ -50,33 +92,12 @@ set(skelgen_core_headers
     include/skelgen/curve/impl/pruning.hpp
     include/skelgen/curve/impl/regions.hpp
     include/skelgen/curve/impl/surgery.hpp
-    include/skelgen/curve/laplacian.hpp
-    include/skelgen/curve/leaf_extension.hpp
-    include/skelgen/curve/limb_ends.hpp
-    include/skelgen/curve/medial_balls.hpp
-    include/skelgen/curve/proxy.hpp
-    include/skelgen/curve/pruning.hpp
-    include/skelgen/curve/regions.hpp
-    include/skelgen/curve/surgery.hpp
-    include/skelgen/embedding/embed.hpp
     include/skelgen/embedding/impl/embed.hpp
     include/skelgen/embedding/impl/loop_cuts.hpp
     include/skelgen/embedding/impl/part_contacts.hpp
     include/skelgen/embedding/impl/reduced_graph.hpp
     include/skelgen/embedding/impl/spectral_matching.hpp
-    include/skelgen/embedding/loop_cuts.hpp
-    include/skelgen/embedding/part_contacts.hpp
-    include/skelgen/embedding/reduced_graph.hpp
-    include/skelgen/embedding/spectral_matching.hpp
-    include/skelgen/extract.hpp
     include/skelgen/impl/extract.hpp
-    include/skelgen/refinement/bone_line.hpp
-    include/skelgen/refinement/centreline.hpp
-    include/skelgen/refinement/cross_section.hpp
-    include/skelgen/refinement/end_points.hpp
-    include/skelgen/refinement/fork.hpp
-    include/skelgen/refinement/head.hpp
-    include/skelgen/refinement/hip_anchor.hpp
     include/skelgen/refinement/impl/bone_line.hpp
     include/skelgen/refinement/impl/centreline.hpp
     include/skelgen/refinement/impl/cross_section.hpp
@@ -92,32 +113,14 @@ set(skelgen_core_headers
     include/skelgen/refinement/impl/thickness_profile.hpp
     include/skelgen/refinement/impl/trunk_joints.hpp
     include/skelgen/refinement/impl/trunk_shape.hpp
-    include/skelgen/refinement/limb_joints.hpp
-    include/skelgen/refinement/limbs.hpp
-    include/skelgen/refinement/placement.hpp
-    include/skelgen/refinement/profile_matcher.hpp
-    include/skelgen/refinement/refine.hpp
-    include/skelgen/refinement/thickness_profile.hpp
-    include/skelgen/refinement/trunk_joints.hpp
-    include/skelgen/refinement/trunk_shape.hpp
-    include/skelgen/surface/body.hpp
-    include/skelgen/surface/canonical_form.hpp
-    include/skelgen/surface/cut_surface.hpp
-    include/skelgen/surface/denoise.hpp
     include/skelgen/surface/impl/body.hpp
     include/skelgen/surface/impl/canonical_form.hpp
     include/skelgen/surface/impl/cut_surface.hpp
     include/skelgen/surface/impl/denoise.hpp
     include/skelgen/surface/impl/manifold_parts.hpp
     include/skelgen/surface/impl/prepare.hpp
-    include/skelgen/surface/manifold_parts.hpp
-    include/skelgen/surface/prepare.hpp
-    include/skelgen/surface/similarity.hpp
     include/skelgen/symmetry/impl/sides.hpp
     include/skelgen/symmetry/impl/standing_pose.hpp
-    include/skelgen/symmetry/sides.hpp
-    include/skelgen/symmetry/standing_pose.hpp
-    include/skelgen/version.hpp
 )
 
 set(skelgen_io_headers

@@ -11,6 +11,7 @@ namespace skelgen::core {
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
     template Points<Scalar> vertex_normals(const TriangleMesh<Scalar>&);                                               \
     template Scalar winding_number(const TriangleMesh<Scalar>&, const Vector3<Scalar>&);                               \
+    template int nearest_point(const Points<Scalar>&, const Vector3<Scalar>&);                                         \
     template int nearest_vertex(const TriangleMesh<Scalar>&, const Vector3<Scalar>&);                                  \
     template ShortestPaths<Scalar> shortest_paths(const CurveGraph<Scalar>&, int);                                     \
     template std::vector<int> nearest_source(const CurveGraph<Scalar>&, const std::vector<int>&);                      \

@@ -109,7 +109,7 @@ TEST_CASE("wrong usage ends with status 2 and one line") {
 
 TEST_CASE("help comes with an example, on standard output, with status 0") {
     const TemporaryFolder folder;
-    const std::string command = GENERATE("", "extract", "batch", "evaluate", "curve", "render", "synth");
+    const std::string command = GENERATE("", "extract", "batch", "evaluate", "curve", "render");
     std::vector<std::string> arguments{"--help"};
     if (!command.empty()) arguments.insert(arguments.begin(), command);
     const CliResult result = run_cli(folder.path(), arguments);

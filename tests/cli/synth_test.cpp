@@ -23,6 +23,14 @@ TEST_CASE("synth writes a dressed body and its truth") {
     CHECK(truth["joints"].size() == 21);
 }
 
+TEST_CASE("synth explains itself with an example") {
+    const TemporaryFolder folder;
+    const CliResult result = run_cli(folder.path(), {"synth", "--help"});
+    CHECK(result.status == 0);
+    CHECK(result.out.find("skelgen synth ") != std::string::npos);
+    CHECK(result.err.empty());
+}
+
 TEST_CASE("a set needs a folder to go to") {
     const TemporaryFolder folder;
     write_file(folder / "file", "");

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <skelgen/core/curve_skeleton.hpp>
+#include <skelgen/core/geometry.hpp>
 
 namespace skelgen::core {
 
@@ -24,7 +25,7 @@ template <typename Scalar>
     CurveGraph<Scalar> graph;
     graph.neighbours.resize(static_cast<std::size_t>(curve.nodes.rows()));
     for (const auto& [a, b] : curve.edges) {
-        const Scalar length = (curve.nodes.row(a) - curve.nodes.row(b)).norm();
+        const Scalar length = (point(curve.nodes, a) - point(curve.nodes, b)).norm();
         graph.neighbours[static_cast<std::size_t>(a)].emplace_back(b, length);
         graph.neighbours[static_cast<std::size_t>(b)].emplace_back(a, length);
     }
@@ -49,16 +50,14 @@ template <typename Scalar>
 [[nodiscard]] Scalar path_length(const CurveSkeleton<Scalar>& curve, const std::vector<int>& nodes) {
     Scalar length = 0;
     for (std::size_t i = 1; i < nodes.size(); ++i)
-        length += (curve.nodes.row(nodes[i]) - curve.nodes.row(nodes[i - 1])).norm();
+        length += (point(curve.nodes, nodes[i]) - point(curve.nodes, nodes[i - 1])).norm();
     return length;
 }
 
 /// Node of a curve nearest to a point, the first of equals; the curve must have one. O(k).
 template <typename Scalar>
-[[nodiscard]] int nearest_node(const CurveSkeleton<Scalar>& curve, const Vector3<Scalar>& point) {
-    Eigen::Index nearest = 0;
-    (curve.nodes.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
-    return static_cast<int>(nearest);
+[[nodiscard]] int nearest_node(const CurveSkeleton<Scalar>& curve, const Vector3<Scalar>& place) {
+    return nearest_point(curve.nodes, place);
 }
 
 /// Independent cycles of a connected curve: 0 for a tree.

@@ -12,10 +12,11 @@ struct Similarity {
     Scalar scale = 1;
 
     [[nodiscard]] Vector3<Scalar> to_canonical(const Vector3<Scalar>& p) const {
-        return rotation * (p - origin) / scale;
+        const Vector3<Scalar> moved = p - origin, turned = rotation * moved;
+        return turned / scale;
     }
     [[nodiscard]] Vector3<Scalar> to_input(const Vector3<Scalar>& p) const {
-        return rotation.transpose() * p * scale + origin;
+        return direction_to_input(p) * scale + origin;
     }
     [[nodiscard]] Vector3<Scalar> direction_to_input(const Vector3<Scalar>& d) const {
         return rotation.transpose() * d;

@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include <skelgen/core/geometry.hpp>
+
 namespace skelgen::core {
 namespace detail {
 
@@ -29,7 +31,7 @@ template <typename Scalar>
 CurveGraph<Scalar> surface_graph(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency) {
     CurveGraph<Scalar> graph;
     graph.neighbours.resize(static_cast<std::size_t>(mesh.vertices.rows()));
-    const auto point = [&](int v) { return Vector3<Scalar>(mesh.vertices.row(v)); };
+    const auto at = [&](int v) { return point(mesh.vertices, v); };
     const auto link = [&](int u, int v, Scalar length) {
         graph.neighbours[static_cast<std::size_t>(u)].emplace_back(v, length);
         graph.neighbours[static_cast<std::size_t>(v)].emplace_back(u, length);
@@ -38,13 +40,13 @@ CurveGraph<Scalar> surface_graph(const TriangleMesh<Scalar>& mesh, const Triangl
         for (int k = 0; k < 3; ++k) {
             const int a = mesh.faces(f, k), b = mesh.faces(f, (k + 1) % 3), g = adjacency(f, k);
             if (g >= 0 && g < f) continue; // once per edge
-            link(a, b, (point(a) - point(b)).norm());
+            link(a, b, (at(a) - at(b)).norm());
             if (g < 0) continue;
             const int c = mesh.faces(f, (k + 2) % 3);
             int d = mesh.faces(g, 0);
             for (int corner = 1; corner < 3; ++corner)
                 if (d == a || d == b) d = mesh.faces(g, corner);
-            const Scalar across = detail::unfolded_distance<Scalar>(point(a), point(b), point(c), point(d));
+            const Scalar across = detail::unfolded_distance<Scalar>(at(a), at(b), at(c), at(d));
             if (std::isfinite(across)) link(c, d, across);
         }
     return graph;

@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/curve/regions.hpp>
 
 namespace skelgen::curve {
@@ -34,7 +35,7 @@ BoundaryLoops<Scalar> boundary_loops(const CurveSkeleton<Scalar>& curve, const T
             // An edge u-v within the region whose opposite corner lies in another one is part of that loop.
             if (node[static_cast<std::size_t>(v)] != here || there == here) continue;
             LoopDisplacement<Scalar>& loop = loops[{here, there}];
-            const Scalar length = (mesh.vertices.row(u) - mesh.vertices.row(v)).norm();
+            const Scalar length = (core::point(mesh.vertices, u) - core::point(mesh.vertices, v)).norm();
             const Vector3<Scalar> displacement =
                 Scalar(0.5) *
                 (contracted.row(u) - mesh.vertices.row(u) + contracted.row(v) - mesh.vertices.row(v)).transpose();
@@ -68,7 +69,7 @@ CurveSkeleton<Scalar> centre_nodes(const CurveSkeleton<Scalar>& curve, const Tri
             count[k] = static_cast<int>(region.size());
         }
         out.nodes.row(row) -= (sum[k] / static_cast<Scalar>(count[k])).transpose();
-        for (const int v : region) out.radii[k] += (mesh.vertices.row(v) - out.nodes.row(row)).norm();
+        for (const int v : region) out.radii[k] += (core::point(mesh.vertices, v) - core::point(out.nodes, row)).norm();
         out.radii[k] /= static_cast<Scalar>(region.size());
     }
     return out;

@@ -42,6 +42,27 @@ inline Weights attraction_weights(const Weights& initial, const Weights& now, do
     return weights;
 }
 
+/// -w_L L + (1 + w_M) W_H^2, n x n, of a Laplacian L.
+inline Eigen::SparseMatrix<core::Accumulator> contraction_system(Eigen::SparseMatrix<core::Accumulator> laplacian,
+                                                                 double laplacian_weight, const Weights& attraction,
+                                                                 double medial_weight) {
+    for (Eigen::Index i = 0; i < laplacian.nonZeros(); ++i) laplacian.valuePtr()[i] *= -laplacian_weight;
+    for (int v = 0; v < laplacian.rows(); ++v) laplacian.coeffRef(v, v) += (1 + medial_weight) * attraction[v];
+    return laplacian;
+}
+
+/// W_H^2 (V + w_M P), n x 3: what the vertices V are held to, together with the centres P of their balls.
+template <typename Scalar>
+Points<core::Accumulator> attractors(const Points<core::Accumulator>& vertices, const Points<Scalar>& centres,
+                                     const Weights& attraction, double medial_weight) {
+    Points<core::Accumulator> out(vertices.rows(), 3);
+    for (Eigen::Index v = 0; v < vertices.rows(); ++v)
+        for (int k = 0; k < 3; ++k)
+            out(v, k) =
+                attraction[v] * (vertices(v, k) + medial_weight * static_cast<core::Accumulator>(centres(v, k)));
+    return out;
+}
+
 } // namespace detail
 
 SKELGEN_INLINE void validate(const ContractionOptions& options) {
@@ -78,14 +99,13 @@ Contraction<Scalar> contract(const TriangleMesh<Scalar>& mesh, const Contraction
     detail::Weights attraction = detail::Weights::Constant(mesh.vertices.rows(), options.attraction_weight);
     Eigen::SimplicialLLT<System> solver;
     while (out.iterations < options.iterations && !out.converged) {
-        System system = -laplacian_weight * cotangent_laplacian(contracted.vertices, mesh.faces);
-        system.diagonal() += (1 + options.medial_weight) * attraction;
+        const System system = detail::contraction_system(cotangent_laplacian(contracted.vertices, mesh.faces),
+                                                         laplacian_weight, attraction, options.medial_weight);
         if (out.iterations == 0) solver.analyzePattern(system);
         solver.factorize(system);
-        const Points<Accumulator> held =
-            contracted.vertices + options.medial_weight * balls.centres.template cast<Accumulator>();
         if (solver.info() == Eigen::Success)
-            contracted.vertices = solver.solve((attraction.asDiagonal() * held).eval());
+            contracted.vertices =
+                solver.solve(detail::attractors(contracted.vertices, balls.centres, attraction, options.medial_weight));
         if (solver.info() != Eigen::Success || !contracted.vertices.allFinite())
             throw Error(ErrorCode::internal, "the contraction's system could not be solved");
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/curve/laplacian.hpp>
 
 #include <algorithm>
@@ -34,7 +35,7 @@ Eigen::SparseMatrix<core::Accumulator> cotangent_laplacian(const Points<Scalar>&
     entries.reserve(static_cast<std::size_t>(faces.rows()) * 12);
     for (Eigen::Index f = 0; f < faces.rows(); ++f) {
         Vector3<Accumulator> corner[3], squared_lengths;
-        for (int k = 0; k < 3; ++k) corner[k] = vertices.row(faces(f, k)).transpose().template cast<Accumulator>();
+        for (int k = 0; k < 3; ++k) corner[k] = core::point(vertices, faces(f, k)).template cast<Accumulator>();
         for (int k = 0; k < 3; ++k) squared_lengths[k] = (corner[(k + 2) % 3] - corner[(k + 1) % 3]).squaredNorm();
         const Accumulator double_area = (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm();
         const Vector3<Accumulator> cotangents =

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/options.hpp>
 
@@ -44,7 +45,7 @@ int anchor_node(const CurveSkeleton<Scalar>& curve, const core::CurveGraph<Scala
     Scalar walked = 0;
     for (const int node : core::branch(graph, leaf, neighbour)) {
         if (walked >= reach) break;
-        walked += (curve.nodes.row(node) - curve.nodes.row(anchor)).norm();
+        walked += (core::point(curve.nodes, node) - core::point(curve.nodes, anchor)).norm();
         anchor = node;
     }
     return anchor;
@@ -68,9 +69,9 @@ CurveSkeleton<Scalar> extend_leaves(const CurveSkeleton<Scalar>& curve, const Bo
         const int anchor = detail::anchor_node(curve, graph, leaf, reach);
         auto& region = out.regions[static_cast<std::size_t>(leaf)];
         int tip = -1;
-        Scalar farthest = (curve.nodes.row(leaf) - curve.nodes.row(anchor)).norm();
+        Scalar farthest = (core::point(curve.nodes, leaf) - core::point(curve.nodes, anchor)).norm();
         for (const int v : detail::largest_connected_part(body.graph, region)) {
-            const Scalar distance = (body.mesh.vertices.row(v) - curve.nodes.row(anchor)).norm();
+            const Scalar distance = (core::point(body.mesh.vertices, v) - core::point(curve.nodes, anchor)).norm();
             if (distance > farthest) {
                 farthest = distance;
                 tip = v;

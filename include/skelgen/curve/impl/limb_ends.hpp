@@ -15,17 +15,20 @@ Vector3<Scalar> inward_place(const CurveSkeleton<Scalar>& curve, const core::Cur
     int count = 0;
     for (const auto& [other, length] : graph.neighbours[static_cast<std::size_t>(node)]) {
         if (graph.degree(other) == 1) continue;
-        sum += curve.nodes.row(other).transpose();
+        sum += core::point(curve.nodes, other);
         ++count;
     }
-    return count > 0 ? Vector3<Scalar>(sum / static_cast<Scalar>(count)) : curve.nodes.row(node).transpose();
+    return count > 0 ? Vector3<Scalar>(sum / static_cast<Scalar>(count)) : core::point(curve.nodes, node);
 }
 
 /// Mean distance from a place to the vertices of a region; to the nearest of all where the region is empty.
 template <typename Scalar>
 Scalar radius_at(const Vector3<Scalar>& place, const std::vector<int>& region, const TriangleMesh<Scalar>& mesh) {
-    if (region.empty()) return (mesh.vertices.rowwise() - place.transpose()).rowwise().norm().minCoeff();
-    return (mesh.vertices(region, Eigen::all).rowwise() - place.transpose()).rowwise().norm().mean();
+    const auto distance = [&](int v) { return (core::point(mesh.vertices, v) - place).norm(); };
+    if (region.empty()) return distance(core::nearest_vertex(mesh, place));
+    Scalar sum = 0;
+    for (const int v : region) sum += distance(v);
+    return sum / static_cast<Scalar>(region.size());
 }
 
 } // namespace detail
@@ -40,7 +43,7 @@ CurveSkeleton<Scalar> place_limb_ends(const CurveSkeleton<Scalar>& curve, const 
         if (graph.degree(leaf) != 1) continue;
         const int node = graph.neighbours[static_cast<std::size_t>(leaf)][0].first;
         const auto k = static_cast<std::size_t>(node);
-        const Vector3<Scalar> start = curve.nodes.row(node).transpose();
+        const Vector3<Scalar> start = core::point(curve.nodes, node);
         const Vector3<Scalar> target = detail::inward_place(curve, graph, node);
         Vector3<Scalar> place = start;
         if (!(curve.radii[k] > 0)) place = (place + target) / 2;

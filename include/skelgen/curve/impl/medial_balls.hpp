@@ -38,7 +38,7 @@ MedialBalls<Scalar> medial_balls(const TriangleMesh<Scalar>& mesh, std::type_ide
             Eigen::Index nearest = 0;
             Scalar squared_distance = 0;
             tree.query(centre.data(), 1, &nearest, &squared_distance);
-            const Vector3<Scalar> chord = p - Vector3<Scalar>(mesh.vertices.row(nearest));
+            const Vector3<Scalar> chord = p - core::point(mesh.vertices, nearest);
             const Scalar along = chord.dot(n);
             const bool is_empty = squared_distance >= radius * radius * (1 - core::rounding<Scalar>());
             if (nearest == v || is_empty || along <= 0) break;

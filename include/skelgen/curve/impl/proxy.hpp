@@ -43,7 +43,7 @@ void to_halfedges(const TriangleMesh<Scalar>& mesh, HalfedgeMesh<core::Accumulat
     std::vector<VertexHandle> handles;
     handles.reserve(n);
     for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v) {
-        const Vector3<core::Accumulator> p = mesh.vertices.row(v).transpose().template cast<core::Accumulator>();
+        const Vector3<core::Accumulator> p = core::point(mesh.vertices, v).template cast<core::Accumulator>();
         handles.push_back(out.add_vertex({p[0], p[1], p[2]}));
         source[handles.back()] = static_cast<int>(v);
     }

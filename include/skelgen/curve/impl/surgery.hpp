@@ -24,16 +24,21 @@ Quadric<Scalar> line_quadric(const Vector3<Scalar>& a, const Vector3<Scalar>& b)
     Vector3<Scalar> d = b - a;
     const Scalar length = d.norm();
     if (length > 0) d /= length;
-    Eigen::Matrix<Scalar, 3, 4> k;
-    k.col(3) = -d.cross(a);
-    k.template leftCols<3>() << 0, -d[2], d[1], d[2], 0, -d[0], -d[1], d[0], 0;
-    return k.transpose() * k;
+    const Vector3<Scalar> moment = a.cross(d);
+    const Scalar k[3][4] = {{0, -d[2], d[1], moment[0]}, {d[2], 0, -d[0], moment[1]}, {-d[1], d[0], 0, moment[2]}};
+    Quadric<Scalar> quadric;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j) quadric(i, j) = k[0][i] * k[0][j] + k[1][i] * k[1][j] + k[2][i] * k[2][j];
+    return quadric;
 }
 
 template <typename Scalar>
 Scalar squared_distance(const Quadric<Scalar>& quadric, const Vector3<Scalar>& p) {
-    const Vector3<Scalar> left = quadric.template topLeftCorner<3, 3>() * p;
-    return p.dot(left) + 2 * p.dot(quadric.template topRightCorner<3, 1>()) + quadric(3, 3);
+    const Scalar point[4] = {p[0], p[1], p[2], 1};
+    Scalar sum = 0;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j) sum += point[i] * quadric(i, j) * point[j];
+    return sum;
 }
 
 /// The contracted mesh as a complex of vertices, edges and faces that shrinks to a graph.

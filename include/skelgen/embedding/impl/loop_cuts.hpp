@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/core/precision.hpp>
 #include <skelgen/embedding/embed.hpp>
 #include <skelgen/embedding/reduced_graph.hpp>
@@ -61,7 +62,7 @@ template <typename Scalar>
 std::size_t first_beyond(const CurveSkeleton<Scalar>& curve, const std::vector<int>& path, Scalar distance) {
     Scalar arc = 0;
     for (std::size_t i = 1; i + 1 < path.size(); ++i) {
-        arc += (curve.nodes.row(path[i]) - curve.nodes.row(path[i - 1])).norm();
+        arc += (core::point(curve.nodes, path[i]) - core::point(curve.nodes, path[i - 1])).norm();
         if (arc > distance) return i;
     }
     return path.size() - 1;

@@ -34,11 +34,19 @@ DenseVector<Scalar> leading_eigenvector(const DenseMatrix<Scalar>& matrix) {
     constexpr int most_iterations = 100'000;
     constexpr Scalar tolerance = 4096 * std::numeric_limits<Scalar>::epsilon(); // about 1e-12 in double
     // From a start that favours no pair: a left and a right limb that match equally well keep equal entries.
-    DenseVector<Scalar> vector = DenseVector<Scalar>::Ones(matrix.rows()).normalized();
+    const Eigen::Index n = matrix.rows();
+    DenseVector<Scalar> vector = DenseVector<Scalar>::Constant(n, 1 / std::sqrt(static_cast<Scalar>(n)));
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
-        const DenseVector<Scalar> next = (matrix * vector).normalized();
-        const Scalar change = (next - vector).norm();
-        vector = next;
+        DenseVector<Scalar> next = DenseVector<Scalar>::Zero(n);
+        for (Eigen::Index k = 0; k < n; ++k)
+            for (Eigen::Index i = 0; i < n; ++i) next[i] += matrix(i, k) * vector[k];
+        const Scalar length = next.norm();
+        Scalar change = 0;
+        for (Eigen::Index i = 0; i < n; ++i) {
+            if (length > 0) next[i] /= length;
+            change = std::max(change, std::abs(next[i] - vector[i]));
+        }
+        vector.swap(next);
         if (change <= tolerance) return vector;
     }
     throw Error(ErrorCode::internal, "the spectral matching's eigenvector did not converge");

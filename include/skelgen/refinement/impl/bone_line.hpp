@@ -10,6 +10,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <skelgen/core/geometry.hpp>
+
 namespace skelgen::refinement {
 namespace detail {
 
@@ -34,7 +36,7 @@ Line<Scalar> principal_line(const std::vector<Vector3<Scalar>>& points) {
     for (const auto& p : points) line.point += p;
     line.point /= static_cast<Scalar>(points.size());
     Eigen::Matrix3<Scalar> covariance = Eigen::Matrix3<Scalar>::Zero();
-    for (const auto& p : points) covariance += (p - line.point) * (p - line.point).transpose();
+    for (const auto& p : points) core::add_outer_product<Scalar>(covariance, 1, p - line.point);
     line.direction = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3<Scalar>>(covariance).eigenvectors().col(2);
     if (line.direction.dot(points.back() - points.front()) < 0) line.direction = -line.direction;
     return line;
@@ -75,7 +77,7 @@ std::optional<Line<Scalar>> fit_bone(const Centreline<Scalar>& centreline, Scala
     for (Eigen::Index i = 0; i < centreline.points.rows(); ++i)
         if (centreline.arc[i] >= from && centreline.arc[i] <= to && centreline.area[i] > 0 &&
             centreline.flatness[i] < flatness) {
-            points.emplace_back(centreline.points.row(i).transpose());
+            points.emplace_back(core::point(centreline.points, i));
             thickness.push_back(centreline.thickness[i]);
         }
     if (points.size() < 3) return std::nullopt;

@@ -211,7 +211,7 @@ template <typename Scalar>
 Scalar gauss_map_flatness(const CrossSection<Scalar>& section) {
     Eigen::Matrix3<Scalar> covariance = Eigen::Matrix3<Scalar>::Zero();
     for (Eigen::Index i = 0; i < section.normals.rows(); ++i)
-        covariance += section.lengths[i] * section.normals.row(i).transpose() * section.normals.row(i);
+        core::add_outer_product<Scalar>(covariance, section.lengths[i], core::point(section.normals, i));
     const Scalar trace = covariance.trace();
     if (!(trace > 0)) return Scalar(1) / 3;
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3<Scalar>>(covariance).eigenvalues()[0] / trace;

@@ -42,8 +42,7 @@ std::vector<EndPoint<Scalar>> find_end_points(const Body<Scalar>& body, const Cu
     std::vector<EndPoint<Scalar>> leaves;
     for (const embedding::Chain& chain : embedding.chains) {
         if (!ends_limb(skeleton_template.joint(chain.joints.back()).role)) continue;
-        const int vertex =
-            core::nearest_vertex(body.mesh, Vector3<Scalar>(curve.nodes.row(chain.nodes.back()).transpose()));
+        const int vertex = core::nearest_vertex(body.mesh, core::point(curve.nodes, chain.nodes.back()));
         leaves.push_back({chain.joints.back(), vertex, detail::distances_from(body.graph, vertex)});
     }
     const Scalar radius = detail::end_reach<Scalar> * geodesic_diameter(leaves);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/refinement/fork.hpp>
 
 #include <cmath>
@@ -20,7 +21,7 @@ std::optional<Vector3<Scalar>> fork_between(const TriangleMesh<Scalar>& mesh, co
             const Scalar t = at_u / (at_u - at_v), distance = (1 - t) * a.distance[u] + t * a.distance[v];
             if (distance >= nearest) continue;
             nearest = distance;
-            fork = (1 - t) * mesh.vertices.row(u).transpose() + t * mesh.vertices.row(v).transpose();
+            fork = (1 - t) * core::point(mesh.vertices, u) + t * core::point(mesh.vertices, v);
         }
     return fork;
 }

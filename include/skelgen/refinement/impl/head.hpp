@@ -10,6 +10,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <skelgen/core/geometry.hpp>
+
 namespace skelgen::refinement {
 namespace detail {
 
@@ -92,14 +94,18 @@ struct ContourMoments {
         const Eigen::Index n = section.points.rows();
         for (Eigen::Index i = 0; i < n; ++i) {
             const Vector3<Scalar> middle =
-                (section.points.row(i) + section.points.row((i + 1) % n)).transpose() / 2 - origin;
+                (core::point(section.points, i) + core::point(section.points, (i + 1) % n)) / 2 - origin;
             weight += section.lengths[i];
             first += section.lengths[i] * middle;
-            second += section.lengths[i] * middle * middle.transpose();
+            core::add_outer_product<Scalar>(second, section.lengths[i], middle);
         }
     }
     [[nodiscard]] Vector3<Scalar> mean() const { return first / weight; }
-    [[nodiscard]] Eigen::Matrix3<Scalar> covariance() const { return second / weight - mean() * mean().transpose(); }
+    [[nodiscard]] Eigen::Matrix3<Scalar> covariance() const {
+        Eigen::Matrix3<Scalar> out = second / weight;
+        core::add_outer_product<Scalar>(out, -1, mean());
+        return out;
+    }
 };
 
 template <typename Scalar>

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/refinement/fork.hpp>
 
 namespace skelgen::refinement {
@@ -44,7 +45,7 @@ Limb<Scalar> with_top(Limb<Scalar> limb, const Vector3<Scalar>& place, const Vec
     if (!line) return limb;
     Eigen::Index nearest = 0;
     (limb.line.points.rowwise() - line->point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
-    const Scalar outwards = (place - limb.line.points.row(nearest).transpose()).dot(line->direction);
+    const Scalar outwards = (place - core::point(limb.line.points, nearest)).dot(line->direction);
     const Scalar from_tip = limb.line.arc[limb.line.arc.size() - 1] - limb.line.arc[nearest] - outwards;
     if (!(from_tip > 0) || std::abs(std::log(from_tip / limb.from_tip.front())) > unlike_template<Scalar>) return limb;
     limb.top_by_trunk = from_tip;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/refinement/limb_joints.hpp>
 
 #include <algorithm>
@@ -75,7 +76,7 @@ Placement<Scalar> place_wrist(Placement<Scalar> placement, const Limb<Scalar>& l
         if (std::abs(limb.line.arc[i] - centre) > window || limb.line.area[i] <= 0) continue;
         if (thinnest < 0 || limb.line.thickness[i] < limb.line.thickness[thinnest]) thinnest = i;
     }
-    if (thinnest >= 0) placement.put(limb.joints[*found], limb.line.points.row(thinnest).transpose());
+    if (thinnest >= 0) placement.put(limb.joints[*found], core::point(limb.line.points, thinnest));
     return placement;
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/refinement/cross_section.hpp>
 #include <skelgen/refinement/hip_anchor.hpp>
 #include <skelgen/refinement/limbs.hpp>
@@ -93,8 +94,7 @@ RefinedJoints<Scalar> refine(const Body<Scalar>& body, const std::vector<EndPoin
         placement = place_girdle(std::move(placement), limb, options.girdle, options.bone_line);
     placement = narrow_hips(std::move(placement), limbs);
     const int junction = embedding.node_of_joint[static_cast<std::size_t>(placement.find(JointRole::chest))];
-    placement = place_trunk(std::move(placement), limbs, slicer, Vector3<Scalar>(curve.nodes.row(junction).transpose()),
-                            options.trunk);
+    placement = place_trunk(std::move(placement), limbs, slicer, core::point(curve.nodes, junction), options.trunk);
     placement = raise_crotch(std::move(placement), limbs, body.mesh, options.crotch);
 
     out.positions = placement.positions();

@@ -7,6 +7,7 @@
 
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/geodesics.hpp>
+#include <skelgen/core/geometry.hpp>
 
 namespace skelgen::surface {
 
@@ -22,7 +23,7 @@ template <typename Scalar>
 CurveSkeleton<Scalar> to_input(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve) {
     CurveSkeleton<Scalar> out = curve;
     for (Eigen::Index v = 0; v < curve.nodes.rows(); ++v)
-        out.nodes.row(v) = body.similarity.to_input(curve.nodes.row(v).transpose()).transpose();
+        out.nodes.row(v) = body.similarity.to_input(core::point(curve.nodes, v)).transpose();
     for (Scalar& radius : out.radii) radius *= body.similarity.scale;
     std::unordered_set<int> taken;
     for (std::size_t k = 0; k < curve.regions.size(); ++k) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 
@@ -27,7 +27,8 @@ struct SurfaceMoments {
 
 template <typename Scalar>
 Vector3<Accumulator> corner(const TriangleMesh<Scalar>& mesh, Eigen::Index f, int k) {
-    return mesh.vertices.row(mesh.faces(f, k)).transpose().template cast<Accumulator>();
+    const int v = mesh.faces(f, k);
+    return {mesh.vertices(v, 0), mesh.vertices(v, 1), mesh.vertices(v, 2)};
 }
 
 /// Exact first and second moments of the surface, independent of how it is triangulated.
@@ -37,7 +38,8 @@ SurfaceMoments surface_moments(const TriangleMesh<Scalar>& mesh) {
     for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
         const Accumulator area = core::face_area_vector(mesh, f).norm();
         moments.area += area;
-        moments.centroid += area * (corner(mesh, f, 0) + corner(mesh, f, 1) + corner(mesh, f, 2)) / 3;
+        const Vector3<Accumulator> sum = corner(mesh, f, 0) + corner(mesh, f, 1) + corner(mesh, f, 2);
+        moments.centroid += area / 3 * sum;
     }
     if (!(moments.area > 0)) return moments;
     moments.centroid /= moments.area;
@@ -46,13 +48,22 @@ SurfaceMoments surface_moments(const TriangleMesh<Scalar>& mesh) {
         Vector3<Accumulator> sum = Vector3<Accumulator>::Zero();
         for (int k = 0; k < 3; ++k) {
             const Vector3<Accumulator> d = corner(mesh, f, k) - moments.centroid;
-            moments.covariance += area / 12 * d * d.transpose();
+            core::add_outer_product<Accumulator>(moments.covariance, area / 12, d);
             sum += d;
         }
-        moments.covariance += area / 12 * sum * sum.transpose();
+        core::add_outer_product<Accumulator>(moments.covariance, area / 12, sum);
     }
     moments.covariance /= moments.area;
     return moments;
+}
+
+/// The mean of points, summed up in the accumulator's precision.
+template <typename Scalar>
+Vector3<Scalar> mean_of(const Points<Scalar>& points) {
+    Vector3<Accumulator> sum = Vector3<Accumulator>::Zero();
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+        sum += Vector3<Accumulator>(points(i, 0), points(i, 1), points(i, 2));
+    return (sum / static_cast<Accumulator>(points.rows())).template cast<Scalar>();
 }
 
 /// Third moment of the surface along a direction, over the faces' centres.
@@ -73,16 +84,20 @@ Accumulator skewness(const TriangleMesh<Scalar>& mesh, const Vector3<Accumulator
 template <typename Scalar>
 Eigen::Matrix<Accumulator, 3, 3> principal_rotation(const TriangleMesh<Scalar>& mesh, const SurfaceMoments& moments) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Accumulator, 3, 3>> solver(moments.covariance);
-    Eigen::Matrix<Accumulator, 3, 3> rotation;
-    Vector3<Accumulator> skew;
+    std::array<Vector3<Accumulator>, 3> axes;
+    std::array<Accumulator, 3> skew{};
     for (int k = 0; k < 3; ++k) {
-        rotation.row(k) = solver.eigenvectors().col(2 - k).transpose();
-        skew[k] = skewness(mesh, moments.centroid, rotation.row(k).transpose());
-        if (skew[k] < 0) rotation.row(k) *= -1;
+        Vector3<Accumulator>& axis = axes[static_cast<std::size_t>(k)];
+        for (int i = 0; i < 3; ++i) axis[i] = solver.eigenvectors()(i, 2 - k);
+        const Accumulator third_moment = skewness(mesh, moments.centroid, axis);
+        if (third_moment < 0) axis = -axis;
+        skew[static_cast<std::size_t>(k)] = std::abs(third_moment);
     }
-    Eigen::Index least = 0;
-    skew.cwiseAbs().minCoeff(&least);
-    rotation.row(least) = rotation.row((least + 1) % 3).cross(rotation.row((least + 2) % 3));
+    const auto least = static_cast<std::size_t>(std::min_element(skew.begin(), skew.end()) - skew.begin());
+    axes[least] = axes[(least + 1) % 3].cross(axes[(least + 2) % 3]);
+    Eigen::Matrix<Accumulator, 3, 3> rotation;
+    for (int k = 0; k < 3; ++k)
+        for (int i = 0; i < 3; ++i) rotation(k, i) = axes[static_cast<std::size_t>(k)][i];
     return rotation;
 }
 
@@ -91,11 +106,12 @@ Eigen::Matrix<Accumulator, 3, 3> principal_rotation(const TriangleMesh<Scalar>& 
 template <typename Scalar>
 std::vector<int> geometric_order(const Points<Scalar>& vertices) {
     const Vector3<Accumulator> askew(1, 0.7548776662466927, 0.5698402909980532);
-    const Eigen::Matrix<Accumulator, Eigen::Dynamic, 1> height = vertices.template cast<Accumulator>() * askew;
-    std::vector<int> order(static_cast<std::size_t>(vertices.rows()));
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(),
-              [&](int a, int b) { return height[a] != height[b] ? height[a] < height[b] : a < b; });
+    std::vector<std::pair<Accumulator, int>> heights;
+    for (int v = 0; v < static_cast<int>(vertices.rows()); ++v)
+        heights.emplace_back(askew.dot(Vector3<Accumulator>(vertices(v, 0), vertices(v, 1), vertices(v, 2))), v);
+    std::sort(heights.begin(), heights.end());
+    std::vector<int> order;
+    for (const auto& [height, v] : heights) order.push_back(v);
     return order;
 }
 
@@ -111,7 +127,7 @@ inline Triangles sorted_faces(const Triangles& faces, const std::vector<int>& ne
     std::sort(list.begin(), list.end());
     Triangles out(faces.rows(), 3);
     for (std::size_t f = 0; f < list.size(); ++f)
-        out.row(static_cast<Eigen::Index>(f)) << list[f][0], list[f][1], list[f][2];
+        for (int k = 0; k < 3; ++k) out(static_cast<Eigen::Index>(f), k) = list[f][static_cast<std::size_t>(k)];
     return out;
 }
 
@@ -120,10 +136,11 @@ inline Triangles sorted_faces(const Triangles& faces, const std::vector<int>& ne
 template <typename Scalar>
 CanonicalMesh<Scalar> canonical_form(const TriangleMesh<Scalar>& mesh) {
     // Centring first keeps precision when the body stands a hundred body lengths from the origin.
+    const Eigen::Index n = mesh.vertices.rows();
     TriangleMesh<Scalar> input = mesh;
-    const Vector3<Scalar> offset =
-        mesh.vertices.template cast<core::Accumulator>().colwise().mean().transpose().template cast<Scalar>();
-    input.vertices.rowwise() -= offset.transpose();
+    const Vector3<Scalar> offset = detail::mean_of(mesh.vertices);
+    for (Eigen::Index v = 0; v < n; ++v)
+        core::set_point<Scalar>(input.vertices, v, core::point(input.vertices, v) - offset);
     const Scalar extent = input.vertices.cwiseAbs().maxCoeff();
     if (!(extent > 0)) throw Error(ErrorCode::bad_input, "the surface has no extent; all its vertices coincide");
     input.vertices /= extent;
@@ -138,15 +155,19 @@ CanonicalMesh<Scalar> canonical_form(const TriangleMesh<Scalar>& mesh) {
     out.similarity.rotation = detail::principal_rotation(input, moments).template cast<Scalar>();
     out.similarity.scale = extent * size;
     out.similarity.origin = offset + extent * centroid;
-    const Points<Scalar> moved =
-        ((input.vertices.rowwise() - centroid.transpose()) * out.similarity.rotation.transpose()) / size;
+    Points<Scalar> moved(n, 3);
+    for (Eigen::Index v = 0; v < n; ++v) {
+        const Vector3<Scalar> turned =
+            out.similarity.rotation * Vector3<Scalar>(core::point(input.vertices, v) - centroid);
+        core::set_point<Scalar>(moved, v, turned / size);
+    }
 
     out.input_vertex = detail::geometric_order(moved);
     std::vector<int> canonical_index(out.input_vertex.size());
-    out.mesh.vertices.resize(moved.rows(), 3);
+    out.mesh.vertices.resize(n, 3);
     for (std::size_t i = 0; i < out.input_vertex.size(); ++i) {
         canonical_index[static_cast<std::size_t>(out.input_vertex[i])] = static_cast<int>(i);
-        out.mesh.vertices.row(static_cast<Eigen::Index>(i)) = moved.row(out.input_vertex[i]);
+        core::set_point(out.mesh.vertices, static_cast<Eigen::Index>(i), core::point(moved, out.input_vertex[i]));
     }
     out.mesh.faces = detail::sorted_faces(mesh.faces, canonical_index);
     return out;

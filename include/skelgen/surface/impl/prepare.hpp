@@ -2,6 +2,7 @@
 
 #include <skelgen/surface/prepare.hpp>
 
+#include <cmath>
 #include <utility>
 
 #include <skelgen/core/error.hpp>
@@ -17,10 +18,12 @@ void require_surface(const TriangleMesh<Scalar>& mesh) {
     if (mesh.vertices.rows() < 4 || mesh.faces.rows() < 4)
         throw Error(ErrorCode::bad_input,
                     "the mesh has fewer than four vertices or faces; a body needs a closed surface");
-    if (!mesh.vertices.allFinite())
-        throw Error(ErrorCode::bad_input, "the mesh has a coordinate that is not a finite number; repair it");
-    if (mesh.faces.minCoeff() < 0 || mesh.faces.maxCoeff() >= mesh.vertices.rows())
-        throw Error(ErrorCode::bad_input, "a face refers to a vertex that does not exist; repair the mesh");
+    for (Eigen::Index i = 0; i < mesh.vertices.size(); ++i)
+        if (!std::isfinite(mesh.vertices.data()[i]))
+            throw Error(ErrorCode::bad_input, "the mesh has a coordinate that is not a finite number; repair it");
+    for (Eigen::Index i = 0; i < mesh.faces.size(); ++i)
+        if (const int v = mesh.faces.data()[i]; v < 0 || v >= mesh.vertices.rows())
+            throw Error(ErrorCode::bad_input, "a face refers to a vertex that does not exist; repair the mesh");
 }
 
 } // namespace detail

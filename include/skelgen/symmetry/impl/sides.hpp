@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/core/options.hpp>
 #include <skelgen/symmetry/standing_pose.hpp>
 
@@ -23,7 +24,7 @@ public:
     [[nodiscard]] std::optional<Vector3<Scalar>> find(JointRole role, Side side = Side::none) const {
         const int j = find_joint(template_, role, side);
         if (j < 0) return std::nullopt;
-        return joints_.positions.row(j).transpose();
+        return core::point(joints_.positions, j);
     }
 
     /// Of a joint that every template has.
@@ -193,7 +194,7 @@ KinematicSkeleton<Scalar> assemble(const refinement::RefinedJoints<Scalar>& join
     for (int j = 0; j < static_cast<int>(skeleton_template.joints.size()); ++j) {
         const TemplateJoint& joint = skeleton_template.joint(j);
         const int source = detail::source_of(j, skeleton_template, sides);
-        out.joints.push_back({joint.name, joint.parent, joints.positions.row(source).transpose(), Scalar(0)});
+        out.joints.push_back({joint.name, joint.parent, core::point(joints.positions, source), Scalar(0)});
         for (const auto& [end, tip] : joints.tips)
             if (end == source) out.end_points.emplace_back(detail::end_point_name(joint), tip);
     }
