@@ -16,7 +16,7 @@ template <typename Scalar>
 Outcome<JudgedSkeleton<Scalar>> complete_skeleton(KinematicSkeleton<Scalar> sided, const Body<Scalar>& body,
                                                   const CurveSkeleton<Scalar>& curve,
                                                   const SkeletonTemplate& skeleton_template) {
-    constexpr int one_in = 5; // calibrated: all real bodies pass, and all synthetic ones that stand free
+    constexpr int one_in = 5; // a working value, not a measured one
     KinematicSkeleton<Scalar> skeleton = apply_joint_offsets(std::move(sided), skeleton_template);
     EqualBones<Scalar> equal = equalise_bones(std::move(skeleton), skeleton_template);
     Outcome<MovedInside<Scalar>> inside = move_inside(std::move(equal.skeleton), body, curve);
