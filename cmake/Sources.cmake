@@ -17,6 +17,7 @@ set(skelgen_core_headers
     include/skelgen/core/geodesics.hpp
     include/skelgen/core/geometry.hpp
     include/skelgen/core/header_only.hpp
+    include/skelgen/core/join_curves.hpp
     include/skelgen/core/kinematic_skeleton.hpp
     include/skelgen/core/mesh.hpp
     include/skelgen/core/options.hpp
@@ -26,16 +27,22 @@ set(skelgen_core_headers
     include/skelgen/core/skeleton_template.hpp
     include/skelgen/core/stage_timings.hpp
     include/skelgen/core/template_rules.hpp
+    include/skelgen/curve/attachment.hpp
+    include/skelgen/curve/axis_ends.hpp
+    include/skelgen/curve/branch_centring.hpp
+    include/skelgen/curve/branch_sections.hpp
+    include/skelgen/curve/branched_curve.hpp
     include/skelgen/curve/centring.hpp
     include/skelgen/curve/contraction.hpp
     include/skelgen/curve/find_curve.hpp
     include/skelgen/curve/laplacian.hpp
     include/skelgen/curve/leaf_extension.hpp
-    include/skelgen/curve/limb_ends.hpp
     include/skelgen/curve/medial_balls.hpp
+    include/skelgen/curve/parallel_branches.hpp
     include/skelgen/curve/proxy.hpp
     include/skelgen/curve/pruning.hpp
     include/skelgen/curve/regions.hpp
+    include/skelgen/curve/section_regions.hpp
     include/skelgen/curve/surgery.hpp
     include/skelgen/embedding/embed.hpp
     include/skelgen/embedding/loop_cuts.hpp
@@ -60,8 +67,10 @@ set(skelgen_core_headers
     include/skelgen/refinement/trunk_shape.hpp
     include/skelgen/surface/body.hpp
     include/skelgen/surface/canonical_form.hpp
+    include/skelgen/surface/contours.hpp
     include/skelgen/surface/cut_surface.hpp
     include/skelgen/surface/denoise.hpp
+    include/skelgen/surface/face_tree.hpp
     include/skelgen/surface/manifold_parts.hpp
     include/skelgen/surface/prepare.hpp
     include/skelgen/surface/similarity.hpp
@@ -81,16 +90,22 @@ set(skelgen_core_definitions
     include/skelgen/core/impl/geodesics.hpp
     include/skelgen/core/impl/geometry.hpp
     include/skelgen/core/impl/template_rules.hpp
+    include/skelgen/curve/impl/attachment.hpp
+    include/skelgen/curve/impl/axis_ends.hpp
+    include/skelgen/curve/impl/branch_centring.hpp
+    include/skelgen/curve/impl/branch_sections.hpp
+    include/skelgen/curve/impl/branched_curve.hpp
     include/skelgen/curve/impl/centring.hpp
     include/skelgen/curve/impl/contraction.hpp
     include/skelgen/curve/impl/find_curve.hpp
     include/skelgen/curve/impl/laplacian.hpp
     include/skelgen/curve/impl/leaf_extension.hpp
-    include/skelgen/curve/impl/limb_ends.hpp
     include/skelgen/curve/impl/medial_balls.hpp
+    include/skelgen/curve/impl/parallel_branches.hpp
     include/skelgen/curve/impl/proxy.hpp
     include/skelgen/curve/impl/pruning.hpp
     include/skelgen/curve/impl/regions.hpp
+    include/skelgen/curve/impl/section_regions.hpp
     include/skelgen/curve/impl/surgery.hpp
     include/skelgen/embedding/impl/embed.hpp
     include/skelgen/embedding/impl/loop_cuts.hpp
@@ -115,8 +130,10 @@ set(skelgen_core_definitions
     include/skelgen/refinement/impl/trunk_shape.hpp
     include/skelgen/surface/impl/body.hpp
     include/skelgen/surface/impl/canonical_form.hpp
+    include/skelgen/surface/impl/contours.hpp
     include/skelgen/surface/impl/cut_surface.hpp
     include/skelgen/surface/impl/denoise.hpp
+    include/skelgen/surface/impl/face_tree.hpp
     include/skelgen/surface/impl/manifold_parts.hpp
     include/skelgen/surface/impl/prepare.hpp
     include/skelgen/symmetry/impl/sides.hpp
@@ -125,6 +142,7 @@ set(skelgen_core_definitions
 
 set(skelgen_io_headers
     include/skelgen/io/atomic_file.hpp
+    include/skelgen/io/axis_json.hpp
     include/skelgen/io/cgal_adaptor.hpp
     include/skelgen/io/curve_formats.hpp
     include/skelgen/io/half_edge_mesh.hpp
@@ -150,6 +168,7 @@ set(skelgen_render_headers
 )
 
 set(skelgen_evaluation_headers
+    include/skelgen/evaluation/curve_error.hpp
     include/skelgen/evaluation/evaluate.hpp
     include/skelgen/evaluation/report.hpp
     include/skelgen/evaluation/statistics.hpp
@@ -163,6 +182,7 @@ set(skelgen_synth_headers
     include/skelgen/synth/scan_faults.hpp
     include/skelgen/synth/sets.hpp
     include/skelgen/synth/shape.hpp
+    include/skelgen/synth/tubes.hpp
 )
 
 set(skelgen_sources
@@ -175,8 +195,12 @@ set(skelgen_sources
     src/instantiate/surface.cpp
     src/instantiate/symmetry.cpp
     src/io/atomic_file.cpp
+    src/io/axis_json.cpp
     src/io/curve_formats.cpp
     src/io/curve_json.cpp
+    src/io/curve_obj.cpp
+    src/io/curve_ply.cpp
+    src/io/curve_swc.cpp
     src/io/json_values.cpp
     src/io/leftovers.cpp
     src/io/mesh_format.cpp
@@ -212,6 +236,7 @@ set(skelgen_render_sources
 )
 
 set(skelgen_evaluation_sources
+    src/evaluation/curve_error.cpp
     src/evaluation/evaluate.cpp
     src/evaluation/joint_positions.cpp
     src/evaluation/report.cpp
@@ -237,7 +262,10 @@ set(skelgen_synth_sources
     src/synth/scan_faults.cpp
     src/synth/sets.cpp
     src/synth/spine.cpp
+    src/synth/stroke_field.cpp
     src/synth/surface_mesher.cpp
+    src/synth/tube_plans.cpp
+    src/synth/tubes.cpp
 )
 
 # Relative to apps/skelgen.

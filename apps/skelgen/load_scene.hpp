@@ -12,7 +12,7 @@ namespace skelgen::cli {
 struct SceneSources {
     std::filesystem::path mesh;
     std::filesystem::path skeleton; ///< skeleton file
-    std::filesystem::path curve;    ///< curve file
+    std::filesystem::path curve;    ///< curve file of any format that is read
     std::filesystem::path truth;    ///< file with true joints, shown as marks
     ExtractOptions extraction;
 };

@@ -5,6 +5,7 @@
 #include <memory>
 #include <tuple>
 
+#include <skelgen/io/curve_formats.hpp>
 #include <skelgen/io/template_json.hpp>
 #include <skelgen/render/contact_sheet.hpp>
 #include <skelgen/render/png.hpp>
@@ -78,6 +79,17 @@ fs::path companion(const std::string& named, const BatchItem& item) {
     return fs::path(named) / fs::path(item.file).replace_extension(".json");
 }
 
+/// As `companion`, for a curve: in a folder the first that is there of the formats that are read.
+fs::path curve_companion(const std::string& named, const BatchItem& item) {
+    const fs::path usual = companion(named, item);
+    if (named.empty() || !fs::is_directory(named)) return usual;
+    for (const std::string_view extension : io::curve_extensions()) {
+        const fs::path found = fs::path(usual).replace_extension(extension);
+        if (fs::exists(found)) return found;
+    }
+    return usual;
+}
+
 ExtractOptions extract_options(const RenderCommand& command) {
     ExtractOptions options;
     options.skeleton_template = in_file("--template", [&] { return load_template(command.skeleton_template); });
@@ -85,7 +97,7 @@ ExtractOptions extract_options(const RenderCommand& command) {
 }
 
 SceneSources sources_of(const RenderCommand& command, const BatchItem& item, const ExtractOptions& options) {
-    return {item.mesh, companion(command.skeleton, item), companion(command.curve, item),
+    return {item.mesh, companion(command.skeleton, item), curve_companion(command.curve, item),
             companion(command.truth, item), options};
 }
 
@@ -169,7 +181,8 @@ void run(const RenderCommand& command) {
 void add_source_options(CLI::App& sub, RenderCommand& command) {
     sub.add_option("--skeleton", command.skeleton,
                    "Show this skeleton file instead of extracting; several meshes: a folder of them");
-    sub.add_option("--curve", command.curve, "Show this curve file (JSON); several meshes: a folder of them");
+    sub.add_option("--curve", command.curve,
+                   "Show this curve file (.json, .obj, .ply or .swc); several meshes: a folder of them");
     sub.add_option("--truth", command.truth,
                    "Mark the joints of this file (JSON, \"joints\": {name: [x, y, z]}) by red crosses; or a folder");
     sub.add_option("--template", command.skeleton_template, "Built-in template, or a template's file (JSON)")

@@ -9,6 +9,7 @@
 #include <skelgen/synth/garment.hpp>
 #include <skelgen/synth/objects.hpp>
 #include <skelgen/synth/sets.hpp>
+#include <skelgen/synth/tubes.hpp>
 
 #include "commands.hpp"
 #include "console.hpp"
@@ -17,6 +18,7 @@ namespace skelgen::cli {
 namespace {
 
 constexpr const char* object_set = "not-a-body";
+constexpr const char* tube_set = "tubes";
 
 struct SynthCommand {
     std::string output;
@@ -70,13 +72,24 @@ private:
     std::string set_;
 };
 
-void run_set(const SynthCommand& command) {
-    if (command.set == object_set) {
-        const SetWriter writer(command.output, command.set);
-        for (const std::string& name : synth::object_names())
-            writer.write(name, synth::synthesize_object(name, command.faces), synth::object_truth_to_json);
-        return;
+void run_objects(const SynthCommand& command) {
+    const SetWriter writer(command.output, command.set);
+    for (const std::string& name : synth::object_names())
+        writer.write(name, synth::synthesize_object(name, command.faces), synth::object_truth_to_json);
+}
+
+void run_tubes(const SynthCommand& command) {
+    const SetWriter writer(command.output, command.set);
+    for (const synth::TubePlan& plan : synth::tube_plans(command.seed)) {
+        const synth::SynthTube tube = in_file(plan.name, [&] { return synth::synthesize_tube(plan, plan.faces); });
+        writer.write(plan.name, tube.mesh,
+                     [&](const std::string& file) { return synth::curve_truth_to_json(tube.truth, file); });
     }
+}
+
+void run_set(const SynthCommand& command) {
+    if (command.set == object_set) return run_objects(command);
+    if (command.set == tube_set) return run_tubes(command);
     const std::vector<synth::BodyPlan> plans = synth::body_set(command.set, command.seed);
     const SetWriter writer(command.output, command.set);
     for (const synth::BodyPlan& plan : plans) {
@@ -126,7 +139,8 @@ void add_synth_command(CLI::App& app) {
     sub->add_option("-o,--output", command->output,
                     "Mesh to write: " + io::mesh_extensions_text() + "; a folder for --set")
         ->required();
-    std::string sets = std::string("Make a whole set of meshes with their truth into a folder: ") + object_set;
+    std::string sets =
+        std::string("Make a whole set of meshes with their truth into a folder: ") + object_set + " " + tube_set;
     for (const std::string& name : synth::set_names()) sets += " " + name;
     sub->add_option("--set", command->set, sets);
     sub->add_option("--truth", command->truth, "JSON to write with joints, end points and the geodesic diameter");

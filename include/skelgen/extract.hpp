@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
@@ -63,7 +65,15 @@ using Extraction = Fit<Scalar>;
 template <typename Scalar>
 [[nodiscard]] Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options = {});
 
-/// The curve skeleton alone, of a body or anything else: `prepare` and `find_curve`, in the input's coordinates. The
+/// The curve skeletons alone, of bodies or anything else: one for each connected piece of the surface that has a
+/// thousandth of the largest one's area or more, the largest first, in the input's coordinates; regions index the
+/// input's vertices. Nodes are spaced relative to the bounding box of all. Of `options`, `prepare` and `curve` count.
+/// \throws Error usage when an option is out of its range, bad_input when `mesh` is no usable surface.
+template <typename Scalar>
+[[nodiscard]] std::vector<curve::CurveResult<Scalar>> find_curves(const TriangleMesh<Scalar>& mesh,
+                                                                  const ExtractOptions& options = {});
+
+/// The curve skeleton of the largest piece alone: `prepare` and `find_curve`, in the input's coordinates. The
 /// regions hold every vertex of the largest piece exactly once. Of `options`, `prepare` and `curve` count.
 /// \throws Error usage when an option is out of its range, bad_input when `mesh` is no usable surface.
 template <typename Scalar>

@@ -1,15 +1,21 @@
 // The curve stage, compiled once for each scalar.
 
+#include <skelgen/curve/impl/attachment.hpp>
+#include <skelgen/curve/impl/axis_ends.hpp>
+#include <skelgen/curve/impl/branch_centring.hpp>
+#include <skelgen/curve/impl/branch_sections.hpp>
+#include <skelgen/curve/impl/branched_curve.hpp>
 #include <skelgen/curve/impl/centring.hpp>
 #include <skelgen/curve/impl/contraction.hpp>
 #include <skelgen/curve/impl/find_curve.hpp>
 #include <skelgen/curve/impl/laplacian.hpp>
 #include <skelgen/curve/impl/leaf_extension.hpp>
-#include <skelgen/curve/impl/limb_ends.hpp>
 #include <skelgen/curve/impl/medial_balls.hpp>
+#include <skelgen/curve/impl/parallel_branches.hpp>
 #include <skelgen/curve/impl/proxy.hpp>
 #include <skelgen/curve/impl/pruning.hpp>
 #include <skelgen/curve/impl/regions.hpp>
+#include <skelgen/curve/impl/section_regions.hpp>
 #include <skelgen/curve/impl/surgery.hpp>
 
 namespace skelgen::curve {
@@ -20,6 +26,21 @@ namespace skelgen::curve {
                                                                         double);                                       \
     template MedialBalls<Scalar> medial_balls(const TriangleMesh<Scalar>&, Scalar);                                    \
     template Contraction<Scalar> contract(const TriangleMesh<Scalar>&, const ContractionOptions&);                     \
+    template SplitCurve<Scalar> split_branches(const CurveSkeleton<Scalar>&);                                          \
+    template BranchedCurve<Scalar> resampled(BranchedCurve<Scalar>, Scalar);                                           \
+    template Branch<Scalar> turned(Branch<Scalar>);                                                                    \
+    template BranchedCurve<Scalar> without_knot(BranchedCurve<Scalar>, int);                                           \
+    template JoinedCurve<Scalar> join_branches(const BranchedCurve<Scalar>&);                                          \
+    template std::vector<BranchSection<Scalar>> sections_across(const Body<Scalar>&, const Points<Scalar>&, Scalar);   \
+    template BranchedCurve<Scalar> ends_on_axes(                                                                       \
+        BranchedCurve<Scalar>, const std::vector<std::vector<BranchSection<Scalar>>>&, const Body<Scalar>&);           \
+    template BranchedCurve<Scalar> prune_twigs(BranchedCurve<Scalar>, const Body<Scalar>&, double);                    \
+    template BranchedCurve<Scalar> reattach_branches(BranchedCurve<Scalar>, const Body<Scalar>&, Scalar);              \
+    template BranchedCurve<Scalar> merge_parallel_branches(BranchedCurve<Scalar>, const Body<Scalar>&);                \
+    template CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar>, const Body<Scalar>&,                       \
+                                                     const BranchCentringOptions&);                                    \
+    template CurveSkeleton<Scalar> curve_with_regions(const CentredBranches<Scalar>&, const Body<Scalar>&,             \
+                                                      const std::vector<int>&);                                        \
     template CurveSkeleton<Scalar> connectivity_surgery(const Points<Scalar>&, const Triangles&,                       \
                                                         const SurgeryOptions&);                                        \
     template CurveSkeleton<Scalar> centre_nodes(const CurveSkeleton<Scalar>&, const TriangleMesh<Scalar>&,             \
@@ -29,7 +50,6 @@ namespace skelgen::curve {
     template CurveSkeleton<Scalar> extend_leaves(const CurveSkeleton<Scalar>&, const Body<Scalar>&,                    \
                                                  const LeafExtensionOptions&);                                         \
     template CurveSkeleton<Scalar> prune(const CurveSkeleton<Scalar>&, const PruningOptions&);                         \
-    template CurveSkeleton<Scalar> place_limb_ends(const CurveSkeleton<Scalar>&, const TriangleMesh<Scalar>&);         \
     template CurveResult<Scalar> find_curve(const Body<Scalar>&, const CurveOptions&);
 
 SKELGEN_INSTANTIATE(float)

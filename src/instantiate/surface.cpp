@@ -2,23 +2,38 @@
 
 #include <skelgen/surface/impl/body.hpp>
 #include <skelgen/surface/impl/canonical_form.hpp>
+#include <skelgen/surface/impl/contours.hpp>
 #include <skelgen/surface/impl/cut_surface.hpp>
 #include <skelgen/surface/impl/denoise.hpp>
+#include <skelgen/surface/impl/face_tree.hpp>
 #include <skelgen/surface/impl/manifold_parts.hpp>
 #include <skelgen/surface/impl/prepare.hpp>
 
 namespace skelgen::surface {
 
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
+    template class FaceTree<Scalar>;                                                                                   \
+    template Scalar distance_to_triangle(const Vector3<Scalar>&, const Vector3<Scalar>&, const Vector3<Scalar>&,       \
+                                         const Vector3<Scalar>&);                                                      \
+    template std::vector<Contour<Scalar>> plane_contours(const TriangleMesh<Scalar>&, const Triangles&,                \
+                                                         const FaceTree<Scalar>&, const Vector3<Scalar>&, Scalar);     \
+    template std::vector<Contour<Scalar>> level_contours(const TriangleMesh<Scalar>&, const Triangles&,                \
+                                                         const Eigen::VectorX<Scalar>&, Scalar);                       \
+    template PlanarRelation<Scalar> relate(const Contour<Scalar>&, const Vector3<Scalar>&, const Vector3<Scalar>&);    \
+    template std::optional<Contour<Scalar>> contour_around(const TriangleMesh<Scalar>&, const Triangles&,              \
+                                                           const FaceTree<Scalar>&, const Vector3<Scalar>&,            \
+                                                           const Vector3<Scalar>&, Scalar);                            \
     template Scalar bulge_coherence(const TriangleMesh<Scalar>&);                                                      \
     template DenoisedMesh<Scalar> remove_noise(TriangleMesh<Scalar>, const DenoiseOptions&);                           \
     template CanonicalMesh<Scalar> canonical_form(const TriangleMesh<Scalar>&);                                        \
+    template std::vector<ManifoldParts<Scalar>> manifold_parts(const TriangleMesh<Scalar>&, double);                   \
     template ManifoldParts<Scalar> largest_manifold_part(const TriangleMesh<Scalar>&);                                 \
     template CutSurface<Scalar> cut_surface(const TriangleMesh<Scalar>&, const std::vector<int>&,                      \
                                             const std::vector<int>&);                                                  \
     template Body<Scalar> make_body(TriangleMesh<Scalar>, const Similarity<Scalar>&, std::vector<int>, int);           \
     template CurveSkeleton<Scalar> to_input(const Body<Scalar>&, const CurveSkeleton<Scalar>&);                        \
     template KinematicSkeleton<Scalar> to_input(const Body<Scalar>&, const KinematicSkeleton<Scalar>&);                \
+    template void require_surface(const TriangleMesh<Scalar>&);                                                        \
     template Body<Scalar> prepare(const TriangleMesh<Scalar>&, const PrepareOptions&);
 
 SKELGEN_INSTANTIATE(float)

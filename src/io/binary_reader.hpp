@@ -14,7 +14,9 @@ namespace skelgen::io::detail {
 /// Walks once through binary data of either byte order, never past its end.
 class BinaryReader {
 public:
-    BinaryReader(std::string_view bytes, std::endian order) : bytes_(bytes), order_(order) {}
+    /// `content` names what the bytes are, for the advice in errors.
+    BinaryReader(std::string_view bytes, std::endian order, const char* content = "mesh")
+        : bytes_(bytes), order_(order), content_(content) {}
 
     template <typename T>
     [[nodiscard]] T read() {
@@ -34,7 +36,7 @@ public:
 
     [[noreturn]] void fail(const std::string& message) const {
         throw Error(ErrorCode::bad_input,
-                    "byte " + std::to_string(at_) + ": " + message + "; repair or export the mesh again");
+                    "byte " + std::to_string(at_) + ": " + message + "; repair or export the " + content_ + " again");
     }
 
 private:
@@ -45,6 +47,7 @@ private:
 
     std::string_view bytes_;
     std::endian order_;
+    const char* content_;
     std::size_t at_ = 0;
 };
 

@@ -1,12 +1,13 @@
 #include <skelgen/io/curve_formats.hpp>
 
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
 #include <skelgen/core/error.hpp>
-#include <skelgen/io/read_file.hpp>
 
+#include "curve_builder.hpp"
 #include "curve_checks.hpp"
 #include "json_values.hpp"
 #include "number_text.hpp"
@@ -34,6 +35,9 @@ void append_rows(std::string& text, const char* name, std::size_t count, const A
     text += count == 0 ? "]" : "\n  ]";
 }
 
+/// Where in the document something is: `nodes[3]`.
+std::string place(const char* list, std::size_t i) { return std::string(list) + "[" + std::to_string(i) + "]: "; }
+
 const Json& member(const Json& document, const char* name) {
     const auto found = document.find(name);
     if (found == document.end() || !found->is_array()) throw_bad_curve(std::string("it lacks the list '") + name + "'");
@@ -41,24 +45,25 @@ const Json& member(const Json& document, const char* name) {
 }
 
 template <typename Scalar>
-Scalar to_number(const Json& value) {
-    if (!value.is_number()) throw_bad_curve("a coordinate or radius is no number");
+Scalar to_number(const Json& value, const std::string& where) {
+    if (!value.is_number()) throw_bad_curve(where + "a coordinate or radius is no number");
     const Scalar number = value.get<Scalar>();
-    if (!std::isfinite(number)) throw_bad_curve("a coordinate or radius is too large");
+    if (!std::isfinite(number)) throw_bad_curve(where + "a coordinate or radius is too large");
     return number;
 }
 
-int to_index(const Json& value) {
-    if (!value.is_number_integer()) throw_bad_curve("an index is no whole number");
+int to_index(const Json& value, const std::string& where) {
+    if (!value.is_number_integer()) throw_bad_curve(where + "an index is no whole number");
     const bool fits = !value.is_number_unsigned() || value.get<std::uint64_t>() <= std::numeric_limits<int>::max();
     const auto index = fits ? value.get<std::int64_t>() : -1;
-    if (index < 0 || index > std::numeric_limits<int>::max()) throw_bad_curve("an index is negative or too large");
+    if (index < 0 || index > std::numeric_limits<int>::max())
+        throw_bad_curve(where + "an index is negative or too large");
     return static_cast<int>(index);
 }
 
-const Json& list_of(const Json& value, std::size_t size, const char* what) {
+const Json& list_of(const Json& value, std::size_t size, const std::string& what) {
     if (!value.is_array() || value.size() != size)
-        throw_bad_curve(std::string(what) + " is no list of " + std::to_string(size) + " numbers");
+        throw_bad_curve(what + " is no list of " + std::to_string(size) + " numbers");
     return value;
 }
 
@@ -71,23 +76,60 @@ void check_head(const Json& document) {
 }
 
 template <typename Scalar>
-Points<Scalar> to_nodes(const Json& list) {
-    Points<Scalar> nodes(static_cast<Eigen::Index>(list.size()), 3);
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        const Json& node = list_of(list[i], 3, "a node");
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            nodes(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(axis)) = to_number<Scalar>(node[axis]);
+void add_nodes(detail::CurveBuilder<Scalar>& builder, const Json& nodes, const Json* radii) {
+    if (radii != nullptr && !radii->empty() && radii->size() != nodes.size())
+        throw_bad_curve("there is not one radius for each node");
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const std::string where = place("nodes", i);
+        const Json& node = list_of(nodes[i], 3, where + "a node");
+        builder.add_node(
+            {to_number<Scalar>(node[0], where), to_number<Scalar>(node[1], where), to_number<Scalar>(node[2], where)},
+            [&](const std::string& message) { throw_bad_curve(where + message); });
+        if (radii == nullptr || radii->empty()) continue;
+        const std::string radius_place = place("radii", i);
+        builder.add_radius(to_number<Scalar>((*radii)[i], radius_place),
+                           [&](const std::string& message) { throw_bad_curve(radius_place + message); });
     }
-    return nodes;
 }
 
-std::vector<std::vector<int>> to_regions(const Json& list) {
+template <typename Scalar>
+void add_edges(detail::CurveBuilder<Scalar>& builder, const Json& edges) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const std::string where = place("edges", i);
+        const Json& edge = list_of(edges[i], 2, where + "an edge");
+        builder.add_edge(to_index(edge[0], where), to_index(edge[1], where), builder.node_count(),
+                         [&](const std::string& message) { throw_bad_curve(where + message); });
+    }
+}
+
+std::vector<std::vector<int>> to_regions(const Json& list, std::size_t nodes) {
+    if (!list.empty() && list.size() != nodes) throw_bad_curve("there is not one region for each node");
     std::vector<std::vector<int>> regions(list.size());
     for (std::size_t i = 0; i < list.size(); ++i) {
-        if (!list[i].is_array()) throw_bad_curve("a region is no list");
-        for (const Json& vertex : list[i]) regions[i].push_back(to_index(vertex));
+        const std::string where = place("regions", i);
+        if (!list[i].is_array()) throw_bad_curve(where + "a region is no list");
+        for (const Json& vertex : list[i]) regions[i].push_back(to_index(vertex, where));
     }
     return regions;
+}
+
+/// As `detail::append_number`, for readers of JSON: they go by way of double, and take "-0" for the whole number 0.
+template <typename Scalar>
+void append_json_number(std::string& text, Scalar value) {
+    if (value == 0) {
+        text += std::signbit(value) ? "-0.0" : "0";
+        return;
+    }
+    std::string shortest;
+    detail::append_number(shortest, value);
+    double read = 0;
+    std::from_chars(shortest.data(), shortest.data() + shortest.size(), read);
+    // Of all floats this is so for +-7.038531e-26 alone: rounded twice, its text becomes its neighbour.
+    if (static_cast<Scalar>(read) != value) {
+        shortest.clear();
+        detail::append_number(shortest, static_cast<double>(value));
+    }
+    text += shortest;
 }
 
 } // namespace
@@ -99,8 +141,10 @@ std::string curve_to_json(const CurveSkeleton<Scalar>& curve) {
     std::string text = "{\n  \"format\": \"" + std::string(format_name) + "\",\n  \"version\": ";
     append_number(text, format_version);
     append_rows(text, "nodes", static_cast<std::size_t>(curve.nodes.rows()), [&](std::string& row, std::size_t i) {
-        row += '[';
-        detail::append_point(row, curve.nodes.row(static_cast<Eigen::Index>(i)), ", ");
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            row += axis == 0 ? "[" : ", ";
+            append_json_number(row, curve.nodes(static_cast<Eigen::Index>(i), axis));
+        }
         row += ']';
     });
     append_rows(text, "edges", curve.edges.size(), [&](std::string& row, std::size_t i) {
@@ -112,7 +156,7 @@ std::string curve_to_json(const CurveSkeleton<Scalar>& curve) {
     });
     if (!curve.radii.empty())
         append_rows(text, "radii", curve.radii.size(),
-                    [&](std::string& row, std::size_t i) { append_number(row, curve.radii[i]); });
+                    [&](std::string& row, std::size_t i) { append_json_number(row, curve.radii[i]); });
     if (!curve.regions.empty())
         append_rows(text, "regions", curve.regions.size(), [&](std::string& row, std::size_t i) {
             row += '[';
@@ -129,29 +173,19 @@ template <typename Scalar>
 CurveSkeleton<Scalar> curve_from_json(std::string_view text) {
     const Json document = detail::parse_json(text);
     check_head(document);
-    CurveSkeleton<Scalar> curve;
-    curve.nodes = to_nodes<Scalar>(member(document, "nodes"));
-    for (const Json& edge : member(document, "edges")) {
-        list_of(edge, 2, "an edge");
-        curve.edges.push_back({to_index(edge[0]), to_index(edge[1])});
-    }
-    if (document.contains("radii"))
-        for (const Json& radius : member(document, "radii")) curve.radii.push_back(to_number<Scalar>(radius));
-    if (document.contains("regions")) curve.regions = to_regions(member(document, "regions"));
-    detail::check_curve(curve, ErrorCode::bad_input);
+    detail::CurveBuilder<Scalar> builder(0);
+    const Json& nodes = member(document, "nodes");
+    const Json& edges = member(document, "edges");
+    add_nodes(builder, nodes, document.contains("radii") ? &member(document, "radii") : nullptr);
+    add_edges(builder, edges);
+    auto curve = builder.finish([](const std::string& message) { throw_bad_curve(message); });
+    if (document.contains("regions")) curve.regions = to_regions(member(document, "regions"), nodes.size());
     return curve;
-}
-
-template <typename Scalar>
-CurveSkeleton<Scalar> read_curve(const std::filesystem::path& path) {
-    return curve_from_json<Scalar>(read_file(path));
 }
 
 template std::string curve_to_json<float>(const CurveSkeleton<float>&);
 template std::string curve_to_json<double>(const CurveSkeleton<double>&);
 template CurveSkeleton<float> curve_from_json<float>(std::string_view);
 template CurveSkeleton<double> curve_from_json<double>(std::string_view);
-template CurveSkeleton<float> read_curve<float>(const std::filesystem::path&);
-template CurveSkeleton<double> read_curve<double>(const std::filesystem::path&);
 
 } // namespace skelgen::io

@@ -4,100 +4,13 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <string>
 #include <utility>
 
-#include "binary_reader.hpp"
 #include "parser_checks.hpp"
-#include "ply_header.hpp"
-#include "text_scanner.hpp"
+#include "ply_source.hpp"
 
 namespace skelgen::io::detail {
 namespace {
-
-/// Values of a text body: one row a line.
-class TextSource {
-public:
-    explicit TextSource(TextScanner scanner) : scanner_(scanner) {}
-
-    void begin_row() {
-        if (!scanner_.seek_word()) fail("the file ends too early");
-    }
-    void end_row() {
-        if (!scanner_.at_line_end()) fail("there are more values than the header's properties");
-    }
-    void end() {
-        if (scanner_.seek_word()) fail("there are more rows than the header's counts say");
-    }
-    double number(PlyType) { return scanner_.number("value"); }
-    std::int64_t integer(PlyType) { return scanner_.whole_integer("whole number"); }
-    void skip(PlyType, std::int64_t count) {
-        for (std::int64_t i = 0; i < count; ++i)
-            if (scanner_.word().empty()) fail("a value is missing");
-    }
-
-    /// A digit and the blank or end of line behind it.
-    [[nodiscard]] static std::size_t least_bytes(PlyType) { return 2; }
-    [[nodiscard]] std::size_t bytes_left() const { return scanner_.bytes_left(); }
-    [[noreturn]] void fail(const std::string& message) const { scanner_.fail(message); }
-
-private:
-    TextScanner scanner_;
-};
-
-/// Values of a binary body, one after another without any rows.
-class BinarySource {
-public:
-    explicit BinarySource(BinaryReader reader) : reader_(reader) {}
-
-    void begin_row() {}
-    void end_row() {}
-    void end() {} // stray bytes are common: line ends added on transfer, comments of programs
-    double number(PlyType type) {
-        switch (type) {
-        case PlyType::float32:
-            return static_cast<double>(reader_.read<float>());
-        case PlyType::float64:
-            return reader_.read<double>();
-        default:
-            return static_cast<double>(integer(type));
-        }
-    }
-    std::int64_t integer(PlyType type) {
-        switch (type) {
-        case PlyType::int8:
-            return reader_.read<std::int8_t>();
-        case PlyType::uint8:
-            return reader_.read<std::uint8_t>();
-        case PlyType::int16:
-            return reader_.read<std::int16_t>();
-        case PlyType::uint16:
-            return reader_.read<std::uint16_t>();
-        case PlyType::int32:
-            return reader_.read<std::int32_t>();
-        case PlyType::uint32:
-            return reader_.read<std::uint32_t>();
-        default:
-            fail("a whole number was expected");
-        }
-    }
-    void skip(PlyType type, std::int64_t count) { reader_.skip(size_of(type) * static_cast<std::size_t>(count)); }
-
-    [[nodiscard]] static std::size_t least_bytes(PlyType type) { return size_of(type); }
-    [[nodiscard]] std::size_t bytes_left() const { return reader_.bytes_left(); }
-    [[noreturn]] void fail(const std::string& message) const { reader_.fail(message); }
-
-private:
-    BinaryReader reader_;
-};
-
-constexpr int not_found = -1;
-
-int find_property(const PlyElement& element, std::string_view name) {
-    for (std::size_t i = 0; i < element.properties.size(); ++i)
-        if (element.properties[i].name == name) return static_cast<int>(i);
-    return not_found;
-}
 
 /// Fills a PolygonMesh from a body whose values come from `Source`.
 template <typename Source>
@@ -109,26 +22,19 @@ public:
         for (const PlyElement& element : header.elements) {
             if (element.properties.empty()) continue; // rows of nothing
             const std::size_t count =
-                checked_count(source_, element.count, least_row_bytes(element), "rows of an element");
+                checked_count(source_, element.count, least_row_bytes<Source>(element), "rows of an element");
             if (element.name == "vertex")
                 read_vertices(element, count);
             else if (element.name == "face")
                 read_faces(element, count);
             else
-                skip_rows(element, count);
+                skip_rows(source_, element, count);
         }
         source_.end();
         return std::move(mesh_);
     }
 
 private:
-    [[nodiscard]] static std::size_t least_row_bytes(const PlyElement& element) {
-        std::size_t bytes = 0;
-        for (const PlyProperty& property : element.properties)
-            bytes += Source::least_bytes(property.length_type.value_or(property.type));
-        return bytes;
-    }
-
     void read_vertices(const PlyElement& element, std::size_t count) {
         const std::array<int, 3> axes{find_property(element, "x"), find_property(element, "y"),
                                       find_property(element, "z")};
@@ -144,7 +50,7 @@ private:
                 if (is_one_of(axes, k))
                     row[k] = source_.number(property.type);
                 else
-                    skip_value(property);
+                    skip_value(source_, property);
             }
             source_.end_row();
             for (const int axis : axes) add_coordinate(row[static_cast<std::size_t>(axis)]);
@@ -177,7 +83,7 @@ private:
                 if (k == corners_at)
                     read_corners(element.properties[k]);
                 else
-                    skip_value(element.properties[k]);
+                    skip_value(source_, element.properties[k]);
             }
             source_.end_row();
         }
@@ -188,21 +94,6 @@ private:
         mesh_.sizes.push_back(size);
         for (int i = 0; i < size; ++i)
             mesh_.corners.push_back(checked_index(source_, source_.integer(list.type), vertices_));
-    }
-
-    void skip_value(const PlyProperty& property) {
-        std::int64_t count = 1;
-        if (property.length_type) count = source_.integer(*property.length_type);
-        if (count < 0) source_.fail("the length of a list is negative");
-        source_.skip(property.type, count);
-    }
-
-    void skip_rows(const PlyElement& element, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) {
-            source_.begin_row();
-            for (const PlyProperty& property : element.properties) skip_value(property);
-            source_.end_row();
-        }
     }
 
     Source source_;

@@ -17,7 +17,9 @@ namespace skelgen::io::detail {
 /// continues it. Lines are only counted when an error has to name one.
 class TextScanner {
 public:
-    explicit TextScanner(std::string_view text) : begin_(text.data()), at_(begin_), end_(begin_ + text.size()) {}
+    /// `content` names what the text is, for the advice in errors.
+    explicit TextScanner(std::string_view text, const char* content = "mesh")
+        : begin_(text.data()), at_(begin_), end_(begin_ + text.size()), content_(content) {}
 
     /// Moves past blanks and comments; true when nothing is left on this line.
     [[nodiscard]] bool at_line_end() {
@@ -32,6 +34,12 @@ public:
             skip_line();
         }
         return true;
+    }
+
+    /// Moves to the next word or comment, over ends of lines; false at the end of the text.
+    bool seek_word_or_comment() {
+        for (skip_blanks(); at_ != end_ && *at_ == '\n'; skip_blanks()) ++at_;
+        return at_ != end_;
     }
 
     /// Moves to the beginning of the next line.
@@ -54,12 +62,14 @@ public:
         return ahead.word();
     }
 
-    /// The next word of this line as a finite number. `what` names it in the error.
-    double number(const char* what) {
+    /// The next word of this line as a finite number, the one of its type that is nearest to the word. `what` names it
+    /// in the error.
+    template <typename Number = double>
+    Number number(const char* what) {
         skip_blanks();
         const char* const start = at_;
         if (at_ != end_ && *at_ == '+') ++at_;
-        double value = 0;
+        Number value = 0;
         const char* const stop = fast_float::from_chars(at_, end_, value).ptr;
         // The result's error code is not asked: what overflows is infinite, what underflows is a good zero.
         if (stop == at_ || (stop != end_ && !is_space(*stop) && *stop != '#')) fail_to_read(start, what);
@@ -98,6 +108,16 @@ public:
         return true;
     }
 
+    /// Takes `text` if it is what comes next, be it in a comment.
+    bool take(std::string_view text) {
+        if (!std::string_view(at_, bytes_left()).starts_with(text)) return false;
+        at_ += text.size();
+        return true;
+    }
+
+    /// Whether a comment begins here.
+    [[nodiscard]] bool at_comment() const { return at_ != end_ && *at_ == '#'; }
+
     /// Whether the word ends here.
     [[nodiscard]] bool at_word_end() const { return at_ == end_ || is_space(*at_) || *at_ == '#'; }
 
@@ -116,7 +136,7 @@ public:
     [[noreturn]] void fail_at(const char* where, const std::string& message) const {
         const auto line = 1 + std::count(begin_, where, '\n');
         throw Error(ErrorCode::bad_input,
-                    "line " + std::to_string(line) + ": " + message + "; repair or export the mesh again");
+                    "line " + std::to_string(line) + ": " + message + "; repair or export the " + content_ + " again");
     }
 
 private:
@@ -159,6 +179,7 @@ private:
     const char* begin_;
     const char* at_;
     const char* end_;
+    const char* content_;
 };
 
 } // namespace skelgen::io::detail

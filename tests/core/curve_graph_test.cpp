@@ -1,5 +1,7 @@
+#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <skelgen/core/curve_graph.hpp>
 
@@ -48,11 +50,24 @@ TEST_CASE("the diameter of a curve is its longest shortest path") {
     CHECK(curve_diameter(CurveGraph<double>{}) == 0);
 }
 
-TEST_CASE("each node belongs to the source nearest along the curve, to the first one among equals") {
+TEST_CASE("each node belongs to the source nearest along the curve, to the lowest label among equals") {
     const CurveGraph<double> graph = curve_graph(square_with_tail());
-    CHECK(nearest_source(graph, {4, 2}) == std::vector<int>{0, 1, 1, 1, 0, -1});
-    CHECK(nearest_source(graph, {1, 3}) == std::vector<int>{0, 0, 0, 1, 0, -1});
-    CHECK(nearest_source(graph, {}) == std::vector<int>(6, -1));
+    CHECK(nearest_source<double>(graph, {{0, 0, 4}, {0, 1, 2}}) == std::vector<int>{0, 1, 1, 1, 0, -1});
+    CHECK(nearest_source<double>(graph, {{0, 0, 1}, {0, 1, 3}}) == std::vector<int>{0, 0, 0, 1, 0, -1});
+    CHECK(nearest_source<double>(graph, {{0, 1, 3}, {0, 0, 1}}) == std::vector<int>{0, 0, 0, 1, 0, -1});
+    CHECK(nearest_source<double>(graph, {{0, 7, 1}, {0, 3, 3}}) == std::vector<int>{3, 7, 3, 3, 3, -1});
+    CHECK(nearest_source<double>(graph, {}) == std::vector<int>(6, -1));
+}
+
+TEST_CASE("a source's own distance counts, and one may begin in several nodes") {
+    const CurveGraph<double> graph = curve_graph(square_with_tail());
+    CHECK(nearest_source<double>(graph, {{0.5, 0, 1}, {0, 1, 3}}) == std::vector<int>{1, 0, 1, 1, 1, -1});
+    CHECK(nearest_source<double>(graph, {{9, 0, 1}, {0, 1, 3}}) == std::vector<int>{1, 1, 1, 1, 1, -1});
+    CHECK(nearest_source<double>(graph, {{-0.5, 1, 1}, {0, 0, 3}}) == std::vector<int>{1, 1, 1, 0, 1, -1});
+    CHECK(nearest_source<double>(graph, {{0, 2, 5}, {0, 2, 4}, {1, 1, 2}}) == std::vector<int>{2, 1, 1, 1, 2, 2});
+    // In one node: the nearer one, of equals the lowest label.
+    CHECK(nearest_source<double>(graph, {{2, 0, 4}, {1, 1, 4}}) == std::vector<int>{1, 1, 1, 1, 1, -1});
+    CHECK(nearest_source<double>(graph, {{1, 4, 4}, {1, 3, 4}}) == std::vector<int>{3, 3, 3, 3, 3, -1});
 }
 
 TEST_CASE("a branch goes on to the next node that is not of degree 2") {
@@ -68,6 +83,48 @@ TEST_CASE("a branch around a ring without junctions ends where it began") {
     ring.edges.pop_back();
     CHECK(branch(curve_graph(ring), 1, 2) == std::vector<int>{1, 2, 3, 0, 1});
     CHECK(cycle_count(ring) == 4 - 6 + 1);
+}
+
+namespace {
+
+using Edges = std::vector<std::array<int, 2>>;
+using Branches = std::vector<std::vector<int>>;
+
+/// All branches of a graph of that many nodes.
+Branches branches_of(int count, const Edges& edges) {
+    CurveSkeleton<double> curve;
+    curve.nodes = Points<double>::Zero(count, 3);
+    for (int v = 0; v < count; ++v) curve.nodes(v, 0) = v;
+    curve.edges = edges;
+    return branches(curve_graph(curve));
+}
+
+} // namespace
+
+TEST_CASE("a tree falls into branches from ends and junctions to the next ones, each once") {
+    CHECK(branches_of(6, {{0, 3}, {1, 3}, {2, 3}, {2, 5}, {4, 5}}) == Branches{{0, 3}, {1, 3}, {3, 2, 5, 4}});
+    CHECK(branches_of(4, {{0, 3}, {2, 3}, {1, 2}}) == Branches{{0, 3, 2, 1}});
+    CHECK(branches_of(2, {{0, 1}}) == Branches{{0, 1}});
+    CHECK(branches_of(5, {{0, 4}, {1, 4}, {2, 4}, {3, 4}}) == Branches{{0, 4}, {1, 4}, {2, 4}, {3, 4}});
+}
+
+TEST_CASE("a ring is a branch from its lowest node back to it, also beside others") {
+    CHECK(branches_of(4, {{0, 1}, {1, 2}, {2, 3}, {0, 3}}) == Branches{{0, 1, 2, 3, 0}});
+    CHECK(branches_of(8, {{1, 5}, {2, 5}, {1, 2}, {0, 3}, {4, 6}, {6, 7}, {4, 7}}) ==
+          Branches{{0, 3}, {1, 2, 5, 1}, {4, 6, 7, 4}});
+}
+
+TEST_CASE("two junctions may be joined by several branches") {
+    CHECK(branches_of(5, {{0, 1}, {1, 4}, {0, 2}, {2, 4}, {0, 3}, {3, 4}}) ==
+          Branches{{0, 1, 4}, {0, 2, 4}, {0, 3, 4}});
+    CHECK(branches_of(4, {{0, 3}, {0, 1}, {1, 3}, {0, 2}, {2, 3}}) == Branches{{0, 1, 3}, {0, 2, 3}, {0, 3}});
+}
+
+TEST_CASE("a loop at a junction is one branch, and a node on its own is none") {
+    CHECK(branches(curve_graph(square_with_tail())) == Branches{{0, 1, 2, 3, 0}, {0, 4}});
+    CHECK(branches_of(5, {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {3, 4}, {0, 4}}) == Branches{{0, 1, 2, 0}, {0, 3, 4, 0}});
+    CHECK(branches_of(1, {}).empty());
+    CHECK(branches(CurveGraph<double>{}).empty());
 }
 
 TEST_CASE("the length of a path and the node nearest to a point, in both precisions") {

@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/extract.hpp>
 
@@ -189,7 +190,14 @@ TEST_CASE("noise of half an edge's length does little harm, because it is smooth
     CHECK(difference(extract_skeleton(noisy), expected).joint < another_section);
     ExtractOptions as_it_is;
     as_it_is.prepare.denoise.most_passes = 0;
-    CHECK(difference(extract_skeleton(noisy, as_it_is), expected).joint > another_section);
+    // Left as it is, it loses joints, or all of them.
+    bool harmed = false;
+    try {
+        harmed = difference(extract_skeleton(noisy, as_it_is), expected).joint > another_section;
+    } catch (const Error& error) {
+        harmed = error.code() == ErrorCode::no_skeleton;
+    }
+    CHECK(harmed);
 }
 
 TEST_CASE("where a coarse proxy misleads the matching, a finer one is tried") {

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cstring>
+#include <fstream>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -28,10 +31,23 @@ CurveSkeleton<double> curve() {
     return result;
 }
 
-void check_same(const CurveSkeleton<double>& a, const CurveSkeleton<double>& b) {
-    CHECK(a.nodes == b.nodes);
+CurveSkeleton<double> without_regions(CurveSkeleton<double> from) {
+    from.regions.clear();
+    return from;
+}
+
+/// Whether two numbers have the same bits: 0 and -0 are two numbers.
+template <typename Scalar>
+bool same_bits(Scalar a, Scalar b) {
+    return std::memcmp(&a, &b, sizeof(Scalar)) == 0;
+}
+
+template <typename Scalar>
+void check_same(const CurveSkeleton<Scalar>& a, const CurveSkeleton<Scalar>& b) {
+    REQUIRE(a.nodes.rows() == b.nodes.rows());
+    CHECK(std::equal(a.nodes.data(), a.nodes.data() + a.nodes.size(), b.nodes.data(), same_bits<Scalar>));
     CHECK(a.edges == b.edges);
-    CHECK(a.radii == b.radii);
+    CHECK(std::equal(a.radii.begin(), a.radii.end(), b.radii.begin(), b.radii.end(), same_bits<Scalar>));
     CHECK(a.regions == b.regions);
 }
 
@@ -67,7 +83,6 @@ TEST_CASE("curve JSON: gives everything back", "[io][curve]") {
     bare.regions.clear();
     check_same(curve_from_json(curve_to_json(bare)), bare);
     CHECK_THAT(curve_to_json(bare), !Contains("radii") && !Contains("regions"));
-    check_same(curve_from_json(curve_to_json(CurveSkeleton<double>())), CurveSkeleton<double>());
 
     CurveSkeleton<float> single;
     single.nodes.resize(1, 3);
@@ -99,6 +114,15 @@ TEST_CASE("curve JSON: what is wrong is named", "[io][curve]") {
     CHECK_THAT(reading_error(R"({"format": "skelgen-curve", "version": 2})"), Contains("\"version\""));
     CHECK_THAT(document(""), Contains("'nodes'"));
     CHECK_THAT(document(R"(, "nodes": [])"), Contains("'edges'"));
+    CHECK_THAT(document(R"(, "nodes": [], "edges": [])"), Contains("no nodes"));
+    CHECK_THAT(document(R"(, "nodes": [[0, 0, 0], [1, 0]], "edges": [])"), Contains("nodes[1]"));
+    CHECK_THAT(document(R"(, "nodes": [[0, 0, 1e999]], "edges": [])"), Contains("no valid JSON"));
+    const std::string two = R"(, "nodes": [[0, 0, 0], [1, 0, 0]], "edges": )";
+    CHECK(document(two + "[[1, 0]]") == "no error");
+    CHECK_THAT(document(two + "[[0, 1], [1, 0]]"), Contains("edges[1]") && Contains("is there already"));
+    CHECK_THAT(document(two + "[[1, 1]]"), Contains("edges[0]") && Contains("to itself"));
+    CHECK_THAT(document(two + "[[0, 1, 1]]"), Contains("edges[0]: an edge is no list of 2"));
+    CHECK_THAT(document(two + R"([], "radii": [1, -2])"), Contains("radii[1]") && Contains("negative"));
     CHECK_THAT(document(R"(, "nodes": [[0, 0]], "edges": [])"), Contains("a node is no list of 3"));
     CHECK_THAT(document(R"(, "nodes": [[0, 0, "0"]], "edges": [])"), Contains("no number"));
     CHECK_THAT(document(R"(, "nodes": [[0, 0, null]], "edges": [])"), Contains("no number"));
@@ -113,10 +137,15 @@ TEST_CASE("curve JSON: what is wrong is named", "[io][curve]") {
     CHECK_THAT(document(R"(, "nodes": [[0, 0, 0]], "edges": [], "regions": [0])"), Contains("a region is no list"));
 }
 
-TEST_CASE("curve OBJ: nodes and lines", "[io][curve]") {
+TEST_CASE("curve OBJ: nodes with their radii, and lines", "[io][curve]") {
     CHECK(curve_to_obj(curve()) == "# skelgen curve skeleton\n"
-                                   "v 0 0 0\nv 1 0.1 0\nv 2 0 -1e-07\nv 1 1 0\nv 5 5 5\nv 6 5 0.3333333333333333\n"
+                                   "v 0 0 0\n# radius 0.5\nv 1 0.1 0\n# radius 0.25\nv 2 0 -1e-07\n# radius 0\n"
+                                   "v 1 1 0\n# radius 0.1\nv 5 5 5\n# radius 1\n"
+                                   "v 6 5 0.3333333333333333\n# radius 2\n"
                                    "l 1 2\nl 1 4\nl 2 3\nl 2 4\nl 5 6\n");
+    CurveSkeleton<double> bare = curve();
+    bare.radii.clear();
+    CHECK_THAT(curve_to_obj(bare), !Contains("radius") && Contains("v 5 5 5\nv 6 5"));
 }
 
 TEST_CASE("curve PLY: vertices and edges", "[io][curve]") {
@@ -131,16 +160,21 @@ TEST_CASE("curve PLY: vertices and edges", "[io][curve]") {
     CHECK_THAT(curve_to_ply(bare), !Contains("radius") && Contains("end_header\n0 0 0\n1 0.1 0\n"));
 }
 
-TEST_CASE("curve SWC: trees with parents first, the edge that closes a cycle named", "[io][curve]") {
-    CHECK(curve_to_swc(curve()) == "# skelgen curve skeleton, in the unit of its mesh\n"
-                                   "# left out, as it closes a cycle: the edge between 2 3\n"
+TEST_CASE("curve SWC: trees with parents first, what they cannot hold in comments", "[io][curve]") {
+    CHECK(curve_to_swc(curve()) == "# skelgen curve skeleton, in the unit of the mesh\n"
+                                   "# left out, as it closes a cycle: the edge between 2 4\n"
+                                   "# radius 0, a placeholder in its column: node 3\n"
                                    "# id type x y z radius parent\n"
                                    "1 0 0 0 0 0.5 -1\n"
                                    "2 0 1 0.1 0 0.25 1\n"
-                                   "3 0 1 1 0 0.1 1\n"
-                                   "4 0 2 0 -1e-07 0 2\n"
+                                   "3 0 2 0 -1e-07 0.006 2\n"
+                                   "4 0 1 1 0 0.1 1\n"
                                    "5 0 5 5 5 1 -1\n"
                                    "6 0 6 5 0.3333333333333333 2 5\n");
+    CurveSkeleton<double> bare = curve();
+    bare.radii.clear();
+    CHECK_THAT(curve_to_swc(bare), Contains("\n# radii unknown, a placeholder in their column\n") &&
+                                       Contains("\n6 0 6 5 0.3333333333333333 0.006 5\n") && !Contains("# radius 0"));
 }
 
 TEST_CASE("curve SWC: a long chain, numbered against its direction", "[io][curve]") {
@@ -162,17 +196,32 @@ TEST_CASE("curve SWC: a long chain, numbered against its direction", "[io][curve
     CHECK(expected == n);
 }
 
-TEST_CASE("write_curve: the extension chooses; read_curve reads JSON", "[io][curve]") {
+TEST_CASE("write_curve and read_curve: the extension chooses", "[io][curve]") {
     const TemporaryFolder folder;
     for (const char* name : {"c.json", "c.obj", "c.ply", "c.swc"}) write_curve(folder / name, curve());
     check_same(read_curve(folder / "c.json"), curve());
+    for (const char* name : {"c.obj", "c.ply", "c.swc"})
+        check_same(read_curve(folder / name), without_regions(curve()));
+    for (const std::string_view extension : curve_extensions()) {
+        INFO(extension);
+        CHECK(std::filesystem::exists(folder / ("c" + std::string(extension))));
+    }
+    write_curve(folder / "upper.SWC", curve());
+    CHECK(std::filesystem::file_size(folder / "upper.SWC") == curve_to_swc(curve()).size());
+    check_same(read_curve(folder / "upper.SWC"), without_regions(curve()));
+    std::ofstream(folder / "marked.swc") << "\xEF\xBB\xBF" << curve_to_swc(curve());
+    check_same(read_curve(folder / "marked.swc"), without_regions(curve()));
     CHECK(std::filesystem::file_size(folder / "c.obj") == curve_to_obj(curve()).size());
     CHECK(std::filesystem::file_size(folder / "c.ply") == curve_to_ply(curve()).size());
     CHECK(std::filesystem::file_size(folder / "c.swc") == curve_to_swc(curve()).size());
     CHECK_THAT(error_of(ErrorCode::usage, [&] { write_curve(folder / "c.txt", curve()); }), Contains(".swc"));
     CHECK_THAT(error_of(ErrorCode::bad_input, [&] { static_cast<void>(read_curve(folder / "none.json")); }),
                Contains("No such file"));
-    CHECK_THAT(error_of(ErrorCode::bad_input, [&] { static_cast<void>(read_curve(folder / "c.obj")); }),
+    std::filesystem::copy_file(folder / "c.json", folder / "c.txt");
+    CHECK_THAT(error_of(ErrorCode::bad_input, [&] { static_cast<void>(read_curve(folder / "c.txt")); }),
+               Contains(".swc"));
+    std::filesystem::copy_file(folder / "c.obj", folder / "no.json");
+    CHECK_THAT(error_of(ErrorCode::bad_input, [&] { static_cast<void>(read_curve(folder / "no.json")); }),
                Contains("JSON"));
 }
 
@@ -192,4 +241,11 @@ TEST_CASE("curve formats: unsound curves are refused", "[io][curve]") {
     bad = curve();
     bad.radii[0] = std::numeric_limits<double>::quiet_NaN();
     CHECK_THAT(writing_error(bad), Contains("radius"));
+    bad = curve();
+    bad.edges.push_back({3, 1});
+    CHECK_THAT(writing_error(bad), Contains("an edge is there twice"));
+    bad = curve();
+    bad.edges.push_back({3, 3});
+    CHECK_THAT(writing_error(bad), Contains("to itself"));
+    CHECK_THAT(writing_error(CurveSkeleton<double>()), Contains("no nodes"));
 }

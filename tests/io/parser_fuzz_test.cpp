@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <skelgen/io/curve_formats.hpp>
@@ -132,31 +134,85 @@ TEST_CASE("mesh parsers: random bytes", "[io][fuzz]") {
     }
 }
 
-TEST_CASE("curve_from_json: cut short and changed", "[io][fuzz]") {
+namespace {
+
+struct CurveSample {
+    std::string name;
+    std::string bytes;
+    CurveSkeleton<double> (*parse)(std::string_view);
+};
+
+std::vector<CurveSample> curve_samples() {
     CurveSkeleton<double> curve;
-    curve.nodes.resize(3, 3);
-    curve.nodes << 0, 0, 0, 1, 1e5, 0.25, 2, -1, 0;
-    curve.edges = {{0, 1}, {1, 2}};
-    curve.radii = {1, 2, 3.5};
-    curve.regions = {{0, 1}, {}, {2}};
-    const std::string text = curve_to_json(curve);
-    const auto parses_curve = [](const std::string& changed) {
-        try {
-            const CurveSkeleton<double> read = curve_from_json(changed);
-            REQUIRE(read.nodes.allFinite());
-            for (const auto& edge : read.edges) REQUIRE((edge[0] < read.nodes.rows() && edge[1] < read.nodes.rows()));
-            return true;
-        } catch (const Error& error) {
-            REQUIRE(error.code() == ErrorCode::bad_input);
-            return false;
+    curve.nodes.resize(4, 3);
+    curve.nodes << 0, 0, 0, 1, 1e5, 0.25, 2, -1, 0, 1, 1, 1;
+    curve.edges = {{0, 1}, {0, 2}, {1, 2}, {2, 3}};
+    curve.radii = {1, 2, 0, 3.5};
+    curve.regions = {{0, 1}, {}, {2}, {3}};
+    std::string binary = "ply\nformat binary_big_endian 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+                         "property list uchar short more\nproperty float z\nelement edge 1\nproperty int vertex1\n"
+                         "property uchar vertex2\nend_header\n";
+    binary += std::string(8, '\0') + std::string("\1\0\0", 3) + std::string(4, '\0'); // a node with a list of one
+    binary += std::string(8, '\0') + std::string("\0", 1) + std::string(4, '\1');     // another, of none
+    binary += std::string("\0\0\0\0\1", 5);                                           // the edge between them
+    return {{"JSON", curve_to_json(curve), curve_from_json<double>},
+            {"OBJ", curve_to_obj(curve) + "l -1 2\n", curve_from_obj<double>},
+            {"PLY", curve_to_ply(curve), curve_from_ply<double>},
+            {"binary PLY", binary, curve_from_ply<double>},
+            {"SWC", curve_to_swc(curve), curve_from_swc<double>}};
+}
+
+/// Whether a curve came out; then it must be a sound one.
+bool parses_curve(const std::string& bytes, const CurveSample& sample) {
+    try {
+        const CurveSkeleton<double> read = sample.parse(bytes);
+        REQUIRE(read.nodes.rows() > 0);
+        REQUIRE(read.nodes.allFinite());
+        for (const auto& [a, b] : read.edges) REQUIRE((0 <= a && a < b && b < read.nodes.rows()));
+        REQUIRE(std::is_sorted(read.edges.begin(), read.edges.end()));
+        REQUIRE((read.radii.empty() || static_cast<Eigen::Index>(read.radii.size()) == read.nodes.rows()));
+        return true;
+    } catch (const Error& error) {
+        REQUIRE(error.code() == ErrorCode::bad_input);
+        REQUIRE(std::string(error.what()).size() > 10);
+        return false;
+    }
+}
+
+} // namespace
+
+TEST_CASE("curve parsers: cut short at every byte, and every byte changed", "[io][fuzz]") {
+    for (const CurveSample& sample : curve_samples()) {
+        INFO(sample.name);
+        REQUIRE(parses_curve(sample.bytes, sample));
+        for (std::size_t size = 0; size < sample.bytes.size(); ++size) {
+            const bool parsed = parses_curve(sample.bytes.substr(0, size), sample);
+            if (sample.name == "JSON" && size + 2 < sample.bytes.size()) CHECK_FALSE(parsed);
         }
-    };
-    REQUIRE(parses_curve(text));
-    for (std::size_t size = 0; size + 2 < text.size(); ++size) CHECK_FALSE(parses_curve(text.substr(0, size)));
+        for (std::size_t i = 0; i < sample.bytes.size(); ++i)
+            for (const char byte : {'\0', '-', '9', ' ', '\n', '#', '\x7f', '\xff'}) {
+                std::string changed = sample.bytes;
+                changed[i] = byte;
+                static_cast<void>(parses_curve(changed, sample));
+            }
+    }
+}
+
+TEST_CASE("curve parsers: random changes and random bytes", "[io][fuzz]") {
     std::mt19937 random(2022);
-    int refused = 0;
-    for (int trial = 0; trial < 2000; ++trial) refused += !parses_curve(mutated(text, random));
-    CHECK(refused > 100);
-    CHECK_FALSE(parses_curve(R"({"format": "skelgen-curve", "version": 1, "nodes": [[1e999, 0, 0]], "edges": []})"));
-    CHECK_FALSE(parses_curve(R"({"format": "skelgen-curve\xff", "version": 1})"));
+    for (const CurveSample& sample : curve_samples()) {
+        INFO(sample.name);
+        int refused = 0;
+        for (int trial = 0; trial < 2000; ++trial) refused += !parses_curve(mutated(sample.bytes, random), sample);
+        CHECK(refused > 100);
+        for (int trial = 0; trial < 200; ++trial) {
+            std::string bytes(random() % 300, '\0');
+            for (char& byte : bytes) byte = static_cast<char>(random() % 256);
+            static_cast<void>(parses_curve(bytes, sample));
+        }
+    }
+    const CurveSample json = curve_samples().front();
+    CHECK_FALSE(
+        parses_curve(R"({"format": "skelgen-curve", "version": 1, "nodes": [[1e999, 0, 0]], "edges": []})", json));
+    CHECK_FALSE(parses_curve(R"({"format": "skelgen-curve\xff", "version": 1})", json));
 }

@@ -8,6 +8,7 @@
 #include <skelgen/synth/sets.hpp>
 
 #include "parallel.hpp"
+#include "tubes.hpp"
 
 namespace skelgen::regression {
 namespace {
@@ -52,9 +53,10 @@ void make_bodies(const fs::path& folder, unsigned jobs) {
         io::write_file_atomically(folder / "truth" / set / (objects[i] + ".json"),
                                   synth::object_truth_to_json(set + "/" + objects[i] + ".off"));
     });
+    make_tubes(folder / "tubes", jobs);
     io::write_file_atomically(folder / done, "");
 }
 
-bool has_bodies(const fs::path& folder) { return fs::exists(folder / done); }
+bool has_bodies(const fs::path& folder) { return fs::exists(folder / done) && fs::exists(folder / "tubes"); }
 
 } // namespace skelgen::regression

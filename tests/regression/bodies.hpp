@@ -16,7 +16,7 @@ struct SetSample {
 [[nodiscard]] const std::vector<SetSample>& body_samples();
 
 /// Makes the samples and the set of things that are no body: FOLDER/meshes/<set>/<name>.off,
-/// FOLDER/truth/<set>/<name>.json. What was there before goes.
+/// FOLDER/truth/<set>/<name>.json; and the tubes, in FOLDER/tubes. What was there before goes.
 void make_bodies(const std::filesystem::path& folder, unsigned jobs);
 
 /// Whether `make_bodies` has come to its end in this folder.

@@ -31,7 +31,7 @@ void print(const char* title, const std::vector<std::string>& lines) {
 }
 
 int update(const Options& options, const Results& found) {
-    Expectations expectations{{0, 0.002}, {}};
+    Expectations expectations{{0, 0.002, 0.01}, {}};
     if (fs::exists(options.expected)) expectations = read_expectations(options.expected);
     const std::vector<std::string> moved = moves(expectations.sets, found);
     print("what moved:", moved);

@@ -16,12 +16,16 @@
 #include <skelgen/io/skeleton_json.hpp>
 
 #include "parallel.hpp"
+#include "tubes.hpp"
 
 namespace skelgen::regression {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
+
+constexpr const char* tube_set = "tubes";
+constexpr double near_enough = 0.1; ///< of a curve to its axis, in local radii
 
 /// Four digits are what a skeleton's error is good for, and what a difference can be read in.
 double rounded(double error) { return std::round(error * 1e4) / 1e4; }
@@ -71,10 +75,29 @@ SetResult to_result(const evaluation::SetSummary& summary) {
     return result;
 }
 
+/// Of the tubes: how many curves have as many ends and cycles as the axis, and how many are near it everywhere.
+SetResult to_result(const std::vector<TubeScore>& scores) {
+    SetResult result;
+    result.meshes = scores.size();
+    double sum = 0;
+    std::size_t found = 0; // of the curves, those that have nodes
+    for (const auto& [name, error] : scores) {
+        result.counts["ends"] += error.ends == error.true_ends ? 1 : 0;
+        result.counts["cycles"] += error.cycles == error.true_cycles ? 1 : 0;
+        result.counts["near"] += error.hausdorff <= near_enough ? 1 : 0;
+        if (!std::isfinite(error.mean)) continue;
+        sum += error.mean;
+        ++found;
+    }
+    if (found > 0) result.axis = rounded(sum / static_cast<double>(found));
+    return result;
+}
+
 Json to_json(const SetResult& result) {
     Json json{{"meshes", result.meshes}};
     for (const auto& [name, count] : result.counts) json[name] = count;
     if (!result.joints.empty()) json["joints"] = result.joints;
+    if (result.axis) json["axis"] = *result.axis;
     return json;
 }
 
@@ -85,6 +108,8 @@ SetResult to_result(const Json& json) {
             result.meshes = value.get<std::size_t>();
         else if (key == "joints")
             result.joints = value.get<std::map<std::string, double>>();
+        else if (key == "axis")
+            result.axis = value.get<double>();
         else
             result.counts[key] = value.get<std::size_t>();
     }
@@ -129,6 +154,8 @@ std::size_t count_or_none(const SetResult& result, const std::string& name) {
     return found == result.counts.end() ? 0 : found->second;
 }
 
+std::string digits_or_none(const std::optional<double>& error) { return error ? digits(*error) : "-"; }
+
 } // namespace
 
 Results measure(const fs::path& folder, unsigned jobs) {
@@ -140,6 +167,9 @@ Results measure(const fs::path& folder, unsigned jobs) {
         const evaluation::SetSummary summary = summarise(score);
         results[summary.name] = to_result(summary);
     }
+    const std::vector<TubeScore> tubes = measure_tubes(folder / tube_set, jobs);
+    io::write_file_atomically(folder / tube_set / "scores.txt", to_table(tubes));
+    results[tube_set] = to_result(tubes);
     return results;
 }
 
@@ -147,8 +177,10 @@ Expectations read_expectations(const fs::path& file) {
     try {
         const Json json = Json::parse(io::read_file(file));
         Expectations expectations;
-        expectations.tolerances = {json.at("tolerances").at("count").get<std::size_t>(),
-                                   json.at("tolerances").at("joint_error").get<double>()};
+        const Json& tolerances = json.at("tolerances");
+        expectations.tolerances.count = tolerances.at("count").get<std::size_t>();
+        expectations.tolerances.joint_error = tolerances.at("joint_error").get<double>();
+        expectations.tolerances.axis_error = tolerances.value("axis_error", expectations.tolerances.axis_error);
         for (const auto& [set, result] : json.at("sets").items()) expectations.sets[set] = to_result(result);
         return expectations;
     } catch (const Json::exception& error) {
@@ -160,7 +192,9 @@ void write_expectations(const fs::path& file, const Expectations& expectations) 
     Json sets = Json::object();
     for (const auto& [set, result] : expectations.sets) sets[set] = to_json(result);
     const Json json{{"tolerances",
-                     {{"count", expectations.tolerances.count}, {"joint_error", expectations.tolerances.joint_error}}},
+                     {{"count", expectations.tolerances.count},
+                      {"joint_error", expectations.tolerances.joint_error},
+                      {"axis_error", expectations.tolerances.axis_error}}},
                     {"sets", sets}};
     io::write_file_atomically(file, json.dump(1) + "\n");
 }
@@ -182,6 +216,7 @@ std::vector<std::string> moves(const Results& before, const Results& after) {
         for_each_pair(
             a.counts, b.counts, [](std::size_t count) { return std::to_string(count); }, add);
         for_each_pair(a.joints, b.joints, digits, add);
+        add("axis", digits_or_none(a.axis), digits_or_none(b.axis));
     }
     return lines;
 }
@@ -197,6 +232,8 @@ std::vector<std::string> regressions(const Expectations& expected, const Results
         for (const auto& [name, count] : result.counts)
             if (const std::size_t is = count_or_none(now->second, name); is + expected.tolerances.count < count)
                 lines.push_back(line(set, name, std::to_string(count), std::to_string(is)));
+        if (result.axis && !(now->second.axis && *now->second.axis <= *result.axis + expected.tolerances.axis_error))
+            lines.push_back(line(set, "axis", digits_or_none(result.axis), digits_or_none(now->second.axis)));
         // The errors are of the solved meshes: of others, they are not to be compared.
         if (count_or_none(now->second, "solved") != count_or_none(result, "solved")) continue;
         for (const auto& [joint, error] : result.joints) {
@@ -212,13 +249,14 @@ std::vector<std::string> regressions(const Expectations& expected, const Results
 
 std::string to_table(const Results& results) {
     std::ostringstream text;
-    text << "set          meshes  solved   sides refused   mean error\n";
+    text << "set          meshes  solved   sides refused    ends  cycles    near   mean error\n";
     for (const auto& [set, result] : results) {
         text << std::left << std::setw(12) << set << std::right << std::setw(7) << result.meshes;
-        for (const char* count : {"solved", "sides", "refused"})
+        for (const char* count : {"solved", "sides", "refused", "ends", "cycles", "near"})
             text << std::setw(8)
                  << (result.counts.count(count) > 0 ? std::to_string(result.counts.at(count)) : std::string("-"));
-        text << std::setw(13) << (result.joints.empty() ? std::string("-") : digits(mean_error(result))) << '\n';
+        text << std::setw(13) << (result.joints.empty() ? digits_or_none(result.axis) : digits(mean_error(result)))
+             << '\n';
     }
     return text.str();
 }

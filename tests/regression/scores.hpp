@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,10 @@ namespace skelgen::regression {
 /// How the extraction does on one set.
 struct SetResult {
     std::size_t meshes = 0;
-    std::map<std::string, std::size_t> counts; ///< of meshes: "solved", "sides" (right); of objects: "refused"
+    std::map<std::string, std::size_t> counts; ///< of meshes: "solved", "sides" (right); of objects: "refused"; of
+                                               ///< tubes: "ends", "cycles" (right), "near" (the axis, everywhere)
     std::map<std::string, double> joints;      ///< mean error over the solved meshes, in geodesic diameters
+    std::optional<double> axis;                ///< of tubes: mean distance of curve and axis, in local radii
 };
 
 using Results = std::map<std::string, SetResult>;
@@ -21,6 +24,7 @@ using Results = std::map<std::string, SetResult>;
 struct Tolerances {
     std::size_t count = 0;    ///< meshes
     double joint_error = 0.0; ///< geodesic diameters
+    double axis_error = 0.01; ///< local radii
 };
 
 struct Expectations {
@@ -29,7 +33,7 @@ struct Expectations {
 };
 
 /// Extracts the skeletons of all meshes that `make_bodies` has put into the folder (into FOLDER/skeletons) and scores
-/// them.
+/// them; finds the curves of the tubes, and says in FOLDER/tubes/scores.txt how each of them does.
 [[nodiscard]] Results measure(const std::filesystem::path& folder, unsigned jobs);
 
 /// \throws Error bad_input when the file cannot be read or is no such JSON.
@@ -43,7 +47,7 @@ void write_expectations(const std::filesystem::path& file, const Expectations& e
 /// Joints are compared in sets of which as many meshes are solved as expected.
 [[nodiscard]] std::vector<std::string> regressions(const Expectations& expected, const Results& found);
 
-/// A table of the counts and mean errors.
+/// A table of the counts and mean errors: of joints in geodesic diameters, of the tubes in local radii.
 [[nodiscard]] std::string to_table(const Results& results);
 
 } // namespace skelgen::regression

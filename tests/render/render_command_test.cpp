@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include <skelgen/io/curve_formats.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
 #include "scenes.hpp"
@@ -69,6 +70,35 @@ TEST_CASE("skelgen render shows a skeleton file and a truth file instead of extr
     CHECK(outcome.status == 0);
     CHECK(outcome.messages.empty());
     CHECK(content(folder / "ball.svg").find(">left_hand</text>") != std::string::npos);
+}
+
+TEST_CASE("skelgen render shows a curve file of any format, alone or in a folder") {
+    const TemporaryFolder folder;
+    write_mesh(folder / "ball.off", sphere(12));
+    CurveSkeleton<double> curve;
+    curve.nodes.resize(3, 3);
+    curve.nodes << -0.5, 0, 0, 0, 0.25, 0, 0.5, 0, 0;
+    curve.edges = {{0, 1}, {1, 2}};
+    fs::create_directory(folder / "curves");
+    REQUIRE(run_render("ball.off -o bare.svg", folder.path()).status == 0);
+    for (const std::string extension : {"json", "obj", "ply", "swc"}) {
+        CAPTURE(extension);
+        write_curve(folder / ("c." + extension), curve);
+        REQUIRE(run_render("ball.off --curve c." + extension + " -o " + extension + ".svg", folder.path()).status == 0);
+        CHECK(content(folder / (extension + ".svg")) == content(folder / "json.svg"));
+        CHECK(content(folder / (extension + ".svg")) != content(folder / "bare.svg"));
+
+        const fs::path in_folder = folder / ("curves/ball." + extension);
+        fs::copy_file(folder / ("c." + extension), in_folder);
+        REQUIRE(run_render("ball.off --curve curves -o found.svg", folder.path()).status == 0);
+        CHECK(content(folder / "found.svg") == content(folder / "json.svg"));
+        fs::remove(in_folder);
+    }
+    std::ofstream(folder / "bad.swc") << "1 0 0 0 0 1 7\n";
+    const CommandResult outcome = run_render("ball.off --curve bad.swc -o bad.svg", folder.path());
+    CHECK(outcome.status == 3);
+    CHECK(outcome.messages.rfind("skelgen: error: bad.swc: line 1: ", 0) == 0);
+    CHECK_FALSE(fs::exists(folder / "bad.svg"));
 }
 
 TEST_CASE("skelgen render makes a contact sheet in which a bad file costs its own cell") {

@@ -45,6 +45,28 @@ template <typename Scalar>
     return nodes;
 }
 
+/// All branches, each once: the nodes from one that is not of degree 2 to the next one, in ascending order of their
+/// starts; a ring without such a node starts and ends at its lowest. Nodes without edges are in none. O(k + edges).
+template <typename Scalar>
+[[nodiscard]] std::vector<std::vector<int>> branches(const CurveGraph<Scalar>& graph) {
+    std::vector<std::vector<int>> out;
+    std::vector<bool> reached(graph.neighbours.size(), false);
+    const auto add_from = [&](int start) {
+        for (const auto& [first, length] : graph.neighbours[static_cast<std::size_t>(start)]) {
+            std::vector<int> path = branch(graph, start, first);
+            const auto there = std::pair(path.back(), path[path.size() - 2]);
+            if (there < std::pair(start, first)) continue; // seen from there
+            for (const int node : path) reached[static_cast<std::size_t>(node)] = true;
+            out.push_back(std::move(path));
+        }
+    };
+    for (int v = 0; v < graph.size(); ++v)
+        if (graph.degree(v) != 2) add_from(v);
+    for (int v = 0; v < graph.size(); ++v)
+        if (graph.degree(v) == 2 && !reached[static_cast<std::size_t>(v)]) add_from(v);
+    return out;
+}
+
 /// Length of the polyline through these nodes of a curve. O(nodes).
 template <typename Scalar>
 [[nodiscard]] Scalar path_length(const CurveSkeleton<Scalar>& curve, const std::vector<int>& nodes) {
@@ -85,10 +107,19 @@ struct ShortestPaths {
 template <typename Scalar>
 [[nodiscard]] ShortestPaths<Scalar> shortest_paths(const CurveGraph<Scalar>& graph, int source);
 
-/// Per node the index of the source nearest along the graph (the lowest one among equals), -1 where none can be
-/// reached. O((k + edges) log k).
+/// Where a search for the nearest begins.
+template <typename Scalar = double>
+struct Source {
+    Scalar distance = 0; ///< that it begins with
+    int label = 0;       ///< what is found by it; not negative
+    int node = 0;
+};
+
+/// Per node the label of the source nearest along the graph, its own distance included (the lowest label among equals),
+/// -1 where none can be reached. O((k + edges + sources) log k).
 template <typename Scalar>
-[[nodiscard]] std::vector<int> nearest_source(const CurveGraph<Scalar>& graph, const std::vector<int>& sources);
+[[nodiscard]] std::vector<int> nearest_source(const CurveGraph<Scalar>& graph,
+                                              const std::vector<Source<Scalar>>& sources);
 
 /// Largest distance along the curve between any two of its nodes. O(k^2 log k).
 template <typename Scalar>

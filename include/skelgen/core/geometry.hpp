@@ -59,6 +59,12 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] Scalar winding_number(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place);
 
+/// Diagonal of the bounding box of some points; there must be one. O(n).
+template <typename Scalar>
+[[nodiscard]] Scalar bounding_diagonal(const Points<Scalar>& points) {
+    return (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+}
+
 /// Index of the point nearest to a place, the first of equals; there must be one. O(n).
 template <typename Scalar>
 [[nodiscard]] int nearest_point(const Points<Scalar>& points, const Vector3<Scalar>& place);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <skelgen/core/curve_skeleton.hpp>
+#include <skelgen/curve/branched_curve.hpp>
+#include <skelgen/surface/body.hpp>
 
 namespace skelgen::curve {
 
@@ -20,6 +22,12 @@ void validate(const PruningOptions& options);
 /// its range.
 template <typename Scalar>
 [[nodiscard]] CurveSkeleton<Scalar> prune(const CurveSkeleton<Scalar>& curve, const PruningOptions& options = {});
+
+/// Cuts leaf branches that stick out less than `least_relief` times the radius of the ball at the junction that they
+/// leave, beyond that ball: the least first, again and again. O(b^2) for b branches.
+template <typename Scalar>
+[[nodiscard]] BranchedCurve<Scalar> prune_twigs(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
+                                                double least_relief);
 
 } // namespace skelgen::curve
 

@@ -11,11 +11,14 @@
 
 #include <skelgen/anatomy/complete.hpp>
 #include <skelgen/core/error.hpp>
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/template_rules.hpp>
 #include <skelgen/embedding/embed.hpp>
 #include <skelgen/embedding/part_contacts.hpp>
 #include <skelgen/refinement/end_points.hpp>
+#include <skelgen/surface/canonical_form.hpp>
+#include <skelgen/surface/manifold_parts.hpp>
 
 namespace skelgen {
 namespace detail {
@@ -228,6 +231,29 @@ Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const Extr
     found->timings.curve += curve_ms;
     found->timings.total = total.lap();
     return *std::move(found);
+}
+
+template <typename Scalar>
+std::vector<curve::CurveResult<Scalar>> find_curves(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options) {
+    constexpr double least_area = 1e-3;
+    validate(options);
+    surface::require_surface(mesh);
+    const surface::CanonicalMesh<Scalar> whole = surface::canonical_form(mesh);
+    const Scalar size = whole.similarity.scale * core::bounding_diagonal(whole.mesh.vertices);
+    std::vector<curve::CurveResult<Scalar>> out;
+    for (const surface::ManifoldParts<Scalar>& part : surface::manifold_parts(mesh, least_area)) {
+        if (part.mesh.faces.rows() < 4) continue; // encloses nothing
+        const Body<Scalar> body = prepare(part.mesh, options.prepare);
+        curve::CurveOptions relative = options.curve;
+        const Scalar own_size = body.similarity.scale * core::bounding_diagonal(body.mesh.vertices);
+        relative.centring.spacing = std::min(1.0, relative.centring.spacing * static_cast<double>(size / own_size));
+        curve::CurveResult<Scalar> found = find_curve(body, relative);
+        found.curve = surface::to_input(body, found.curve);
+        for (std::vector<int>& region : found.curve.regions)
+            for (int& vertex : region) vertex = part.source[static_cast<std::size_t>(vertex)];
+        out.push_back(std::move(found));
+    }
+    return out;
 }
 
 template <typename Scalar>

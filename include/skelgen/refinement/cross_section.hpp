@@ -1,10 +1,13 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include <Eigen/Core>
 
 #include <skelgen/core/mesh.hpp>
+#include <skelgen/surface/body.hpp>
+#include <skelgen/surface/contours.hpp>
 
 namespace skelgen::refinement {
 
@@ -20,19 +23,24 @@ struct CrossSection {
     Scalar thickness = 0; ///< length-weighted mean distance from the centroid to the contour
 };
 
-/// Cuts an edge-manifold surface by planes; `adjacency` as from core::face_adjacency. Holds references to both, which
-/// must outlive it: it cannot be made from temporaries.
+/// Cuts an edge-manifold surface by planes; `adjacency` as from core::face_adjacency, `tree` of the same mesh. Holds
+/// references to the first two, which must outlive it: it cannot be made from temporaries.
 template <typename Scalar = double>
 class Slicer {
 public:
-    Slicer(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency) : mesh_(mesh), adjacency_(adjacency) {}
+    Slicer(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency, surface::FaceTree<Scalar> tree)
+        : mesh_(mesh), adjacency_(adjacency), tree_(std::move(tree)) {}
+    Slicer(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency)
+        : Slicer(mesh, adjacency, surface::FaceTree<Scalar>(mesh)) {}
+    explicit Slicer(const Body<Scalar>& body) : Slicer(body.mesh, body.adjacency, body.tree) {}
+    explicit Slicer(const Body<Scalar>&&) = delete;
     Slicer(const TriangleMesh<Scalar>&&, const Triangles&) = delete;
     Slicer(const TriangleMesh<Scalar>&, const Triangles&&) = delete;
     Slicer(const TriangleMesh<Scalar>&&, const Triangles&&) = delete;
 
     /// The contour around `point` in the plane through it with that unit `normal`: the smallest one that encloses the
     /// point, else the one whose nearest contour point is closest, but no farther than `reach`; none when there is no
-    /// such contour. Contours broken by holes are closed straight. O(n + m).
+    /// such contour. Contours broken by holes are closed straight. O(log m) for each face that is cut.
     [[nodiscard]] std::optional<CrossSection<Scalar>> around(const Vector3<Scalar>& point,
                                                              const Vector3<Scalar>& normal, Scalar reach) const;
 
@@ -47,6 +55,7 @@ public:
 private:
     const TriangleMesh<Scalar>& mesh_;
     const Triangles& adjacency_;
+    surface::FaceTree<Scalar> tree_;
 };
 
 /// Flatness of a section's Gauss map (LF20 section 3.2.1): l3 / (l1 + l2 + l3) of the covariance of its normals,

@@ -6,6 +6,7 @@
 #include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
+#include <skelgen/surface/face_tree.hpp>
 #include <skelgen/surface/similarity.hpp>
 
 namespace skelgen {
@@ -17,6 +18,7 @@ struct Body {
     TriangleMesh<Scalar> mesh;
     Triangles adjacency;            ///< as from core::face_adjacency(mesh.faces)
     core::CurveGraph<Scalar> graph; ///< as from core::surface_graph(mesh, adjacency)
+    surface::FaceTree<Scalar> tree; ///< of the mesh
     Similarity<Scalar> similarity;  ///< from the input's coordinates to the mesh's
     std::vector<int> source;        ///< per vertex that of the input at the same place, -1 for those added
     int dropped_pieces = 0;         ///< connected pieces smaller than this one, left out

@@ -14,9 +14,15 @@ struct ManifoldParts {
     int dropped_pieces = 0;  ///< connected pieces smaller than the largest one, left out
 };
 
-/// Cuts a triangle soup into manifold pieces and keeps the one with the largest area. Two faces stay joined along an
-/// edge only when they alone share it and run through it in opposite senses; a vertex where several fans of faces touch
-/// (every SCAPE body has one) becomes one vertex per fan; faces that repeat a vertex are left out. O(n log n).
+/// Cuts a triangle soup into manifold pieces, the one with the largest area first. Two faces stay joined along an edge
+/// only when they alone share it and run through it in opposite senses; a vertex where several fans of faces touch
+/// (every SCAPE body has one) becomes one vertex per fan; faces that repeat a vertex are left out. `least_area`: pieces
+/// with a smaller part of the largest one's area are left out. Nothing counts as dropped. O(n log n).
+template <typename Scalar>
+[[nodiscard]] std::vector<ManifoldParts<Scalar>> manifold_parts(const TriangleMesh<Scalar>& mesh,
+                                                                double least_area = 0);
+
+/// The one with the largest area alone, and how many there are besides. O(n log n).
 template <typename Scalar>
 [[nodiscard]] ManifoldParts<Scalar> largest_manifold_part(const TriangleMesh<Scalar>& mesh);
 

@@ -10,7 +10,7 @@ namespace skelgen::anatomy {
 
 template <typename Scalar>
 KinematicSkeleton<Scalar> measure_radii(KinematicSkeleton<Scalar> skeleton, const Body<Scalar>& body) {
-    const refinement::Slicer<Scalar> slicer(body.mesh, body.adjacency);
+    const refinement::Slicer<Scalar> slicer(body);
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
         Joint<Scalar>& joint = skeleton.joints[j];
         auto other = static_cast<std::size_t>(std::max(joint.parent, 0));

@@ -33,20 +33,29 @@ ShortestPaths<Scalar> shortest_paths(const CurveGraph<Scalar>& graph, int source
 }
 
 template <typename Scalar>
-std::vector<int> nearest_source(const CurveGraph<Scalar>& graph, const std::vector<int>& sources) {
-    using Claim = std::tuple<Scalar, int, int>; // distance, source, node
-    std::vector<int> owner(graph.neighbours.size(), -1);
+std::vector<int> nearest_source(const CurveGraph<Scalar>& graph, const std::vector<Source<Scalar>>& sources) {
+    using Claim = std::tuple<Scalar, int, int>; // distance, label, node
+    std::vector<std::pair<Scalar, int>> best(graph.neighbours.size(), {std::numeric_limits<Scalar>::infinity(), -1});
     std::priority_queue<Claim, std::vector<Claim>, std::greater<>> queue;
-    for (std::size_t s = 0; s < sources.size(); ++s) queue.emplace(Scalar(0), static_cast<int>(s), sources[s]);
+    const auto claim = [&](Scalar distance, int label, int node) {
+        std::pair<Scalar, int>& known = best[static_cast<std::size_t>(node)];
+        const bool nearer = distance < known.first || (distance == known.first && label < known.second);
+        if (known.second >= 0 && !nearer) return;
+        known = {distance, label};
+        queue.emplace(distance, label, node);
+    };
+    for (const Source<Scalar>& source : sources) claim(source.distance, source.label, source.node);
     while (!queue.empty()) {
-        const auto [distance, source, v] = queue.top();
+        const auto [distance, label, v] = queue.top();
         queue.pop();
-        if (owner[static_cast<std::size_t>(v)] >= 0) continue;
-        owner[static_cast<std::size_t>(v)] = source;
+        if (best[static_cast<std::size_t>(v)] != std::pair(distance, label)) continue;
         for (const auto& [w, length] : graph.neighbours[static_cast<std::size_t>(v)])
-            if (owner[static_cast<std::size_t>(w)] < 0) queue.emplace(distance + length, source, w);
+            claim(distance + length, label, w);
     }
-    return owner;
+    std::vector<int> labels;
+    labels.reserve(best.size());
+    for (const auto& [distance, label] : best) labels.push_back(label);
+    return labels;
 }
 
 template <typename Scalar>

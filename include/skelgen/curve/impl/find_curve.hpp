@@ -2,12 +2,16 @@
 
 #include <skelgen/curve/find_curve.hpp>
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
+#include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/curve/centring.hpp>
-#include <skelgen/curve/limb_ends.hpp>
 #include <skelgen/curve/regions.hpp>
+#include <skelgen/curve/section_regions.hpp>
 
 namespace skelgen::curve {
 
@@ -17,22 +21,98 @@ SKELGEN_INLINE void validate(const CurveOptions& options) {
     validate(options.surgery);
     validate(options.leaves);
     validate(options.pruning);
+    validate(options.centring);
 }
 
+namespace detail {
+
+/// The numbers of a level of detail. Fingers are resolved by edges of a centimetre on an adult, 20 thousand vertices;
+/// their lengths are a twentieth of the longest way along the curve.
+inline CurveOptions at_detail(CurveOptions options) {
+    if (options.detail == Detail::limbs) return options;
+    const bool all = options.detail == Detail::all;
+    options.proxy.vertices = 20'000;
+    options.pruning = {all ? 0 : 0.01, all ? 0 : 0.02};
+    options.centring.least_relief = all ? 0.25 : 0.5;
+    return options;
+}
+
+/// A contraction that does not come to its end draws limbs in: it begins again, held more firmly to the balls inside.
 template <typename Scalar>
-CurveResult<Scalar> find_curve(const Body<Scalar>& body, const CurveOptions& options) {
-    validate(options); // all at once, before the first step takes its time
+Contraction<Scalar> contract_to_the_end(const TriangleMesh<Scalar>& proxy, ContractionOptions options) {
+    constexpr int starts = 3;
+    constexpr double firmer = 5;
+    Contraction<Scalar> thin = contract(proxy, options);
+    for (int start = 1; start < starts && !thin.converged && options.iterations > 1; ++start) {
+        options.medial_weight = std::max(options.medial_weight, 1.0) * firmer;
+        thin = contract(proxy, options);
+    }
+    return thin;
+}
+
+/// How much longer than the ball in it is thick a thing is at least that has a curve: up to an egg, it has a centre.
+template <typename Scalar>
+inline constexpr Scalar least_elongation = Scalar(1.3);
+
+/// The curve of what is too compact for one: its centre of volume, or of the surface where it encloses nothing.
+template <typename Scalar>
+CurveSkeleton<Scalar> centre_point(const Body<Scalar>& body) {
+    using core::Accumulator;
+    Vector3<Accumulator> by_volume = Vector3<Accumulator>::Zero();
+    Accumulator volume = 0;
+    for (Eigen::Index f = 0; f < body.mesh.faces.rows(); ++f) {
+        Vector3<Accumulator> sum = Vector3<Accumulator>::Zero();
+        for (int k = 0; k < 3; ++k)
+            sum += core::point(body.mesh.vertices, body.mesh.faces(f, k)).template cast<Accumulator>();
+        const Vector3<Scalar> area = core::face_area_vector(body.mesh, f);
+        const auto part =
+            static_cast<Accumulator>(area.dot(core::point(body.mesh.vertices, body.mesh.faces(f, 0)))) / 3;
+        by_volume += part / 4 * sum; // the centre of the tetrahedron over the face, whose fourth corner is the origin
+        volume += part;
+    }
+    CurveSkeleton<Scalar> out;
+    const Vector3<Accumulator> centre =
+        volume > 0 ? Vector3<Accumulator>(by_volume / volume) : Vector3<Accumulator>::Zero();
+    out.nodes = centre.template cast<Scalar>().transpose();
+    out.radii = {body.tree.distance(body.mesh, core::point(out.nodes, 0))};
+    out.regions.resize(1);
+    for (int v = 0; v < static_cast<int>(body.mesh.vertices.rows()); ++v) out.regions[0].push_back(v);
+    return out;
+}
+
+/// Is the curve no longer than the thing is thick?
+template <typename Scalar>
+bool is_compact(const CurveSkeleton<Scalar>& curve) {
+    if (curve.nodes.rows() < 2) return true;
+    if (core::cycle_count(curve) > 0) return false;
+    const Scalar length = core::curve_diameter(core::curve_graph(curve));
+    return length < 2 * least_elongation<Scalar> * *std::max_element(curve.radii.begin(), curve.radii.end());
+}
+
+} // namespace detail
+
+template <typename Scalar>
+CurveResult<Scalar> find_curve(const Body<Scalar>& body, const CurveOptions& wanted) {
+    validate(wanted); // all at once, before the first step takes its time
+    const CurveOptions options = detail::at_detail(wanted);
 
     const Proxy<Scalar> proxy = build_proxy(body.mesh, options.proxy);
-    const Contraction<Scalar> thin = contract(proxy.mesh, options.contraction);
+    const Contraction<Scalar> thin = detail::contract_to_the_end(proxy.mesh, options.contraction);
 
     CurveSkeleton<Scalar> curve = connectivity_surgery(thin.vertices, proxy.mesh.faces, options.surgery);
     curve = centre_nodes(curve, proxy.mesh, thin.vertices);
     curve = spread_regions(curve, proxy, body);
     curve = extend_leaves(curve, body, options.leaves);
     curve = prune(curve, options.pruning);
-    curve = place_limb_ends(curve, body.mesh);
-    return {std::move(curve), thin.converged, thin.iterations, thin.volume_ratio};
+
+    SplitCurve<Scalar> split = split_branches(curve);
+    std::vector<int> origin = node_of_vertex(curve, body.mesh.vertices.rows());
+    for (int& node : origin) node = split.origin_of_node[static_cast<std::size_t>(node)];
+    curve = curve_with_regions(centre_branches(std::move(split.branched), body, options.centring), body, origin);
+
+    const bool is_point = detail::is_compact(curve);
+    if (is_point) curve = detail::centre_point(body);
+    return {std::move(curve), thin.converged, thin.iterations, thin.volume_ratio, is_point};
 }
 
 } // namespace skelgen::curve

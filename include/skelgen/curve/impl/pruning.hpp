@@ -9,6 +9,7 @@
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/options.hpp>
+#include <skelgen/core/polyline.hpp>
 
 namespace skelgen::curve {
 namespace detail {
@@ -83,6 +84,35 @@ CurveSkeleton<Scalar> prune(const CurveSkeleton<Scalar>& curve, const PruningOpt
     const Scalar unit = core::curve_diameter(core::curve_graph(curve));
     CurveSkeleton<Scalar> out = detail::cut_short_branches(curve, static_cast<Scalar>(options.spur) * unit);
     return detail::cut_short_branches(std::move(out), static_cast<Scalar>(options.branch) * unit);
+}
+
+template <typename Scalar>
+BranchedCurve<Scalar> prune_twigs(BranchedCurve<Scalar> branched, const Body<Scalar>& body, double least_relief) {
+    while (true) {
+        const std::vector<int> degrees = branched.degrees();
+        std::size_t twig = branched.branches.size();
+        auto least = static_cast<Scalar>(least_relief);
+        for (std::size_t b = 0; b < branched.branches.size(); ++b) {
+            const Branch<Scalar>& branch = branched.branches[b];
+            const int from = degrees[static_cast<std::size_t>(branch.from)],
+                      to = degrees[static_cast<std::size_t>(branch.to)];
+            if ((from == 1) == (to == 1) || std::max(from, to) < 3) continue;
+            const Vector3<Scalar> junction =
+                branched.knots[static_cast<std::size_t>(from == 1 ? branch.to : branch.from)];
+            const Scalar radius = body.tree.distance(body.mesh, junction);
+            const Scalar relief = (core::arc_lengths(branch.line)[branch.line.rows() - 1] - radius) / radius;
+            if (!(relief < least)) continue;
+            least = relief;
+            twig = b;
+        }
+        if (twig == branched.branches.size()) return branched;
+        const Branch<Scalar> cut = branched.branches[twig];
+        branched.branches.erase(branched.branches.begin() + static_cast<std::ptrdiff_t>(twig));
+        const int left = degrees[static_cast<std::size_t>(cut.from)] == 1 ? cut.to : cut.from;
+        for (Branch<Scalar>& branch : branched.branches)
+            if (branch.from == left || branch.to == left) branch.origins = united_origins(branch.origins, cut.origins);
+        branched = without_knot(std::move(branched), left);
+    }
 }
 
 } // namespace skelgen::curve

@@ -100,13 +100,15 @@ CutCandidate cut_candidate(const CurveSkeleton<Scalar>& curve, const std::vector
 
 template <typename Scalar>
 std::vector<CutCandidate> cut_candidates(const CurveSkeleton<Scalar>& curve) {
-    // Radius of the thickest limb that is cut, relative to the curve's diameter; 12 cm on an adult, with 2.4 m from toe
+    // Radius of the thickest limb that is cut, relative to the curve's diameter; 9 cm on an adult, with 2.4 m from toe
     // to fingertip: thighs are cut at most, trunks are not.
-    constexpr auto thickest_limb = static_cast<Scalar>(0.05);
+    constexpr auto thickest_limb = static_cast<Scalar>(0.038);
+    // A trunk is half as wide again as the ball in it.
+    constexpr auto width = static_cast<Scalar>(1.5);
     std::vector<CutCandidate> out;
     for (std::vector<int> branch : loop_branches(curve)) {
         for (int side = 0; side < 2; ++side) {
-            const std::size_t outside = first_beyond(curve, branch, curve.radii[at(branch.front())]);
+            const std::size_t outside = first_beyond(curve, branch, width * curve.radii[at(branch.front())]);
             if (outside + 1 < branch.size()) out.push_back(cut_candidate(curve, branch, outside, true));
             std::reverse(branch.begin(), branch.end());
         }
@@ -165,8 +167,9 @@ std::vector<LoopCut> find_loop_cuts(const CurveSkeleton<Scalar>& curve, const Sk
     constexpr int most_loops =
         6; // hands on hips, legs together and heels: a body makes four; more are a scan's tunnels
     validate(options);
+    constexpr std::size_t most_branches = 40; // a body with so many loops has 5 limbs, and 3 branches more for each
     const int loops = core::cycle_count(curve);
-    if (loops < 1 || loops > most_loops) return {};
+    if (loops < 1 || loops > most_loops || core::branches(core::curve_graph(curve)).size() > most_branches) return {};
     std::vector<Opening> openings{Opening{}};
     for (int level = 0; level < loops; ++level) {
         std::vector<Opening> next;

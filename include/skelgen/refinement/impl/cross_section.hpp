@@ -2,12 +2,9 @@
 
 #include <skelgen/refinement/cross_section.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Eigenvalues>
@@ -18,108 +15,8 @@
 namespace skelgen::refinement {
 namespace detail {
 
-/// A contour in face order, before its measures are known.
 template <typename Scalar>
-struct Contour {
-    std::vector<Vector3<Scalar>> points;
-    std::vector<int> faces; ///< faces[i] carries the segment from points[i] to points[i + 1]
-};
-
-/// Follows the contours where a field, linear on each face, is zero.
-template <typename Scalar>
-class ContourTracer {
-public:
-    ContourTracer(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency, Eigen::VectorX<Scalar> height)
-        : mesh_(mesh), adjacency_(adjacency), height_(std::move(height)),
-          visited_(static_cast<std::size_t>(mesh.faces.rows()), false) {}
-
-    std::vector<Contour<Scalar>> contours() {
-        std::vector<Contour<Scalar>> out;
-        for (Eigen::Index f = 0; f < mesh_.faces.rows(); ++f)
-            if (is_cut(f) && !visited_[static_cast<std::size_t>(f)]) out.push_back(trace(static_cast<int>(f)));
-        return out;
-    }
-
-private:
-    [[nodiscard]] bool above(int v) const { return height_[v] >= 0; } // a vertex in the plane counts as above
-
-    [[nodiscard]] bool is_cut(Eigen::Index f) const {
-        const bool a = above(mesh_.faces(f, 0));
-        return above(mesh_.faces(f, 1)) != a || above(mesh_.faces(f, 2)) != a;
-    }
-
-    /// The edge through which the contour leaves face `f`: it runs from above to below.
-    [[nodiscard]] int exit_edge(int f) const {
-        for (int k = 0; k < 3; ++k)
-            if (above(mesh_.faces(f, k)) && !above(mesh_.faces(f, (k + 1) % 3))) return k;
-        return 0;
-    }
-    [[nodiscard]] int entry_edge(int f) const {
-        for (int k = 0; k < 3; ++k)
-            if (!above(mesh_.faces(f, k)) && above(mesh_.faces(f, (k + 1) % 3))) return k;
-        return 0;
-    }
-
-    [[nodiscard]] Vector3<Scalar> crossing(int f, int edge) const {
-        int a = mesh_.faces(f, edge), b = mesh_.faces(f, (edge + 1) % 3);
-        if (a > b) std::swap(a, b); // the same point, to the last bit, from both sides
-        const Scalar t = height_[a] / (height_[a] - height_[b]);
-        return ((1 - t) * mesh_.vertices.row(a) + t * mesh_.vertices.row(b)).transpose();
-    }
-
-    Contour<Scalar> trace(int start) {
-        int f = start;
-        for (int next = f; (next = adjacency_(f, entry_edge(f))) >= 0 && next != start;)
-            f = next; // to a hole's rim, if any
-        Contour<Scalar> contour;
-        contour.points.push_back(crossing(f, entry_edge(f)));
-        while (f >= 0 && !visited_[static_cast<std::size_t>(f)]) {
-            visited_[static_cast<std::size_t>(f)] = true;
-            contour.faces.push_back(f);
-            const int edge = exit_edge(f);
-            contour.points.push_back(crossing(f, edge));
-            f = adjacency_(f, edge);
-        }
-        if (f >= 0)
-            contour.points.pop_back(); // closed: back at the first point
-        else
-            contour.faces.push_back(contour.faces.back()); // the straight closure borrows its neighbour's normal
-        return contour;
-    }
-
-    const TriangleMesh<Scalar>& mesh_;
-    const Triangles& adjacency_;
-    Eigen::VectorX<Scalar> height_;
-    std::vector<bool> visited_;
-};
-
-/// Signed area around a point, and whether the contour winds around it.
-template <typename Scalar>
-struct PlanarRelation {
-    Scalar area = 0;
-    Scalar distance = std::numeric_limits<Scalar>::infinity(); ///< from the point to the nearest contour vertex
-    bool encloses = false;
-};
-
-template <typename Scalar>
-PlanarRelation<Scalar> relate(const Contour<Scalar>& contour, const Vector3<Scalar>& point,
-                              const Vector3<Scalar>& normal) {
-    PlanarRelation<Scalar> out;
-    Scalar angle = 0;
-    for (std::size_t i = 0; i < contour.points.size(); ++i) {
-        const Vector3<Scalar> a = contour.points[i] - point,
-                              b = contour.points[(i + 1) % contour.points.size()] - point;
-        const Scalar cross = normal.dot(a.cross(b));
-        out.area += cross / 2;
-        angle += std::atan2(cross, a.dot(b));
-        out.distance = std::min(out.distance, a.norm());
-    }
-    out.encloses = std::abs(angle) > std::numbers::pi_v<Scalar>; // it is 0 or a multiple of twice that
-    return out;
-}
-
-template <typename Scalar>
-CrossSection<Scalar> measure_contour(const Contour<Scalar>& contour, const TriangleMesh<Scalar>& mesh,
+CrossSection<Scalar> measure_contour(const surface::Contour<Scalar>& contour, const TriangleMesh<Scalar>& mesh,
                                      const Vector3<Scalar>& normal) {
     const std::size_t n = contour.points.size();
     CrossSection<Scalar> out;
@@ -157,25 +54,9 @@ CrossSection<Scalar> measure_contour(const Contour<Scalar>& contour, const Trian
 template <typename Scalar>
 std::optional<CrossSection<Scalar>> Slicer<Scalar>::around(const Vector3<Scalar>& point, const Vector3<Scalar>& normal,
                                                            Scalar reach) const {
-    const std::vector<detail::Contour<Scalar>> contours =
-        detail::ContourTracer<Scalar>(mesh_, adjacency_, (mesh_.vertices * normal).array() - point.dot(normal))
-            .contours();
-    const detail::Contour<Scalar>* chosen = nullptr;
-    detail::PlanarRelation<Scalar> best;
-    for (const detail::Contour<Scalar>& contour : contours) {
-        if (contour.points.size() < 3) continue;
-        const detail::PlanarRelation<Scalar> relation = detail::relate(contour, point, normal);
-        if (!relation.encloses && relation.distance > reach) continue;
-        const bool better =
-            chosen == nullptr || (relation.encloses && !best.encloses) ||
-            (relation.encloses == best.encloses &&
-             (relation.encloses ? std::abs(relation.area) < std::abs(best.area) : relation.distance < best.distance));
-        if (!better) continue;
-        chosen = &contour;
-        best = relation;
-    }
-    if (chosen == nullptr) return std::nullopt;
-    CrossSection<Scalar> section = detail::measure_contour(*chosen, mesh_, normal);
+    const auto contour = surface::contour_around(mesh_, adjacency_, tree_, point, normal, reach);
+    if (!contour) return std::nullopt;
+    CrossSection<Scalar> section = detail::measure_contour(*contour, mesh_, normal);
     if (!(section.perimeter > 0)) return std::nullopt; // a plane that touches a vertex
     return section;
 }
@@ -186,8 +67,7 @@ std::optional<Vector3<Scalar>> Slicer<Scalar>::level_set_centre(const Eigen::Vec
     std::optional<Vector3<Scalar>> centre;
     Scalar longest = 0;
     bool any_near = false;
-    for (const detail::Contour<Scalar>& contour :
-         detail::ContourTracer<Scalar>(mesh_, adjacency_, field.array() - level).contours()) {
+    for (const surface::Contour<Scalar>& contour : surface::level_contours(mesh_, adjacency_, field, level)) {
         Vector3<Scalar> mean = Vector3<Scalar>::Zero();
         Scalar length = 0;
         for (std::size_t i = 0; i < contour.points.size(); ++i) {

@@ -78,7 +78,7 @@ RefinedJoints<Scalar> refine(const Body<Scalar>& body, const std::vector<EndPoin
                              const CurveSkeleton<Scalar>& curve, const embedding::Embedding& embedding,
                              const SkeletonTemplate& skeleton_template, const RefinementOptions& options) {
     validate(options);
-    const Slicer<Scalar> slicer(body.mesh, body.adjacency);
+    const Slicer<Scalar> slicer(body);
     const auto [limbs, scale] = detail::find_limbs(slicer, ends, skeleton_template, options);
     Placement<Scalar> placement(skeleton_template, scale);
     RefinedJoints<Scalar> out;

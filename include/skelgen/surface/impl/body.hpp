@@ -16,7 +16,9 @@ Body<Scalar> make_body(TriangleMesh<Scalar> mesh, const Similarity<Scalar>& simi
                        int dropped_pieces) {
     Triangles adjacency = core::face_adjacency(mesh.faces);
     core::CurveGraph<Scalar> graph = core::surface_graph(mesh, adjacency);
-    return {std::move(mesh), std::move(adjacency), std::move(graph), similarity, std::move(source), dropped_pieces};
+    FaceTree<Scalar> tree(mesh);
+    return {std::move(mesh), std::move(adjacency), std::move(graph), std::move(tree),
+            similarity,      std::move(source),    dropped_pieces};
 }
 
 template <typename Scalar>

@@ -58,53 +58,47 @@ inline std::size_t next_corner(std::size_t corner) { return corner % 3 == 2 ? co
 
 } // namespace detail
 
-template <typename Scalar>
-ManifoldParts<Scalar> largest_manifold_part(const TriangleMesh<Scalar>& mesh) {
-    const auto corners = static_cast<std::size_t>(mesh.faces.rows()) * 3;
-    const auto vertex_at = [&](std::size_t corner) {
-        return mesh.faces(static_cast<Eigen::Index>(corner / 3), static_cast<Eigen::Index>(corner % 3));
-    };
-    const auto repeats_a_vertex = [&](Eigen::Index f) {
-        return mesh.faces(f, 0) == mesh.faces(f, 1) || mesh.faces(f, 1) == mesh.faces(f, 2) ||
-               mesh.faces(f, 2) == mesh.faces(f, 0);
-    };
+namespace detail {
 
-    detail::DisjointSets same_vertex(corners), same_piece(corners / 3);
-    const std::vector<detail::DirectedEdge> edges = detail::directed_edges(mesh.faces);
+/// Which corners are one vertex, and which faces one piece.
+struct ManifoldPieces {
+    DisjointSets same_vertex, same_piece;
+};
+
+inline ManifoldPieces join_faces(const Triangles& faces) {
+    const auto corners = static_cast<std::size_t>(faces.rows()) * 3;
+    ManifoldPieces out{DisjointSets(corners), DisjointSets(corners / 3)};
+    const std::vector<DirectedEdge> edges = directed_edges(faces);
     for (std::size_t i = 0; i < edges.size();) {
         std::size_t end = i;
         while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) ++end;
         if (end - i == 2 && edges[i].forward != edges[i + 1].forward) {
             const std::size_t a = edges[i].corner, b = edges[i + 1].corner;
-            same_vertex.unite(a, detail::next_corner(b));
-            same_vertex.unite(detail::next_corner(a), b);
-            same_piece.unite(a / 3, b / 3);
+            out.same_vertex.unite(a, next_corner(b));
+            out.same_vertex.unite(next_corner(a), b);
+            out.same_piece.unite(a / 3, b / 3);
         }
         i = end;
     }
+    return out;
+}
 
-    std::vector<core::Accumulator> piece_area(corners / 3, 0);
-    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
-        piece_area[same_piece.find(static_cast<std::size_t>(f))] += core::face_area_vector(mesh, f).norm();
-    const auto largest = static_cast<std::size_t>(
-        std::distance(piece_area.begin(), std::max_element(piece_area.begin(), piece_area.end())));
-
+/// The piece of these faces; `index` holds -1 for each corner of theirs, and the new vertices afterwards.
+template <typename Scalar>
+ManifoldParts<Scalar> extract_piece(const TriangleMesh<Scalar>& mesh, const std::vector<std::size_t>& piece,
+                                    DisjointSets& same_vertex, std::vector<int>& index) {
     ManifoldParts<Scalar> out;
-    std::vector<int> index(corners, -1);
     std::vector<std::array<int, 3>> faces;
-    for (std::size_t f = 0; f < corners / 3; ++f) {
-        const std::size_t piece = same_piece.find(f);
-        if (piece != largest) {
-            out.dropped_pieces += piece == f;
-            continue;
-        }
-        if (repeats_a_vertex(static_cast<Eigen::Index>(f))) continue;
+    for (const std::size_t f : piece) {
+        const auto row = static_cast<Eigen::Index>(f);
+        const int a = mesh.faces(row, 0), b = mesh.faces(row, 1), c = mesh.faces(row, 2);
+        if (a == b || b == c || c == a) continue;
         std::array<int, 3> face{};
         for (std::size_t k = 0; k < 3; ++k) {
             int& v = index[same_vertex.find(3 * f + k)];
             if (v < 0) {
                 v = static_cast<int>(out.source.size());
-                out.source.push_back(vertex_at(3 * f + k));
+                out.source.push_back(mesh.faces(row, static_cast<Eigen::Index>(k)));
             }
             face[k] = v;
         }
@@ -116,6 +110,52 @@ ManifoldParts<Scalar> largest_manifold_part(const TriangleMesh<Scalar>& mesh) {
     out.mesh.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
     for (std::size_t f = 0; f < faces.size(); ++f)
         out.mesh.faces.row(static_cast<Eigen::Index>(f)) << faces[f][0], faces[f][1], faces[f][2];
+    return out;
+}
+
+/// The faces of each piece, in ascending order; the piece with the largest area first, of equals that of the first
+/// face.
+template <typename Scalar>
+std::vector<std::pair<core::Accumulator, std::vector<std::size_t>>> pieces_by_area(const TriangleMesh<Scalar>& mesh,
+                                                                                   DisjointSets& same_piece) {
+    const auto faces = static_cast<std::size_t>(mesh.faces.rows());
+    std::vector<std::pair<core::Accumulator, std::vector<std::size_t>>> pieces;
+    std::vector<std::size_t> number(faces, faces);
+    for (std::size_t f = 0; f < faces; ++f) {
+        std::size_t& piece = number[same_piece.find(f)];
+        if (piece == faces) {
+            piece = pieces.size();
+            pieces.emplace_back();
+        }
+        pieces[piece].first += core::face_area_vector(mesh, static_cast<Eigen::Index>(f)).norm();
+        pieces[piece].second.push_back(f);
+    }
+    std::stable_sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    return pieces;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+std::vector<ManifoldParts<Scalar>> manifold_parts(const TriangleMesh<Scalar>& mesh, double least_area) {
+    detail::ManifoldPieces joined = detail::join_faces(mesh.faces);
+    std::vector<int> index(static_cast<std::size_t>(mesh.faces.rows()) * 3, -1);
+    std::vector<ManifoldParts<Scalar>> out;
+    const auto pieces = detail::pieces_by_area(mesh, joined.same_piece);
+    for (const auto& [area, piece] : pieces)
+        if (area >= least_area * pieces.front().first)
+            out.push_back(detail::extract_piece(mesh, piece, joined.same_vertex, index));
+    return out;
+}
+
+template <typename Scalar>
+ManifoldParts<Scalar> largest_manifold_part(const TriangleMesh<Scalar>& mesh) {
+    detail::ManifoldPieces joined = detail::join_faces(mesh.faces);
+    std::vector<int> index(static_cast<std::size_t>(mesh.faces.rows()) * 3, -1);
+    const auto pieces = detail::pieces_by_area(mesh, joined.same_piece);
+    if (pieces.empty()) return {};
+    ManifoldParts<Scalar> out = detail::extract_piece(mesh, pieces.front().second, joined.same_vertex, index);
+    out.dropped_pieces = static_cast<int>(pieces.size()) - 1;
     return out;
 }
 

@@ -11,8 +11,6 @@
 #include <skelgen/surface/manifold_parts.hpp>
 
 namespace skelgen::surface {
-namespace detail {
-
 template <typename Scalar>
 void require_surface(const TriangleMesh<Scalar>& mesh) {
     if (mesh.vertices.rows() < 4 || mesh.faces.rows() < 4)
@@ -26,13 +24,11 @@ void require_surface(const TriangleMesh<Scalar>& mesh) {
             throw Error(ErrorCode::bad_input, "a face refers to a vertex that does not exist; repair the mesh");
 }
 
-} // namespace detail
-
 SKELGEN_INLINE void validate(const PrepareOptions& options) { validate(options.denoise); }
 
 template <typename Scalar>
 Body<Scalar> prepare(const TriangleMesh<Scalar>& mesh, const PrepareOptions& options) {
-    detail::require_surface(mesh);
+    require_surface(mesh);
     const DenoisedMesh<Scalar> clean = remove_noise(mesh, options.denoise);
     const CanonicalMesh<Scalar> canonical = canonical_form(clean.mesh);
     ManifoldParts<Scalar> part = largest_manifold_part(canonical.mesh);

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include <skelgen/curve/branched_curve.hpp>
+#include <skelgen/surface/body.hpp>
+#include <skelgen/surface/contours.hpp>
+
+namespace skelgen::curve {
+
+/// What a plane across a curve shows of the surface around a point of it.
+template <typename Scalar = double>
+struct BranchSection {
+    Vector3<Scalar> centre = Vector3<Scalar>::Zero(); ///< mean of the contour, by length
+    Scalar thickness = 0;                             ///< mean distance of the contour from its centre
+    Scalar weight = 0;     ///< how surely the contour is the branch's own: 1 all around it, 0 where there is none
+    bool encloses = false; ///< whether the point lies within the contour
+    surface::Contour<Scalar> contour;
+};
+
+/// The sections of a line across itself, as many as it has points; none at its first and its last one, which have no
+/// tangents of their own. `reach`: how far from the line a contour may be that does not go around it.
+/// Cost as of surface::plane_contours.
+template <typename Scalar>
+[[nodiscard]] std::vector<BranchSection<Scalar>> sections_across(const Body<Scalar>& body, const Points<Scalar>& line,
+                                                                 std::type_identity_t<Scalar> reach);
+
+} // namespace skelgen::curve
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/curve/impl/branch_sections.hpp>
+#endif

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <skelgen/curve/axis_ends.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/core/polyline.hpp>
+
+namespace skelgen::curve {
+namespace detail {
+
+/// Ends lie inside by this part of the last straight piece.
+template <typename Scalar>
+inline constexpr Scalar end_depth = Scalar(0.02);
+
+/// The cap of a limb reaches out this many thicknesses at most.
+template <typename Scalar>
+inline constexpr Scalar longest_cap = Scalar(4);
+
+/// Thickness of a limb where its cap begins, seen from its end: of the first section that is as far from the end as it
+/// is thick; 0 when there is none.
+template <typename Scalar>
+Scalar cap_thickness(const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& arc,
+                     const std::vector<BranchSection<Scalar>>& sections) {
+    constexpr auto doubtful = Scalar(0.3);
+    for (std::size_t i = 1; i + 1 < sections.size(); ++i) {
+        const Scalar from_end = arc[static_cast<Eigen::Index>(i)];
+        if (sections[i].weight > doubtful && from_end >= sections[i].thickness) return sections[i].thickness;
+    }
+    return 0;
+}
+
+/// A line that begins at its end, with sections in the same order.
+template <typename Scalar>
+Points<Scalar> with_end_on_axis(const Points<Scalar>& line, const std::vector<BranchSection<Scalar>>& sections,
+                                const Body<Scalar>& body) {
+    const auto arc = core::arc_lengths(line);
+    const Scalar length = arc[arc.size() - 1], cap = cap_thickness(arc, sections);
+    if (!(cap > 0)) return line;
+    const Scalar stand = std::min(cap, length / 2), behind = std::min(stand + cap, length);
+    const Vector3<Scalar> place = core::point_at(line, arc, stand);
+    const Vector3<Scalar> direction = (place - core::point_at(line, arc, behind)).normalized();
+    const Scalar reach = body.tree.first_along(body.mesh, place, direction).distance;
+    if (!(reach <= longest_cap<Scalar> * cap)) return line;
+    Points<Scalar> out = line;
+    const Scalar straight = (1 - end_depth<Scalar>)*reach, total = length - stand + straight;
+    for (Eigen::Index i = 0; i < line.rows(); ++i) {
+        const Scalar from_place = straight - total * static_cast<Scalar>(i) / static_cast<Scalar>(line.rows() - 1);
+        core::set_point(out, i,
+                        Vector3<Scalar>(from_place > 0 ? place + from_place * direction
+                                                       : core::point_at(line, arc, stand - from_place)));
+    }
+    return out;
+}
+
+template <typename Scalar>
+Points<Scalar> reversed(const Points<Scalar>& line) {
+    return line.colwise().reverse();
+}
+
+} // namespace detail
+
+template <typename Scalar>
+BranchedCurve<Scalar> ends_on_axes(BranchedCurve<Scalar> branched,
+                                   const std::vector<std::vector<BranchSection<Scalar>>>& sections,
+                                   const Body<Scalar>& body) {
+    const std::vector<int> degrees = branched.degrees();
+    const auto is_end = [&](int knot) { return degrees[static_cast<std::size_t>(knot)] == 1; };
+    for (std::size_t b = 0; b < branched.branches.size(); ++b) {
+        Branch<Scalar>& branch = branched.branches[b];
+        if (is_end(branch.from)) {
+            branch.line = detail::with_end_on_axis(branch.line, sections[b], body);
+            branched.knots[static_cast<std::size_t>(branch.from)] = core::point(branch.line, 0);
+        }
+        if (is_end(branch.to)) {
+            const std::vector<BranchSection<Scalar>> backwards(sections[b].rbegin(), sections[b].rend());
+            branch.line = detail::reversed(detail::with_end_on_axis(detail::reversed(branch.line), backwards, body));
+            branched.knots[static_cast<std::size_t>(branch.to)] = core::point(branch.line, branch.line.rows() - 1);
+        }
+    }
+    return branched;
+}
+
+} // namespace skelgen::curve

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <skelgen/curve/section_regions.hpp>
+
+#include <algorithm>
+#include <utility>
+
+#include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/geometry.hpp>
+
+namespace skelgen::curve {
+namespace detail {
+
+template <typename Scalar>
+using Claims = std::vector<core::Source<Scalar>>;
+
+/// Sections claim the corners of the faces that they cut.
+template <typename Scalar>
+void claim_sections(Claims<Scalar>& claims, const CentredBranches<Scalar>& centred, const JoinedCurve<Scalar>& joined,
+                    const Body<Scalar>& body, const std::vector<int>& origin_of_vertex) {
+    constexpr auto sure = Scalar(0.5);
+    for (std::size_t b = 0; b < centred.sections.size(); ++b) {
+        const std::vector<int>& origins = centred.branched.branches[b].origins;
+        for (std::size_t i = 0; i < centred.sections[b].size(); ++i) {
+            const BranchSection<Scalar>& section = centred.sections[b][i];
+            if (section.weight < sure) continue;
+            for (std::size_t p = 0; p < section.contour.points.size(); ++p)
+                for (int k = 0; k < 3; ++k) {
+                    const int v = body.mesh.faces(section.contour.faces[p], k);
+                    if (!std::binary_search(origins.begin(), origins.end(),
+                                            origin_of_vertex[static_cast<std::size_t>(v)]))
+                        continue;
+                    const Vector3<Scalar> away = core::point(body.mesh.vertices, v) - section.contour.points[p];
+                    claims.push_back({away.norm(), joined.nodes_of_branch[b][i], v});
+                }
+        }
+    }
+}
+
+/// Nodes without a section of their own, and all ends and junctions, claim the vertex that their ball comes nearest to.
+template <typename Scalar>
+void claim_balls(Claims<Scalar>& claims, const CurveSkeleton<Scalar>& curve, const Body<Scalar>& body,
+                 const std::vector<bool>& has_section) {
+    for (std::size_t k = 0; k < has_section.size(); ++k) {
+        if (has_section[k]) continue;
+        const Vector3<Scalar> place = core::point(curve.nodes, static_cast<Eigen::Index>(k));
+        const int v = core::nearest_vertex(body.mesh, place);
+        claims.push_back(
+            {(core::point(body.mesh.vertices, v) - place).norm() - curve.radii[k], static_cast<int>(k), v});
+    }
+}
+
+} // namespace detail
+
+template <typename Scalar>
+CurveSkeleton<Scalar> curve_with_regions(const CentredBranches<Scalar>& centred, const Body<Scalar>& body,
+                                         const std::vector<int>& origin_of_vertex) {
+    const JoinedCurve<Scalar> joined = join_branches(centred.branched);
+    CurveSkeleton<Scalar> out = joined.curve;
+    for (Eigen::Index k = 0; k < out.nodes.rows(); ++k)
+        out.radii.push_back(body.tree.distance(body.mesh, core::point(out.nodes, k)));
+    detail::Claims<Scalar> claims;
+    detail::claim_sections(claims, centred, joined, body, origin_of_vertex);
+    std::vector<bool> has_section(out.radii.size(), false);
+    for (std::size_t b = 0; b < centred.sections.size(); ++b)
+        for (std::size_t i = 0; i < centred.sections[b].size(); ++i)
+            if (centred.sections[b][i].weight >= Scalar(0.5))
+                has_section[static_cast<std::size_t>(joined.nodes_of_branch[b][i])] = true;
+    detail::claim_balls(claims, out, body, has_section);
+    const std::vector<int> owner = core::nearest_source(body.graph, claims);
+    for (std::size_t v = 0; v < owner.size(); ++v)
+        out.regions[static_cast<std::size_t>(owner[v])].push_back(static_cast<int>(v));
+    return out;
+}
+
+} // namespace skelgen::curve

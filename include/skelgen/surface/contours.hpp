@@ -1,0 +1,63 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/surface/face_tree.hpp>
+
+namespace skelgen::surface {
+
+/// A contour in which a plane cuts a surface, or on which a field has one value: points in order around it.
+template <typename Scalar = double>
+struct Contour {
+    std::vector<Vector3<Scalar>> points;
+    std::vector<int>
+        faces; ///< faces[i] carries the segment from points[i] to points[i + 1], the last back to the first
+};
+
+/// The contours in which the plane of points p with normal . p = offset cuts an edge-manifold surface; `adjacency` as
+/// from core::face_adjacency, `tree` of the same mesh. Contours broken by holes are closed straight. By ascending first
+/// face. O(log faces) for each face that is cut.
+template <typename Scalar>
+[[nodiscard]] std::vector<Contour<Scalar>> plane_contours(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency,
+                                                          const FaceTree<Scalar>& tree, const Vector3<Scalar>& normal,
+                                                          Scalar offset);
+
+/// The contours on which a field given at the vertices (n entries, finite), linear on each face, has the value `level`.
+/// Otherwise as above. O(n + faces).
+template <typename Scalar>
+[[nodiscard]] std::vector<Contour<Scalar>> level_contours(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency,
+                                                          const Eigen::VectorX<Scalar>& field, Scalar level);
+
+/// How a contour lies to a point in its plane.
+template <typename Scalar = double>
+struct PlanarRelation {
+    Scalar area = 0; ///< that the contour encloses, positive where it runs counter-clockwise around the normal
+    Scalar distance =
+        std::numeric_limits<Scalar>::infinity(); ///< from the point to the nearest of the contour's points
+    bool encloses = false;
+};
+
+/// `normal` is the plane's, of length 1. O(points).
+template <typename Scalar>
+[[nodiscard]] PlanarRelation<Scalar> relate(const Contour<Scalar>& contour, const Vector3<Scalar>& point,
+                                            const Vector3<Scalar>& normal);
+
+/// The contour around a point in the plane through it with that unit `normal`: the smallest one that encloses the
+/// point, else the one nearest to it, but no farther than `reach`; none when there is no such contour. `adjacency` and
+/// `tree` as above. O(log faces) for each face of the contour where it encloses the point and is closed, else for each
+/// face that is cut.
+template <typename Scalar>
+[[nodiscard]] std::optional<Contour<Scalar>>
+contour_around(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency, const FaceTree<Scalar>& tree,
+               const Vector3<Scalar>& point, const Vector3<Scalar>& normal, Scalar reach);
+
+} // namespace skelgen::surface
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/surface/impl/contours.hpp>
+#endif

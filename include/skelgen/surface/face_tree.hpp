@@ -1,0 +1,53 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include <unsupported/Eigen/BVH>
+
+#include <skelgen/core/mesh.hpp>
+
+namespace skelgen::surface {
+
+/// The faces of a mesh in a tree of bounding boxes, so that a question about a place or a plane is answered from the
+/// faces near it. Holds indices and boxes alone: every question is given the mesh that the tree was made of.
+template <typename Scalar = double>
+class FaceTree {
+public:
+    FaceTree() = default;
+
+    /// O(faces log faces).
+    explicit FaceTree(const TriangleMesh<Scalar>& mesh);
+
+    /// The faces with one or two corners on or above the plane of points p with normal . p = offset and the others
+    /// below, in ascending order. O(log faces) for each of them.
+    [[nodiscard]] std::vector<int> faces_across(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& normal,
+                                                Scalar offset) const;
+
+    /// Distance from a place to the surface; infinite when there is no face. O(log faces) where faces are no longer
+    /// than the distance.
+    [[nodiscard]] Scalar distance(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place) const;
+
+    /// The first face that a ray from a place in a direction of length 1 meets, and how far that is; -1 and infinity
+    /// when it meets none. O(log faces) for each face that the ray comes near.
+    struct Hit {
+        int face = -1;
+        Scalar distance = std::numeric_limits<Scalar>::infinity();
+    };
+    [[nodiscard]] Hit first_along(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place,
+                                  const Vector3<Scalar>& direction) const;
+
+private:
+    Eigen::KdBVH<Scalar, 3, int> tree_;
+};
+
+/// Distance from a place to a triangle, which may be degenerate.
+template <typename Scalar>
+[[nodiscard]] Scalar distance_to_triangle(const Vector3<Scalar>& place, const Vector3<Scalar>& a,
+                                          const Vector3<Scalar>& b, const Vector3<Scalar>& c);
+
+} // namespace skelgen::surface
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/surface/impl/face_tree.hpp>
+#endif

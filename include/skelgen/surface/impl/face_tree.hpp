@@ -1,0 +1,162 @@
+#pragma once
+
+#include <skelgen/surface/face_tree.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <skelgen/core/geometry.hpp>
+
+namespace skelgen::surface {
+namespace detail {
+
+template <typename Scalar>
+using Box = Eigen::AlignedBox<Scalar, 3>;
+
+/// The faces that a plane cuts.
+template <typename Scalar>
+struct PlaneQuery {
+    const TriangleMesh<Scalar>& mesh;
+    Vector3<Scalar> normal;
+    Scalar offset;
+    std::vector<int> found;
+
+    [[nodiscard]] bool intersectVolume(const Box<Scalar>& box) const {
+        Scalar middle = -offset, reach = 0;
+        for (int k = 0; k < 3; ++k) {
+            middle += normal[k] * (box.min()[k] + box.max()[k]) / 2;
+            reach += std::abs(normal[k]) * (box.max()[k] - box.min()[k]) / 2;
+        }
+        // What rounding may add: a face that is cut must not be missed.
+        constexpr Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon();
+        return std::abs(middle) <= reach + rounding * (reach + std::abs(offset));
+    }
+
+    bool intersectObject(int face) {
+        int above = 0;
+        for (int k = 0; k < 3; ++k) above += normal.dot(core::point(mesh.vertices, mesh.faces(face, k))) >= offset;
+        if (above == 1 || above == 2) found.push_back(face);
+        return false;
+    }
+};
+
+/// The first face on a ray.
+template <typename Scalar>
+struct RayQuery {
+    const TriangleMesh<Scalar>& mesh;
+    Vector3<Scalar> place, direction;
+    typename FaceTree<Scalar>::Hit first;
+
+    [[nodiscard]] bool intersectVolume(const Box<Scalar>& box) const {
+        Scalar enter = 0, leave = first.distance;
+        for (int k = 0; k < 3; ++k) {
+            if (direction[k] == 0) {
+                if (place[k] < box.min()[k] || place[k] > box.max()[k]) return false;
+                continue;
+            }
+            const Scalar a = (box.min()[k] - place[k]) / direction[k], b = (box.max()[k] - place[k]) / direction[k];
+            enter = std::max(enter, std::min(a, b));
+            leave = std::min(leave, std::max(a, b));
+        }
+        return enter <= leave * (1 + 64 * std::numeric_limits<Scalar>::epsilon());
+    }
+
+    bool intersectObject(int face) {
+        const auto corner = [&](int k) { return core::point(mesh.vertices, mesh.faces(face, k)); };
+        const Vector3<Scalar> a = corner(0) - place, b = corner(1) - place, c = corner(2) - place;
+        // Volumes of the tetrahedra over the triangle's edges: of one sign where the ray's line passes it inside.
+        const Scalar u = direction.dot(b.cross(c)), v = direction.dot(c.cross(a)), w = direction.dot(a.cross(b));
+        // Through a corner, the signs are rounding's: no ray must slip between the faces there.
+        const Scalar la = a.norm(), lb = b.norm(), lc = c.norm();
+        const Scalar none = 32 * std::numeric_limits<Scalar>::epsilon() * (la * lb + lb * lc + lc * la);
+        if (!((u >= -none && v >= -none && w >= -none) || (u <= none && v <= none && w <= none))) return false;
+        const Scalar sum = u + v + w;
+        if (sum == 0) return false;
+        const Scalar distance = direction.dot(u * a + v * b + w * c) / sum;
+        if (distance >= 0 && distance < first.distance) first = {face, distance};
+        return false;
+    }
+};
+
+/// The distance to the nearest face.
+template <typename Number>
+struct DistanceQuery {
+    using Scalar = Number; // as Eigen wants it to be called
+    const TriangleMesh<Scalar>& mesh;
+    Vector3<Scalar> place;
+
+    [[nodiscard]] Scalar minimumOnVolume(const Box<Scalar>& box) const {
+        Scalar sum = 0;
+        for (int k = 0; k < 3; ++k) {
+            const Scalar out = std::max({box.min()[k] - place[k], place[k] - box.max()[k], Scalar(0)});
+            sum += out * out;
+        }
+        return std::sqrt(sum);
+    }
+    [[nodiscard]] Scalar minimumOnObject(int face) const {
+        const auto corner = [&](int k) { return core::point(mesh.vertices, mesh.faces(face, k)); };
+        return distance_to_triangle<Scalar>(place, corner(0), corner(1), corner(2));
+    }
+};
+
+template <typename Scalar>
+Scalar distance_to_segment(const Vector3<Scalar>& place, const Vector3<Scalar>& a, const Vector3<Scalar>& b) {
+    const Vector3<Scalar> d = b - a;
+    const Scalar length = d.squaredNorm();
+    const Scalar t = length > 0 ? std::clamp((place - a).dot(d) / length, Scalar(0), Scalar(1)) : Scalar(0);
+    return (a + t * d - place).norm();
+}
+
+} // namespace detail
+
+template <typename Scalar>
+Scalar distance_to_triangle(const Vector3<Scalar>& place, const Vector3<Scalar>& a, const Vector3<Scalar>& b,
+                            const Vector3<Scalar>& c) {
+    const Vector3<Scalar> normal = (b - a).cross(c - a);
+    const Scalar area = normal.norm();
+    // Beside the triangle, or above it where its plane is not known, an edge is nearest.
+    const bool over_ab = normal.dot((b - a).cross(place - a)) >= 0, over_bc = normal.dot((c - b).cross(place - b)) >= 0,
+               over_ca = normal.dot((a - c).cross(place - c)) >= 0;
+    if (area > 0 && over_ab && over_bc && over_ca) return std::abs(normal.dot(place - a)) / area;
+    return std::min({detail::distance_to_segment<Scalar>(place, a, b), detail::distance_to_segment<Scalar>(place, b, c),
+                     detail::distance_to_segment<Scalar>(place, c, a)});
+}
+
+template <typename Scalar>
+FaceTree<Scalar>::FaceTree(const TriangleMesh<Scalar>& mesh) {
+    std::vector<int> faces(static_cast<std::size_t>(mesh.faces.rows()));
+    std::iota(faces.begin(), faces.end(), 0);
+    std::vector<detail::Box<Scalar>> boxes(faces.size());
+    for (const int f : faces)
+        for (int k = 0; k < 3; ++k)
+            boxes[static_cast<std::size_t>(f)].extend(core::point(mesh.vertices, mesh.faces(f, k)));
+    tree_.init(faces.begin(), faces.end(), boxes.begin(), boxes.end());
+}
+
+template <typename Scalar>
+std::vector<int> FaceTree<Scalar>::faces_across(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& normal,
+                                                Scalar offset) const {
+    detail::PlaneQuery<Scalar> query{mesh, normal, offset, {}};
+    Eigen::BVIntersect(tree_, query);
+    std::sort(query.found.begin(), query.found.end());
+    return std::move(query.found);
+}
+
+template <typename Scalar>
+Scalar FaceTree<Scalar>::distance(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place) const {
+    detail::DistanceQuery<Scalar> query{mesh, place};
+    return mesh.faces.rows() == 0 ? std::numeric_limits<Scalar>::infinity() : Eigen::BVMinimize(tree_, query);
+}
+
+template <typename Scalar>
+typename FaceTree<Scalar>::Hit FaceTree<Scalar>::first_along(const TriangleMesh<Scalar>& mesh,
+                                                             const Vector3<Scalar>& place,
+                                                             const Vector3<Scalar>& direction) const {
+    detail::RayQuery<Scalar> query{mesh, place, direction, {}};
+    Eigen::BVIntersect(tree_, query);
+    return query.first;
+}
+
+} // namespace skelgen::surface
