@@ -43,6 +43,7 @@ set(skelgen_core_headers
     include/skelgen/curve/pruning.hpp
     include/skelgen/curve/regions.hpp
     include/skelgen/curve/section_regions.hpp
+    include/skelgen/curve/smoothing_spline.hpp
     include/skelgen/curve/surgery.hpp
     include/skelgen/embedding/embed.hpp
     include/skelgen/embedding/loop_cuts.hpp
@@ -106,6 +107,7 @@ set(skelgen_core_definitions
     include/skelgen/curve/impl/pruning.hpp
     include/skelgen/curve/impl/regions.hpp
     include/skelgen/curve/impl/section_regions.hpp
+    include/skelgen/curve/impl/smoothing_spline.hpp
     include/skelgen/curve/impl/surgery.hpp
     include/skelgen/embedding/impl/embed.hpp
     include/skelgen/embedding/impl/loop_cuts.hpp

@@ -16,6 +16,7 @@
 #include <skelgen/curve/impl/pruning.hpp>
 #include <skelgen/curve/impl/regions.hpp>
 #include <skelgen/curve/impl/section_regions.hpp>
+#include <skelgen/curve/impl/smoothing_spline.hpp>
 #include <skelgen/curve/impl/surgery.hpp>
 
 namespace skelgen::curve {
@@ -35,8 +36,13 @@ namespace skelgen::curve {
     template BranchedCurve<Scalar> ends_on_axes(                                                                       \
         BranchedCurve<Scalar>, const std::vector<std::vector<BranchSection<Scalar>>>&, const Body<Scalar>&);           \
     template BranchedCurve<Scalar> prune_twigs(BranchedCurve<Scalar>, const Body<Scalar>&, double);                    \
+    template bool meets_tightly(const Points<Scalar>&, const std::vector<BranchSection<Scalar>>&,                      \
+                                const Body<Scalar>&);                                                                  \
     template BranchedCurve<Scalar> reattach_branches(BranchedCurve<Scalar>, const Body<Scalar>&, Scalar);              \
     template BranchedCurve<Scalar> merge_parallel_branches(BranchedCurve<Scalar>, const Body<Scalar>&);                \
+    template BranchedCurve<Scalar> smoothing_spline(BranchedCurve<Scalar>,                                             \
+                                                    const std::vector<std::vector<BranchSection<Scalar>>>&,            \
+                                                    const std::vector<Vector3<Scalar>>&, double);                      \
     template CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar>, const Body<Scalar>&,                       \
                                                      const BranchCentringOptions&);                                    \
     template CurveSkeleton<Scalar> curve_with_regions(const CentredBranches<Scalar>&, const Body<Scalar>&,             \

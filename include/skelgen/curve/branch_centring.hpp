@@ -32,10 +32,11 @@ struct CentredBranches {
 
 /// Moves branches to where the surface's cross-sections have their centres, in rounds: points evenly spaced, a section
 /// across each, a smoothing spline through the sections' centres as far as these are the branch's own. Where they are
-/// not, as where a branch runs into another, it goes on as straight as it can, so that junctions come to lie where the
-/// axes of their branches meet. An end lies where the axis of its branch leaves the surface, and branches that have
-/// come to run along each other become one up to where they part. O(rounds k) sections. \throws Error usage when an
-/// option is out of its range.
+/// not, as near a junction, it goes on straight, so that junctions come to lie where the axes of their branches meet.
+/// An end lies where the axis of its branch leaves the surface, and branches that have come to run along each other
+/// become one up to where they part. Then each branch that runs far inside others is joined to them where the way is
+/// best centred, twigs go, and points outside the surface are moved into their sections. O(rounds k) sections.
+/// \throws Error usage when an option is out of its range.
 template <typename Scalar>
 [[nodiscard]] CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
                                                       const BranchCentringOptions& options = {});

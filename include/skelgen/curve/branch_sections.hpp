@@ -12,11 +12,19 @@ namespace skelgen::curve {
 template <typename Scalar = double>
 struct BranchSection {
     Vector3<Scalar> centre = Vector3<Scalar>::Zero(); ///< mean of the contour, by length
+    Vector3<Scalar> normal = Vector3<Scalar>::Zero(); ///< of the plane, along the curve; unit
     Scalar thickness = 0;                             ///< mean distance of the contour from its centre
     Scalar weight = 0;     ///< how surely the contour is the branch's own: 1 all around it, 0 where there is none
     bool encloses = false; ///< whether the point lies within the contour
     surface::Contour<Scalar> contour;
 };
+
+/// Sections of at least this weight are their branch's own.
+template <typename Scalar>
+inline constexpr Scalar sure_section = Scalar(0.5);
+
+/// How far from the line a contour may be that does not go around it but is its branch's all the same, in spacings.
+inline constexpr int reach_in_spacings = 4;
 
 /// The sections of a line across itself, as many as it has points; none at its first and its last one, which have no
 /// tangents of their own. `reach`: how far from the line a contour may be that does not go around it.

@@ -3,7 +3,9 @@
 #include <skelgen/curve/attachment.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/polyline.hpp>
@@ -23,7 +25,7 @@ Scalar off_centre(const BranchSection<Scalar>& section, const Vector3<Scalar>& p
 /// The same summed over a line's length.
 template <typename Scalar>
 Scalar off_centre_along(const Body<Scalar>& body, const Points<Scalar>& line, Scalar spacing) {
-    const std::vector<BranchSection<Scalar>> sections = sections_across(body, line, 4 * spacing);
+    const std::vector<BranchSection<Scalar>> sections = sections_across(body, line, reach_in_spacings * spacing);
     Scalar sum = 0;
     for (Eigen::Index i = 1; i + 1 < line.rows(); ++i)
         sum += off_centre(sections[static_cast<std::size_t>(i)], core::point(line, i)) *
@@ -37,19 +39,26 @@ struct CurvePlace {
     Eigen::Index point;
 };
 
-/// Makes a point of a branch's line a knot, and returns it; the second part is a new branch.
+/// A curve with a knot at one of its points.
 template <typename Scalar>
-int make_knot(BranchedCurve<Scalar>& curve, const CurvePlace& place) {
+struct KnottedCurve {
+    BranchedCurve<Scalar> curve;
+    int knot;
+};
+
+/// The curve with a knot at that point; where there was none, the second part of the branch is a new one.
+template <typename Scalar>
+KnottedCurve<Scalar> with_knot(BranchedCurve<Scalar> curve, const CurvePlace& place) {
     Branch<Scalar>& branch = curve.branches[place.branch];
-    if (place.point == 0) return branch.from;
-    if (place.point == branch.line.rows() - 1) return branch.to;
+    if (place.point == 0) return {curve, branch.from};
+    if (place.point == branch.line.rows() - 1) return {curve, branch.to};
     const auto knot = static_cast<int>(curve.knots.size());
     curve.knots.push_back(core::point(branch.line, place.point));
     Branch<Scalar> rest{knot, branch.to, branch.line.bottomRows(branch.line.rows() - place.point), branch.origins};
     branch.to = knot;
     branch.line = branch.line.topRows(place.point + 1).eval();
     curve.branches.push_back(std::move(rest));
-    return knot;
+    return {std::move(curve), knot};
 }
 
 /// The straight line from one point to another, evenly spaced.
@@ -74,59 +83,118 @@ Eigen::Index own_from(const Points<Scalar>& line, const std::vector<BranchSectio
     return line.rows() - 1;
 }
 
+/// A branch whose own sections begin within so many radii of the ball at its knot runs into a tight junction: its axis
+/// meets the others' there. In tubes they begin at one and a bit, in shoulders at two and more.
+template <typename Scalar>
+inline constexpr Scalar tight_junction = Scalar(1.5);
+
+} // namespace detail
+
+template <typename Scalar>
+bool meets_tightly(const Points<Scalar>& line, const std::vector<BranchSection<Scalar>>& sections,
+                   const Body<Scalar>& body) {
+    const Eigen::Index own = detail::own_from(line, sections);
+    const Scalar ball = body.tree.distance(body.mesh, core::point(line, 0));
+    return core::arc_lengths(line)[own] < detail::tight_junction<Scalar> * ball;
+}
+
+namespace detail {
+
 /// Of the other branches' points every second one is tried, or so many in all where there are more.
 inline constexpr Eigen::Index stride = 2, most_tries = 200;
 
-/// The branch seen from its knot, joined where that is best; whether it has been moved.
+/// A place is looked for as far from the knot as this many times the way to the branch's own sections.
 template <typename Scalar>
-bool reattach(BranchedCurve<Scalar>& curve, std::size_t index, bool at_end, const Body<Scalar>& body, Scalar spacing) {
-    Branch<Scalar> branch = at_end ? turned(curve.branches[index]) : curve.branches[index];
-    const int knot = branch.from;
-    if (branch.from == branch.to) return false;
-    const Eigen::Index own = own_from(branch.line, sections_across(body, branch.line, 4 * spacing));
-    if (own < 2 || own + 1 >= branch.line.rows()) return false;
-    const Vector3<Scalar> start = core::point(branch.line, own);
-    const auto arc = core::arc_lengths(branch.line);
-    const Scalar reach = Scalar(1.5) * arc[own] + 2 * spacing;
-    Scalar least = Scalar(0.9) * off_centre_along<Scalar>(body, branch.line.topRows(own + 1), spacing);
-    bool found = false;
-    CurvePlace best{};
-    Eigen::Index near = 0;
-    for (const Branch<Scalar>& other : curve.branches)
-        if (other.from == knot || other.to == knot) near += other.line.rows();
-    const Eigen::Index step = std::max(stride, near / most_tries);
+inline constexpr Scalar furthest_move = Scalar(1.5);
+
+/// Another way has to be better than the one that is there by this factor.
+template <typename Scalar>
+inline constexpr Scalar clearly_better = Scalar(0.9);
+
+/// The points of other branches to which the branch could be joined instead of to its knot: those at the same knot, as
+/// far as `reach` from it, but for ends.
+template <typename Scalar>
+std::vector<CurvePlace> places_near(const BranchedCurve<Scalar>& curve, std::size_t index, int knot, Scalar reach) {
+    const auto is_candidate = [&](std::size_t b) {
+        const Branch<Scalar>& other = curve.branches[b];
+        return b != index && other.from != other.to && (other.from == knot || other.to == knot);
+    };
+    Eigen::Index points = 0;
+    for (std::size_t b = 0; b < curve.branches.size(); ++b)
+        if (is_candidate(b)) points += curve.branches[b].line.rows();
+    const Eigen::Index step = std::max(stride, points / most_tries);
     const std::vector<int> degrees = curve.degrees();
     const auto is_end = [&](int k) { return degrees[static_cast<std::size_t>(k)] == 1; };
+    std::vector<CurvePlace> out;
     for (std::size_t b = 0; b < curve.branches.size(); ++b) {
+        if (!is_candidate(b)) continue;
         const Branch<Scalar>& other = curve.branches[b];
-        if (b == index || other.from == other.to || (other.from != knot && other.to != knot)) continue;
-        const Points<Scalar>& line = other.line;
-        for (Eigen::Index i = 0; i < line.rows(); i += step) {
-            if ((i == 0 && is_end(other.from)) || (i + 1 == line.rows() && is_end(other.to))) continue;
-            const Vector3<Scalar> target = core::point(line, i);
-            if ((target - core::point(branch.line, 0)).norm() > reach) continue;
-            if ((target - start).norm() < spacing) continue;
-            const Scalar sum = off_centre_along(body, straight_line(target, start, spacing), spacing);
-            if (!(sum < least)) continue;
-            least = sum;
-            found = true;
-            best = {b, i};
+        for (Eigen::Index i = 0; i < other.line.rows(); i += step) {
+            if ((i == 0 && is_end(other.from)) || (i + 1 == other.line.rows() && is_end(other.to))) continue;
+            const Vector3<Scalar> place = core::point(other.line, i);
+            if ((place - curve.knots[static_cast<std::size_t>(knot)]).norm() <= reach) out.push_back({b, i});
         }
     }
-    if (!found) return false;
-    const Branch<Scalar>& chosen = curve.branches[best.branch];
-    if ((best.point == 0 ? chosen.from : best.point == chosen.line.rows() - 1 ? chosen.to : -1) == branch.to)
-        return false;
-    const Points<Scalar> way = straight_line(core::point(chosen.line, best.point), start, spacing);
-    const int joint = make_knot(curve, best);
+    return out;
+}
+
+/// Where the straight way to `start` is best centred, and clearly better than `now`, that of the way that is there.
+template <typename Scalar>
+std::optional<CurvePlace> best_place(const BranchedCurve<Scalar>& curve, const std::vector<CurvePlace>& places,
+                                     const Vector3<Scalar>& start, Scalar now, const Body<Scalar>& body,
+                                     Scalar spacing) {
+    std::optional<CurvePlace> best;
+    Scalar least = clearly_better<Scalar> * now;
+    for (const CurvePlace& place : places) {
+        const Vector3<Scalar> target = core::point(curve.branches[place.branch].line, place.point);
+        if ((target - start).norm() < spacing) continue;
+        const Scalar sum = off_centre_along(body, straight_line(target, start, spacing), spacing);
+        if (!(sum < least)) continue;
+        least = sum;
+        best = place;
+    }
+    return best;
+}
+
+/// The branch, seen from its knot, joined to that point instead, by a straight way from its point `own` on.
+template <typename Scalar>
+BranchedCurve<Scalar> rejoined(BranchedCurve<Scalar> curve, std::size_t index, Branch<Scalar> branch, Eigen::Index own,
+                               const CurvePlace& place, Scalar spacing) {
+    const int left = branch.from;
+    KnottedCurve<Scalar> knotted = with_knot(std::move(curve), place);
+    curve = std::move(knotted.curve);
+    const Vector3<Scalar> target = curve.knots[static_cast<std::size_t>(knotted.knot)];
+    const Points<Scalar> way = straight_line<Scalar>(target, core::point(branch.line, own), spacing);
     const Eigen::Index rest = branch.line.rows() - own;
     Points<Scalar> line(way.rows() + rest - 1, 3);
     line << way, branch.line.bottomRows(rest - 1);
-    branch.from = joint;
+    branch.from = knotted.knot;
     branch.line = std::move(line);
     curve.branches[index] = std::move(branch);
-    if (curve.degrees()[static_cast<std::size_t>(knot)] == 2) curve = without_knot(std::move(curve), knot);
-    return true;
+    return curve.degrees()[static_cast<std::size_t>(left)] == 2 ? without_knot(std::move(curve), left) : curve;
+}
+
+/// The branch, seen from one of its knots, joined where that is best.
+template <typename Scalar>
+BranchedCurve<Scalar> reattached(BranchedCurve<Scalar> curve, std::size_t index, bool at_end, const Body<Scalar>& body,
+                                 Scalar spacing) {
+    const Branch<Scalar> branch = at_end ? turned(curve.branches[index]) : curve.branches[index];
+    if (branch.from == branch.to) return curve;
+    const Points<Scalar>& line = branch.line;
+    const auto sections = sections_across(body, line, reach_in_spacings * spacing);
+    const Eigen::Index own = own_from(line, sections);
+    if (own < 2 || own + 1 >= line.rows() || meets_tightly(line, sections, body)) return curve;
+    const Scalar away = core::arc_lengths(line)[own];
+
+    const Scalar reach = furthest_move<Scalar> * away + 2 * spacing;
+    const Scalar now = off_centre_along<Scalar>(body, line.topRows(own + 1), spacing);
+    const auto place = best_place<Scalar>(curve, places_near(curve, index, branch.from, reach), core::point(line, own),
+                                          now, body, spacing);
+    if (!place) return curve;
+    const Branch<Scalar>& chosen = curve.branches[place->branch];
+    const bool ends_there = (place->point == 0 && chosen.from == branch.to) ||
+                            (place->point == chosen.line.rows() - 1 && chosen.to == branch.to);
+    return ends_there ? curve : rejoined(std::move(curve), index, branch, own, *place, spacing);
 }
 
 } // namespace detail
@@ -139,7 +207,7 @@ BranchedCurve<Scalar> reattach_branches(BranchedCurve<Scalar> branched, const Bo
             if (b >= branched.branches.size()) break;
             const Branch<Scalar>& branch = branched.branches[b];
             if (branched.degrees()[static_cast<std::size_t>(at_end ? branch.to : branch.from)] < 3) continue;
-            static_cast<void>(detail::reattach(branched, b, at_end, body, spacing));
+            branched = detail::reattached(std::move(branched), b, at_end, body, spacing);
         }
     return branched;
 }

@@ -3,12 +3,7 @@
 #include <skelgen/curve/branch_centring.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <utility>
-
-#include <Eigen/SparseCholesky>
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
@@ -19,8 +14,7 @@
 #include <skelgen/curve/axis_ends.hpp>
 #include <skelgen/curve/parallel_branches.hpp>
 #include <skelgen/curve/pruning.hpp>
-
-#include <cstdlib>
+#include <skelgen/curve/smoothing_spline.hpp>
 
 namespace skelgen::curve {
 namespace detail {
@@ -28,132 +22,73 @@ namespace detail {
 template <typename Scalar>
 using SectionsOfBranches = std::vector<std::vector<BranchSection<Scalar>>>;
 
-/// Spacings from the line to a contour that does not go around it but is its branch's all the same.
-inline constexpr int section_reach = 4;
-
 template <typename Scalar>
 SectionsOfBranches<Scalar> all_sections(const BranchedCurve<Scalar>& branched, const Body<Scalar>& body,
                                         Scalar spacing) {
     SectionsOfBranches<Scalar> out;
     for (const Branch<Scalar>& branch : branched.branches)
-        out.push_back(sections_across(body, branch.line, section_reach * spacing));
+        out.push_back(sections_across(body, branch.line, reach_in_spacings * spacing));
     return out;
 }
 
-/// Where the unknowns of a branch's points are: knots come first, then the inner points of one branch after the other.
+/// Around a junction, sections are of all its branches and lie to the side of each. Their weight grows from nothing at
+/// the first of these distances from the knot to the whole at the second one, in radii of the ball at the knot: the
+/// sections of two tubes that meet at right angles are their own from 1 on. Calibrated on generated tubes and bodies.
 template <typename Scalar>
-std::vector<std::vector<int>> unknowns_of(const BranchedCurve<Scalar>& branched) {
-    int next = static_cast<int>(branched.knots.size());
-    std::vector<std::vector<int>> out;
-    for (const Branch<Scalar>& branch : branched.branches) {
-        std::vector<int> at{branch.from};
-        for (Eigen::Index i = 1; i + 1 < branch.line.rows(); ++i) at.push_back(next++);
-        at.push_back(branch.to);
-        out.push_back(std::move(at));
-    }
+inline constexpr Scalar shared_within = Scalar(0.7);
+template <typename Scalar>
+inline constexpr Scalar own_beyond = Scalar(1.2);
+
+/// Do the branch's own sections begin close by the knot at one of its ends?
+template <typename Scalar>
+bool is_tight(const Branch<Scalar>& branch, const std::vector<BranchSection<Scalar>>& sections, bool at_end,
+              const Body<Scalar>& body) {
+    if (!at_end) return meets_tightly(branch.line, sections, body);
+    return meets_tightly<Scalar>(branch.line.colwise().reverse(), {sections.rbegin(), sections.rend()}, body);
+}
+
+/// Per knot, whether it is a junction.
+template <typename Scalar>
+std::vector<bool> all_junctions(const BranchedCurve<Scalar>& branched) {
+    std::vector<bool> out;
+    for (const int degree : branched.degrees()) out.push_back(degree > 2);
     return out;
 }
 
-/// The energy of the spline, a quadratic form in the points' coordinates: its matrix and its right side.
-class SplineSystem {
-public:
-    using Number = core::Accumulator;
-
-    explicit SplineSystem(int unknowns) : right_(Points<Number>::Zero(unknowns, 3)) {}
-
-    void attract(int point, const Vector3<Number>& target, Number weight) {
-        entries_.emplace_back(point, point, weight);
-        for (int k = 0; k < 3; ++k) right_(point, k) += weight * target[k];
-    }
-
-    /// Second difference of three points in a row.
-    void straighten(const std::array<int, 3>& points, Number weight) {
-        constexpr Number factors[3] = {1, -2, 1};
-        for (std::size_t a = 0; a < 3; ++a)
-            for (std::size_t b = 0; b < 3; ++b)
-                entries_.emplace_back(points[a], points[b], weight * factors[a] * factors[b]);
-    }
-
-    [[nodiscard]] Points<Number> solve() const {
-        Eigen::SparseMatrix<Number> matrix(right_.rows(), right_.rows());
-        matrix.setFromTriplets(entries_.begin(), entries_.end());
-        return Eigen::SimplicialLDLT<Eigen::SparseMatrix<Number>>(matrix).solve(right_);
-    }
-
-private:
-    std::vector<Eigen::Triplet<Number>> entries_;
-    Points<Number> right_;
-};
-
-/// Sections of more weight are their branch's own.
+/// Per knot, whether it is a junction that all its branches meet tightly.
 template <typename Scalar>
-inline constexpr Scalar sure_section = Scalar(0.5);
-
-/// The thickness by which each point of a branch is stiff: its section's, or that of the next one before that is sure.
-template <typename Scalar>
-std::vector<Scalar> thickness_along(const std::vector<BranchSection<Scalar>>& sections) {
-    std::vector<Scalar> out(sections.size(), Scalar(0));
-    Scalar last = 0;
-    for (const BranchSection<Scalar>& section : sections)
-        if (last == 0 && section.weight > 0) last = section.thickness;
-    for (std::size_t i = 0; i < sections.size(); ++i) {
-        if (sections[i].weight > sure_section<Scalar>) last = sections[i].thickness;
-        out[i] = last;
-    }
-    return out;
-}
-
-/// The smoothing spline through the sections' centres: the sum of their squared distances and of the squared curvature
-/// times a length to the fourth, the stiffness times the thickness, is least.
-template <typename Scalar>
-BranchedCurve<Scalar> fitted(BranchedCurve<Scalar> branched, const SectionsOfBranches<Scalar>& sections,
-                             const std::vector<Vector3<Scalar>>& tips, double stiffness) {
-    using core::Accumulator;
-    constexpr Accumulator inertia = 1e-3;    // holds to its place what nothing else does
-    constexpr Accumulator tip_weight = 0.03; // a short limb must not be drawn into the trunk by the sections there
-    const std::vector<std::vector<int>> unknowns = unknowns_of(branched);
-    int count = static_cast<int>(branched.knots.size());
-    for (const std::vector<int>& at : unknowns) count += static_cast<int>(at.size()) - 2;
-    SplineSystem system(count);
-    for (std::size_t k = 0; k < branched.knots.size(); ++k)
-        system.attract(static_cast<int>(k), branched.knots[k].template cast<Accumulator>(), inertia);
-    const std::vector<int> degrees = branched.degrees();
-    for (std::size_t k = 0; k < tips.size(); ++k)
-        if (degrees[k] == 1) system.attract(static_cast<int>(k), tips[k].template cast<Accumulator>(), tip_weight);
-    for (std::size_t b = 0; b < unknowns.size(); ++b) {
-        const Points<Scalar>& line = branched.branches[b].line;
-        const std::vector<int>& at = unknowns[b];
-        const Scalar spacing = core::arc_lengths(line)[line.rows() - 1] / static_cast<Scalar>(line.rows() - 1);
-        const std::vector<Scalar> thickness = thickness_along(sections[b]);
-        // A ring no longer than its knot's ball is around is a handle in a contact of two parts: sections show those.
-        const bool is_handle =
-            at.front() == at.back() && core::arc_lengths(line)[line.rows() - 1] < 6 * thickness.front();
-        for (std::size_t i = 1; i + 1 < at.size(); ++i) {
-            const BranchSection<Scalar>& section = sections[b][i];
-            const Vector3<Accumulator> place =
-                core::point(line, static_cast<Eigen::Index>(i)).template cast<Accumulator>();
-            system.attract(at[i], place, is_handle ? 1 : inertia);
-            if (is_handle) continue;
-            if (section.weight > 0) system.attract(at[i], section.centre.template cast<Accumulator>(), section.weight);
-            if (!(spacing > 0)) continue;
-            const Accumulator ratio = stiffness * static_cast<Accumulator>(thickness[i] / spacing);
-            system.straighten({at[i - 1], at[i], at[i + 1]}, ratio * ratio * ratio * ratio);
+std::vector<bool> tight_junctions(const BranchedCurve<Scalar>& branched, const SectionsOfBranches<Scalar>& sections,
+                                  const Body<Scalar>& body) {
+    std::vector<bool> out = all_junctions(branched);
+    for (std::size_t b = 0; b < sections.size(); ++b)
+        for (const bool at_end : {false, true}) {
+            const Branch<Scalar>& branch = branched.branches[b];
+            const auto k = static_cast<std::size_t>(at_end ? branch.to : branch.from);
+            if (out[k]) out[k] = is_tight(branch, sections[b], at_end, body);
         }
-        // The point at which a ring begins has no section: it goes on straight between its neighbours.
-        const bool is_ring = at.front() == at.back() && degrees[static_cast<std::size_t>(at.front())] == 2;
-        if (is_ring && !is_handle && spacing > 0) {
-            const Accumulator ratio = stiffness * static_cast<Accumulator>(thickness.front() / spacing);
-            system.straighten({at[at.size() - 2], at.front(), at[1]}, ratio * ratio * ratio * ratio);
+    return out;
+}
+
+/// Sections that count as little as they are the branch's own near these junctions.
+template <typename Scalar>
+SectionsOfBranches<Scalar> beyond_junctions(SectionsOfBranches<Scalar> sections, const BranchedCurve<Scalar>& branched,
+                                            const Body<Scalar>& body, const std::vector<bool>& junctions) {
+    for (std::size_t b = 0; b < sections.size(); ++b) {
+        const Branch<Scalar>& branch = branched.branches[b];
+        for (const int knot : {branch.from, branch.to}) {
+            const auto k = static_cast<std::size_t>(knot);
+            if (!junctions[k]) continue;
+            const Scalar ball = body.tree.distance(body.mesh, branched.knots[k]);
+            for (std::size_t i = 0; i < sections[b].size(); ++i) {
+                const Vector3<Scalar> place = core::point(branch.line, static_cast<Eigen::Index>(i));
+                const Scalar away = (place - branched.knots[k]).norm() / std::max(ball, core::rounding<Scalar>());
+                sections[b][i].weight *=
+                    std::clamp((away - shared_within<Scalar>) / (own_beyond<Scalar> - shared_within<Scalar>), Scalar(0),
+                               Scalar(1));
+            }
         }
     }
-    const Points<Scalar> moved = system.solve().template cast<Scalar>();
-    for (std::size_t k = 0; k < branched.knots.size(); ++k)
-        branched.knots[k] = core::point(moved, static_cast<Eigen::Index>(k));
-    for (std::size_t b = 0; b < unknowns.size(); ++b)
-        for (std::size_t i = 0; i < unknowns[b].size(); ++i)
-            core::set_point(branched.branches[b].line, static_cast<Eigen::Index>(i),
-                            core::point(moved, unknowns[b][i]));
-    return branched;
+    return sections;
 }
 
 /// A curve has no more points than about this many: one of a body has 250 at the default spacing, 5000 at the finest.
@@ -167,19 +102,16 @@ Scalar total_length(const BranchedCurve<Scalar>& branched) {
     return sum;
 }
 
-/// Corners rounded off over some points, as where branches have been joined anew.
+/// Corners rounded off, as where branches have been joined anew.
 template <typename Scalar>
 BranchedCurve<Scalar> smoothed(BranchedCurve<Scalar> branched) {
-    constexpr int passes = 1;
-    for (Branch<Scalar>& branch : branched.branches)
-        for (int pass = 0; pass < passes; ++pass) {
-            const Points<Scalar> line = branch.line;
-            for (Eigen::Index i = 1; i + 1 < line.rows(); ++i)
-                core::set_point(
-                    branch.line, i,
-                    Vector3<Scalar>((core::point(line, i - 1) + 2 * core::point(line, i) + core::point(line, i + 1)) /
-                                    4));
-        }
+    for (Branch<Scalar>& branch : branched.branches) {
+        const Points<Scalar> line = branch.line;
+        for (Eigen::Index i = 1; i + 1 < line.rows(); ++i)
+            core::set_point(
+                branch.line, i,
+                Vector3<Scalar>((core::point(line, i - 1) + 2 * core::point(line, i) + core::point(line, i + 1)) / 4));
+    }
     return branched;
 }
 
@@ -206,20 +138,31 @@ Vector3<Scalar> place_within(const surface::Contour<Scalar>& contour, const Vect
 /// Moving a point in turns the sections of its neighbours: some rounds.
 inline constexpr int pulls = 4;
 
-/// Moves points that lie outside their sections into them; whether there were any.
+/// Does a point lie outside its section?
 template <typename Scalar>
-bool pull_inside(BranchedCurve<Scalar>& branched, const SectionsOfBranches<Scalar>& sections) {
-    bool moved = false;
+bool is_outside(const BranchSection<Scalar>& section) {
+    return section.thickness > 0 && !section.encloses;
+}
+
+template <typename Scalar>
+bool any_outside(const SectionsOfBranches<Scalar>& sections) {
+    for (const auto& of_branch : sections)
+        if (std::any_of(of_branch.begin(), of_branch.end(), is_outside<Scalar>)) return true;
+    return false;
+}
+
+/// Points that lie outside their sections moved into them.
+template <typename Scalar>
+BranchedCurve<Scalar> pulled_inside(BranchedCurve<Scalar> branched, const SectionsOfBranches<Scalar>& sections) {
     for (std::size_t b = 0; b < sections.size(); ++b)
         for (std::size_t i = 0; i < sections[b].size(); ++i) {
             const BranchSection<Scalar>& section = sections[b][i];
-            if (section.encloses || !(section.thickness > 0)) continue;
+            if (!is_outside(section)) continue;
             const auto row = static_cast<Eigen::Index>(i);
             Points<Scalar>& line = branched.branches[b].line;
             core::set_point(line, row, place_within(section.contour, core::point(line, row)));
-            moved = true;
         }
-    return moved;
+    return branched;
 }
 
 } // namespace detail
@@ -242,7 +185,12 @@ CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Bo
         const bool coarse = 3 * round < 2 * options.rounds;
         branched = resampled(std::move(branched), coarse ? 2 * spacing : spacing);
         const auto sections = detail::all_sections(branched, body, spacing);
-        branched = detail::fitted(std::move(branched), sections, tips, options.stiffness);
+        // Axes meet first; then, where parts run into each other more widely than tubes, sections show the middle
+        // there.
+        const auto junctions =
+            coarse ? detail::all_junctions(branched) : detail::tight_junctions(branched, sections, body);
+        const auto own = detail::beyond_junctions(sections, branched, body, junctions);
+        branched = smoothing_spline(std::move(branched), own, tips, options.stiffness);
         branched = ends_on_axes(std::move(branched), sections, body);
         if (3 * round >= options.rounds) branched = merge_parallel_branches(std::move(branched), body);
     }
@@ -250,8 +198,10 @@ CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Bo
     branched = prune_twigs(std::move(branched), body, options.least_relief);
     branched = detail::smoothed(resampled(std::move(branched), spacing));
     auto sections = detail::all_sections(branched, body, spacing);
-    for (int round = 0; round < detail::pulls && detail::pull_inside(branched, sections); ++round)
+    for (int round = 0; round < detail::pulls && detail::any_outside(sections); ++round) {
+        branched = detail::pulled_inside(std::move(branched), sections);
         sections = detail::all_sections(branched, body, spacing);
+    }
     return {std::move(branched), std::move(sections)};
 }
 

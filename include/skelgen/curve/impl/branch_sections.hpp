@@ -42,6 +42,7 @@ BranchSection<Scalar> measured(surface::Contour<Scalar> contour, const Vector3<S
     const std::size_t n = contour.points.size();
     const auto next = [&](std::size_t i) -> const Vector3<Scalar>& { return contour.points[i + 1 < n ? i + 1 : 0]; };
     BranchSection<Scalar> out;
+    out.normal = tangent;
     Scalar length = 0;
     for (std::size_t i = 0; i < n; ++i) {
         const Scalar l = (next(i) - contour.points[i]).norm();

@@ -18,12 +18,11 @@ using Claims = std::vector<core::Source<Scalar>>;
 template <typename Scalar>
 void claim_sections(Claims<Scalar>& claims, const CentredBranches<Scalar>& centred, const JoinedCurve<Scalar>& joined,
                     const Body<Scalar>& body, const std::vector<int>& origin_of_vertex) {
-    constexpr auto sure = Scalar(0.5);
     for (std::size_t b = 0; b < centred.sections.size(); ++b) {
         const std::vector<int>& origins = centred.branched.branches[b].origins;
         for (std::size_t i = 0; i < centred.sections[b].size(); ++i) {
             const BranchSection<Scalar>& section = centred.sections[b][i];
-            if (section.weight < sure) continue;
+            if (section.weight < sure_section<Scalar>) continue;
             for (std::size_t p = 0; p < section.contour.points.size(); ++p)
                 for (int k = 0; k < 3; ++k) {
                     const int v = body.mesh.faces(section.contour.faces[p], k);
@@ -64,7 +63,7 @@ CurveSkeleton<Scalar> curve_with_regions(const CentredBranches<Scalar>& centred,
     std::vector<bool> has_section(out.radii.size(), false);
     for (std::size_t b = 0; b < centred.sections.size(); ++b)
         for (std::size_t i = 0; i < centred.sections[b].size(); ++i)
-            if (centred.sections[b][i].weight >= Scalar(0.5))
+            if (centred.sections[b][i].weight >= sure_section<Scalar>)
                 has_section[static_cast<std::size_t>(joined.nodes_of_branch[b][i])] = true;
     detail::claim_balls(claims, out, body, has_section);
     const std::vector<int> owner = core::nearest_source(body.graph, claims);
