@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <skelgen/core/curve_graph.hpp>
 #include <skelgen/io/curve_formats.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
@@ -26,13 +27,6 @@ CurveSkeleton<double> curve_by_cli(const fs::path& folder, const std::string& me
     CAPTURE(result.err);
     REQUIRE(result.status == 0);
     return read_curve(folder / "out.json");
-}
-
-std::size_t end_count(const CurveSkeleton<double>& curve) {
-    std::vector<int> degree(static_cast<std::size_t>(curve.nodes.rows()), 0);
-    for (const auto& edge : curve.edges)
-        for (const int node : edge) ++degree[static_cast<std::size_t>(node)];
-    return static_cast<std::size_t>(std::count(degree.begin(), degree.end(), 1));
 }
 
 TEST_CASE("curve: all formats are written and read back the same") {
@@ -74,13 +68,13 @@ TEST_CASE("curve: twice the spacing gives half the nodes") {
 TEST_CASE("curve: more detail keeps more ends") {
     const TemporaryFolder folder;
     const auto ends_at = [&](const std::string& detail) {
-        return end_count(curve_by_cli(folder.path(), sample_body, {"--detail", detail}));
+        return core::end_count(curve_by_cli(folder.path(), sample_body, {"--detail", detail}));
     };
-    const std::size_t limbs = ends_at("limbs"), digits = ends_at("digits"), all = ends_at("all");
+    const int limbs = ends_at("limbs"), digits = ends_at("digits"), all = ends_at("all");
     CHECK(limbs == 5);
     CHECK(digits >= limbs);
     CHECK(all >= digits);
-    CHECK(end_count(curve_by_cli(folder.path(), sample_body, {})) == limbs);
+    CHECK(core::end_count(curve_by_cli(folder.path(), sample_body, {})) == limbs);
 }
 
 TEST_CASE("curve: each component has its curve, the largest first; a ball has its centre, with a warning") {
