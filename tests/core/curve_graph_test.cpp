@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include <skelgen/core/curve_graph.hpp>
@@ -49,6 +51,57 @@ TEST_CASE("shortest paths go the short way round and do not reach what is not co
 TEST_CASE("the diameter of a curve is its longest shortest path") {
     CHECK(curve_diameter(curve_graph(square_with_tail())) == Approx(4));
     CHECK(curve_diameter(CurveGraph<double>{}) == 0);
+}
+
+namespace {
+
+/// A curve of `trees` trees whose nodes hang on random ones before them, at random places.
+template <typename Scalar>
+CurveSkeleton<Scalar> random_forest(int nodes, int trees, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<Scalar> coordinate(-1, 1);
+    CurveSkeleton<Scalar> curve;
+    curve.nodes.resize(nodes, 3);
+    for (Eigen::Index i = 0; i < curve.nodes.size(); ++i) curve.nodes.data()[i] = coordinate(random);
+    for (int v = trees; v < nodes; ++v) {
+        const int reach = v % 3 == 0 ? v : std::min(v, 2 * trees); // some bushy, some long
+        curve.edges.push_back({v - 1 - static_cast<int>(random() % static_cast<unsigned>(reach)), v});
+    }
+    return curve;
+}
+
+/// The longest of all shortest paths.
+template <typename Scalar>
+Scalar longest_of_all(const CurveGraph<Scalar>& graph) {
+    Scalar longest = 0;
+    for (int v = 0; v < graph.size(); ++v)
+        for (const Scalar d : shortest_paths(graph, v).distance)
+            if (std::isfinite(d)) longest = std::max(longest, d);
+    return longest;
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("the diameter is the longest of all shortest paths, to the last bit", "[core]", float, double) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        CAPTURE(seed);
+        CurveSkeleton<TestType> curve = random_forest<TestType>(60, 1 + static_cast<int>(seed % 4), seed);
+        REQUIRE(cycle_count(curve) == 0);
+        CHECK(curve_diameter(curve_graph(curve)) == longest_of_all(curve_graph(curve)));
+        for (int v = 0; v < 4; ++v) curve.edges.push_back({v, 59 - v}); // more than there are trees to be joined
+        REQUIRE(cycle_count(curve) > 0);
+        CHECK(curve_diameter(curve_graph(curve)) == longest_of_all(curve_graph(curve)));
+    }
+}
+
+TEST_CASE("a point and a curve without edges have no diameter, and lengths of zero do no harm") {
+    CurveSkeleton<double> curve;
+    curve.nodes = Points<double>::Zero(3, 3);
+    CHECK(curve_diameter(curve_graph(curve)) == 0);
+    curve.edges = {{0, 1}, {1, 2}};
+    CHECK(curve_diameter(curve_graph(curve)) == 0);
+    curve.nodes(2, 0) = 1;
+    CHECK(curve_diameter(curve_graph(curve)) == 1);
 }
 
 TEST_CASE("ends, components and cycles of a curve in several pieces") {

@@ -146,7 +146,8 @@ template <typename Scalar>
 [[nodiscard]] std::vector<int> nearest_source(const CurveGraph<Scalar>& graph,
                                               const std::vector<Source<Scalar>>& sources);
 
-/// Largest distance along the curve between any two of its nodes. O(k^2 log k).
+/// Largest distance along the curve between any two of its nodes that are connected. O(k log k) for each component that
+/// is a tree; each of the j nodes of one with cycles costs as much as a tree of j nodes.
 template <typename Scalar>
 [[nodiscard]] Scalar curve_diameter(const CurveGraph<Scalar>& graph);
 
