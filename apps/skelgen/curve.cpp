@@ -50,9 +50,6 @@ void run(const CurveCommand& command) {
     require_different_files(command.mesh, command.output);
     auto results =
         in_file(command.mesh, [&] { return find_curves(read_mesh<double>(command.mesh), extract_options(command)); });
-    if (results.empty())
-        throw Error(ErrorCode::bad_input,
-                    command.mesh + ": has no component that encloses anything; close its surface");
     std::vector<CurveSkeleton<double>> curves;
     for (auto& result : results) curves.push_back(std::move(result.curve));
     const CurveSkeleton<double> curve = core::joined(curves);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -116,6 +117,17 @@ TEST_CASE("curve: options out of their range end with status 2, one line, and no
     CHECK(result.err.rfind("skelgen: error: ", 0) == 0);
     CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
     CHECK(files_below(folder.path()).empty());
+}
+
+TEST_CASE("curve: a mesh of loose triangles ends with status 3, and no output") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "soup.off") << "OFF 12 4 0\n0 0 0\n0 1 0\n0 0 1\n1 0 0\n1 1 0\n1 0 1\n2 0 0\n2 1 0\n2 0 1\n"
+                                          "3 0 0\n3 1 0\n3 0 1\n3 0 1 2\n3 3 4 5\n3 6 7 8\n3 9 10 11\n";
+    const CliResult result = run_cli(folder.path(), {"curve", "soup.off", "-o", "out.json"});
+    CHECK(result.status == 3);
+    CHECK(result.err.rfind("skelgen: error: soup.off: the mesh has no component that encloses anything", 0) == 0);
+    CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
+    CHECK(files_below(folder.path()) == std::vector<std::string>{"soup.off"});
 }
 
 TEST_CASE("curve: a name that no format has ends with status 2") {
