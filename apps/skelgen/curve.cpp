@@ -75,7 +75,7 @@ void add_curve_command(CLI::App& app) {
         ->check(CLI::Range(0.0005, 1.0))
         ->capture_default_str();
     sub->add_option("--detail", command->detail,
-                    "limbs: trunk and limbs (5 ends on a body); digits: also fingers, ears, tails, horns, table legs; "
+                    "limbs: trunk and limbs (5 ends on a body); digits: also fingers, tails, horns, table legs; "
                     "all: everything that sticks out")
         ->check(CLI::IsMember({"limbs", "digits", "all"}))
         ->capture_default_str();
