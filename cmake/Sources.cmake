@@ -13,6 +13,7 @@ set(skelgen_core_headers
     include/skelgen/core/builtin_templates.hpp
     include/skelgen/core/curve_graph.hpp
     include/skelgen/core/curve_skeleton.hpp
+    include/skelgen/core/disjoint_sets.hpp
     include/skelgen/core/error.hpp
     include/skelgen/core/geodesics.hpp
     include/skelgen/core/geometry.hpp

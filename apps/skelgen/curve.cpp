@@ -50,9 +50,6 @@ void run(const CurveCommand& command) {
     require_different_files(command.mesh, command.output);
     auto results =
         in_file(command.mesh, [&] { return find_curves(read_mesh<double>(command.mesh), extract_options(command)); });
-    if (results.empty())
-        throw Error(ErrorCode::bad_input,
-                    command.mesh + ": has no component that encloses anything; close its surface");
     std::vector<CurveSkeleton<double>> curves;
     for (auto& result : results) curves.push_back(std::move(result.curve));
     const CurveSkeleton<double> curve = core::joined(curves);
@@ -78,7 +75,7 @@ void add_curve_command(CLI::App& app) {
         ->check(CLI::Range(0.0005, 1.0))
         ->capture_default_str();
     sub->add_option("--detail", command->detail,
-                    "limbs: trunk and limbs (5 ends on a body); digits: also fingers, ears, tails, horns, table legs; "
+                    "limbs: trunk and limbs (5 ends on a body); digits: also fingers, tails, horns, table legs; "
                     "all: everything that sticks out")
         ->check(CLI::IsMember({"limbs", "digits", "all"}))
         ->capture_default_str();

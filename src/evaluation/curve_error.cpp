@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
 #include <vector>
 
+#include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 
@@ -21,54 +22,29 @@ constexpr double step = 0.125;         ///< of the comparison, in radii
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-struct Graph {
-    const Points<double>& nodes;
-    const std::vector<std::array<int, 2>>& edges;
-    std::vector<int> degree;
-};
-
-Graph graph_of(const Points<double>& nodes, const std::vector<std::array<int, 2>>& edges) {
-    Graph graph{nodes, edges, std::vector<int>(static_cast<std::size_t>(nodes.rows()), 0)};
-    for (const auto& edge : edges)
-        for (const int node : edge) ++graph.degree[static_cast<std::size_t>(node)];
-    return graph;
-}
-
-int ends_of(const Graph& graph) { return static_cast<int>(std::count(graph.degree.begin(), graph.degree.end(), 1)); }
-
-int cycles_of(const Graph& graph) {
-    std::vector<int> group(graph.degree.size());
-    std::iota(group.begin(), group.end(), 0);
-    const auto root = [&group](int v) {
-        while (group[static_cast<std::size_t>(v)] != v) v = group[static_cast<std::size_t>(v)];
-        return v;
-    };
-    int cycles = 0; // edges within what already hangs together
-    for (const auto& [a, b] : graph.edges) {
-        const int from = root(a), to = root(b);
-        cycles += from == to ? 1 : 0;
-        group[static_cast<std::size_t>(from)] = to;
-    }
-    return cycles;
-}
-
-/// Where on a graph a place is nearest.
+/// Where on a curve a place is nearest.
 struct Nearest {
     double distance = infinite;
     std::size_t edge = 0;
     double along = 0; ///< 0 at the edge's first node, 1 at its second
 };
 
-Nearest nearest_on(const Graph& graph, const Vec3& place) {
+Nearest nearest_on(const CurveSkeleton<double>& curve, const Vec3& place) {
     Nearest nearest;
-    for (std::size_t e = 0; e < graph.edges.size(); ++e) {
-        const Vec3 a = core::point(graph.nodes, graph.edges[e][0]),
-                   ab = core::point(graph.nodes, graph.edges[e][1]) - a;
-        const double length2 = ab.squaredNorm();
-        const double t = length2 > 0 ? std::clamp((place - a).dot(ab) / length2, 0.0, 1.0) : 0.0;
-        if (const double d = (a + t * ab - place).norm(); d < nearest.distance) nearest = {d, e, t};
+    for (std::size_t e = 0; e < curve.edges.size(); ++e) {
+        const auto [a, b] = curve.edges[e];
+        const auto [distance, along] =
+            core::nearest_on_segment(place, core::point(curve.nodes, a), core::point(curve.nodes, b));
+        if (distance < nearest.distance) nearest = {distance, e, along};
     }
     return nearest;
+}
+
+/// The places of the nodes without edges.
+std::vector<Vec3> lone_nodes(const CurveSkeleton<double>& curve) {
+    std::vector<Vec3> places;
+    for (const int node : core::nodes_of_degree(curve, 0)) places.push_back(core::point(curve.nodes, node));
+    return places;
 }
 
 struct Ball {
@@ -84,31 +60,31 @@ bool within(const std::vector<Ball>& balls, double reach, const Vec3& place) {
 /// The axis with what is around it to be looked up.
 class Axis {
 public:
-    explicit Axis(const io::AxisTruth& truth) : truth_(truth), graph_(graph_of(truth.nodes, truth.edges)) {
-        std::vector<double> thickest = truth.radii; // of a node and its neighbours
-        for (const auto& [a, b] : truth.edges)
+    explicit Axis(const CurveSkeleton<double>& curve) : curve_(curve) {
+        std::vector<double> thickest = curve.radii; // of a node and its neighbours
+        for (const auto& [a, b] : curve.edges)
             for (const auto& [at, other] : {std::pair(a, b), std::pair(b, a)}) {
                 double& radius = thickest[static_cast<std::size_t>(at)];
-                radius = std::max(radius, truth.radii[static_cast<std::size_t>(other)]);
+                radius = std::max(radius, curve.radii[static_cast<std::size_t>(other)]);
             }
-        for (std::size_t i = 0; i < thickest.size(); ++i) {
-            const Vec3 place = core::point(truth.nodes, static_cast<Eigen::Index>(i));
-            if (graph_.degree[i] == 1) ends_.push_back({place, truth.radii[i]});
-            if (graph_.degree[i] > 2) junctions_.push_back({place, thickest[i]});
+        const core::CurveGraph<double> graph = core::curve_graph(curve);
+        for (int node = 0; node < graph.size(); ++node) {
+            const Vec3 place = core::point(curve.nodes, node);
+            if (graph.degree(node) == 1) ends_.push_back({place, curve.radii[static_cast<std::size_t>(node)]});
+            if (graph.degree(node) > 2) junctions_.push_back({place, thickest[static_cast<std::size_t>(node)]});
         }
     }
 
-    [[nodiscard]] const Graph& graph() const { return graph_; }
     [[nodiscard]] const std::vector<Ball>& ends() const { return ends_; }
     [[nodiscard]] const std::vector<Ball>& junctions() const { return junctions_; }
 
     [[nodiscard]] double radius_at(const Nearest& nearest) const {
-        const auto [a, b] = graph_.edges[nearest.edge];
-        return (1 - nearest.along) * truth_.radii[static_cast<std::size_t>(a)] +
-               nearest.along * truth_.radii[static_cast<std::size_t>(b)];
+        const auto [a, b] = curve_.edges[nearest.edge];
+        return (1 - nearest.along) * curve_.radii[static_cast<std::size_t>(a)] +
+               nearest.along * curve_.radii[static_cast<std::size_t>(b)];
     }
 
-    [[nodiscard]] double radius_at(const Vec3& place) const { return radius_at(nearest_on(graph_, place)); }
+    [[nodiscard]] double radius_at(const Vec3& place) const { return radius_at(nearest_on(curve_, place)); }
 
     /// What distances at a place are measured in.
     [[nodiscard]] double unit_at(const Vec3& place) const {
@@ -120,39 +96,36 @@ public:
     }
 
 private:
-    const io::AxisTruth& truth_;
-    Graph graph_;
+    const CurveSkeleton<double>& curve_;
     std::vector<Ball> ends_, junctions_;
 };
 
-std::vector<Ball> ends_with_radii(const Graph& curve, const Axis& axis) {
+std::vector<Ball> ends_with_radii(const CurveSkeleton<double>& curve, const Axis& axis) {
     std::vector<Ball> ends;
-    for (std::size_t i = 0; i < curve.degree.size(); ++i)
-        if (curve.degree[i] == 1) {
-            const Vec3 place = core::point(curve.nodes, static_cast<Eigen::Index>(i));
-            ends.push_back({place, axis.radius_at(place)});
-        }
+    for (const int node : core::nodes_of_degree(curve, 1)) {
+        const Vec3 place = core::point(curve.nodes, node);
+        ends.push_back({place, axis.radius_at(place)});
+    }
     return ends;
 }
 
-/// Places along a graph, each with the length of the graph that it stands for.
+/// Places along a curve, each with the length of the curve that it stands for.
 struct Sample {
     Vec3 place;
     double weight;
 };
 
-std::vector<Sample> samples_of(const Graph& graph, const Axis& axis) {
+std::vector<Sample> samples_of(const CurveSkeleton<double>& curve, const Axis& axis) {
     std::vector<Sample> samples;
-    for (const auto& edge : graph.edges) {
-        const Vec3 a = core::point(graph.nodes, edge[0]), b = core::point(graph.nodes, edge[1]);
+    for (const auto& edge : curve.edges) {
+        const Vec3 a = core::point(curve.nodes, edge[0]), b = core::point(curve.nodes, edge[1]);
         const double length = (b - a).norm();
         const double radius = std::min(axis.radius_at(a), axis.radius_at(b));
         const int pieces = std::max(1, static_cast<int>(std::ceil(length / (step * radius))));
         for (int i = 0; i <= pieces; ++i)
             samples.push_back({a + (b - a) * i / pieces, (i == 0 || i == pieces ? 0.5 : 1.0) * length / pieces});
     }
-    for (std::size_t i = 0; i < graph.degree.size(); ++i)
-        if (graph.degree[i] == 0) samples.push_back({core::point(graph.nodes, static_cast<Eigen::Index>(i)), 0.0});
+    for (const Vec3& place : lone_nodes(curve)) samples.push_back({place, 0.0});
     return samples;
 }
 
@@ -181,11 +154,13 @@ double radius_error(const CurveSkeleton<double>& curve, const Axis& axis, const 
 
 } // namespace
 
-CurveError measure_curve(const CurveSkeleton<double>& curve, const io::AxisTruth& truth) {
+CurveError measure_curve(const CurveSkeleton<double>& curve, const CurveSkeleton<double>& truth) {
     if (truth.edges.empty()) throw Error(ErrorCode::bad_input, "the true axis has no edges");
+    if (truth.radii.size() != static_cast<std::size_t>(truth.nodes.rows()))
+        throw Error(ErrorCode::bad_input, "the true axis does not have one radius for each node");
     const Axis axis(truth);
-    const Graph found = graph_of(curve.nodes, curve.edges);
-    const std::vector<Ball> curve_ends = ends_with_radii(found, axis);
+    const std::vector<Ball> curve_ends = ends_with_radii(curve, axis);
+    const std::vector<Vec3> lone = lone_nodes(curve); // part of the curve, though of none of its edges
 
     CurveError error;
     double weights = 0, sum = 0;
@@ -196,22 +171,19 @@ CurveError measure_curve(const CurveSkeleton<double>& curve, const io::AxisTruth
         sum += sample.weight * relative;
         weights += sample.weight;
     };
-    std::vector<Vec3> lone_nodes; // part of the curve, though of none of its edges
-    for (std::size_t i = 0; i < found.degree.size(); ++i)
-        if (found.degree[i] == 0) lone_nodes.push_back(core::point(curve.nodes, static_cast<Eigen::Index>(i)));
-    for (const Sample& sample : samples_of(axis.graph(), axis)) {
-        double distance = nearest_on(found, sample.place).distance;
-        for (const Vec3& node : lone_nodes) distance = std::min(distance, (node - sample.place).norm());
+    for (const Sample& sample : samples_of(truth, axis)) {
+        double distance = nearest_on(curve, sample.place).distance;
+        for (const Vec3& node : lone) distance = std::min(distance, (node - sample.place).norm());
         add(sample, distance);
     }
-    for (const Sample& sample : samples_of(found, axis)) add(sample, nearest_on(axis.graph(), sample.place).distance);
+    for (const Sample& sample : samples_of(curve, axis)) add(sample, nearest_on(truth, sample.place).distance);
     error.mean = weights > 0 ? sum / weights : 0.0;
     error.radius_error = radius_error(curve, axis, curve_ends);
     error.end_error = end_error(axis.ends(), curve_ends);
-    error.ends = ends_of(found);
-    error.true_ends = io::end_count(truth);
-    error.cycles = cycles_of(found);
-    error.true_cycles = io::cycle_count(truth);
+    error.ends = core::end_count(curve);
+    error.true_ends = core::end_count(truth);
+    error.cycles = core::cycle_count(curve);
+    error.true_cycles = core::cycle_count(truth);
     return error;
 }
 

@@ -1,12 +1,13 @@
 #include <skelgen/io/curve_formats.hpp>
 
-#include <algorithm>
 #include <array>
 #include <optional>
 
 #include <skelgen/core/error.hpp>
 #include <skelgen/io/atomic_file.hpp>
 #include <skelgen/io/read_file.hpp>
+
+#include "file_extension.hpp"
 
 namespace skelgen::io {
 namespace {
@@ -17,12 +18,8 @@ constexpr std::array<std::string_view, 4> extensions{".json", ".obj", ".ply", ".
 constexpr const char* known_extensions = "its name must end in .json, .obj, .ply or .swc";
 
 std::optional<CurveFormat> curve_format_of(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    const auto found = std::find(extensions.begin(), extensions.end(), extension);
-    if (found == extensions.end()) return std::nullopt;
-    return static_cast<CurveFormat>(found - extensions.begin());
+    const auto found = detail::find_extension(path, extensions);
+    return found ? std::optional(static_cast<CurveFormat>(*found)) : std::nullopt;
 }
 
 template <typename Scalar>

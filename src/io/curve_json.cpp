@@ -2,13 +2,11 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 
 #include <skelgen/core/error.hpp>
 
-#include "curve_builder.hpp"
 #include "curve_checks.hpp"
+#include "curve_members.hpp"
 #include "json_values.hpp"
 #include "number_text.hpp"
 
@@ -35,38 +33,6 @@ void append_rows(std::string& text, const char* name, std::size_t count, const A
     text += count == 0 ? "]" : "\n  ]";
 }
 
-/// Where in the document something is: `nodes[3]`.
-std::string place(const char* list, std::size_t i) { return std::string(list) + "[" + std::to_string(i) + "]: "; }
-
-const Json& member(const Json& document, const char* name) {
-    const auto found = document.find(name);
-    if (found == document.end() || !found->is_array()) throw_bad_curve(std::string("it lacks the list '") + name + "'");
-    return *found;
-}
-
-template <typename Scalar>
-Scalar to_number(const Json& value, const std::string& where) {
-    if (!value.is_number()) throw_bad_curve(where + "a coordinate or radius is no number");
-    const Scalar number = value.get<Scalar>();
-    if (!std::isfinite(number)) throw_bad_curve(where + "a coordinate or radius is too large");
-    return number;
-}
-
-int to_index(const Json& value, const std::string& where) {
-    if (!value.is_number_integer()) throw_bad_curve(where + "an index is no whole number");
-    const bool fits = !value.is_number_unsigned() || value.get<std::uint64_t>() <= std::numeric_limits<int>::max();
-    const auto index = fits ? value.get<std::int64_t>() : -1;
-    if (index < 0 || index > std::numeric_limits<int>::max())
-        throw_bad_curve(where + "an index is negative or too large");
-    return static_cast<int>(index);
-}
-
-const Json& list_of(const Json& value, std::size_t size, const std::string& what) {
-    if (!value.is_array() || value.size() != size)
-        throw_bad_curve(what + " is no list of " + std::to_string(size) + " numbers");
-    return value;
-}
-
 void check_head(const Json& document) {
     if (!document.is_object() || !document.contains("format") || document["format"] != format_name)
         throw_bad_curve("its \"format\" is not \"" + std::string(format_name) + "\"");
@@ -75,40 +41,14 @@ void check_head(const Json& document) {
                         ", the only one that this skelgen reads");
 }
 
-template <typename Scalar>
-void add_nodes(detail::CurveBuilder<Scalar>& builder, const Json& nodes, const Json* radii) {
-    if (radii != nullptr && !radii->empty() && radii->size() != nodes.size())
-        throw_bad_curve("there is not one radius for each node");
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const std::string where = place("nodes", i);
-        const Json& node = list_of(nodes[i], 3, where + "a node");
-        builder.add_node(
-            {to_number<Scalar>(node[0], where), to_number<Scalar>(node[1], where), to_number<Scalar>(node[2], where)},
-            [&](const std::string& message) { throw_bad_curve(where + message); });
-        if (radii == nullptr || radii->empty()) continue;
-        const std::string radius_place = place("radii", i);
-        builder.add_radius(to_number<Scalar>((*radii)[i], radius_place),
-                           [&](const std::string& message) { throw_bad_curve(radius_place + message); });
-    }
-}
-
-template <typename Scalar>
-void add_edges(detail::CurveBuilder<Scalar>& builder, const Json& edges) {
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        const std::string where = place("edges", i);
-        const Json& edge = list_of(edges[i], 2, where + "an edge");
-        builder.add_edge(to_index(edge[0], where), to_index(edge[1], where), builder.node_count(),
-                         [&](const std::string& message) { throw_bad_curve(where + message); });
-    }
-}
-
-std::vector<std::vector<int>> to_regions(const Json& list, std::size_t nodes) {
-    if (!list.empty() && list.size() != nodes) throw_bad_curve("there is not one region for each node");
+std::vector<std::vector<int>> to_regions(const Json& list, Eigen::Index nodes) {
+    if (!list.empty() && list.size() != static_cast<std::size_t>(nodes))
+        throw_bad_curve("there is not one region for each node");
     std::vector<std::vector<int>> regions(list.size());
     for (std::size_t i = 0; i < list.size(); ++i) {
-        const std::string where = place("regions", i);
+        const std::string where = detail::place_in("regions", i);
         if (!list[i].is_array()) throw_bad_curve(where + "a region is no list");
-        for (const Json& vertex : list[i]) regions[i].push_back(to_index(vertex, where));
+        for (const Json& vertex : list[i]) regions[i].push_back(detail::to_index(vertex, where, throw_bad_curve));
     }
     return regions;
 }
@@ -173,13 +113,9 @@ template <typename Scalar>
 CurveSkeleton<Scalar> curve_from_json(std::string_view text) {
     const Json document = detail::parse_json(text);
     check_head(document);
-    detail::CurveBuilder<Scalar> builder(0);
-    const Json& nodes = member(document, "nodes");
-    const Json& edges = member(document, "edges");
-    add_nodes(builder, nodes, document.contains("radii") ? &member(document, "radii") : nullptr);
-    add_edges(builder, edges);
-    auto curve = builder.finish([](const std::string& message) { throw_bad_curve(message); });
-    if (document.contains("regions")) curve.regions = to_regions(member(document, "regions"), nodes.size());
+    auto curve = detail::curve_from_members<Scalar>(document, throw_bad_curve);
+    if (document.contains("regions"))
+        curve.regions = to_regions(detail::list_member(document, "regions", throw_bad_curve), curve.nodes.rows());
     return curve;
 }
 

@@ -70,10 +70,7 @@ private:
     }
 
     void read_node() {
-        std::array<Scalar, 3> node;
-        node[0] = scanner_.template number<Scalar>("x coordinate");
-        node[1] = scanner_.template number<Scalar>("y coordinate");
-        node[2] = scanner_.template number<Scalar>("z coordinate");
+        const auto node = scanner_.template coordinates<Scalar>();
         int more = 0;
         for (; !scanner_.at_line_end(); ++more) static_cast<void>(scanner_.number("weight or colour"));
         if (more == 2 || more > 4) scanner_.fail("a node has neither x y z alone, nor a weight, a colour or both");

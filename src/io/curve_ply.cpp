@@ -71,23 +71,31 @@ private:
         return columns;
     }
 
+    /// One row's values, each at its place; what `places` has skipped is passed over.
+    template <typename Row, typename Read>
+    Row read_row(const PlyElement& element, const std::vector<int>& places, const Read& read) {
+        Row row{};
+        source_.begin_row();
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            const PlyProperty& property = element.properties[k];
+            if (places[k] == skipped)
+                detail::skip_value(source_, property);
+            else
+                row[static_cast<std::size_t>(places[k])] = read(property);
+        }
+        source_.end_row();
+        return row;
+    }
+
     void read_nodes(const PlyElement& element, std::size_t count) {
         const bool has_radius = detail::find_property(element, "radius") != detail::not_found;
         const std::vector<int> places =
             has_radius ? columns<4>(element, {"x", "y", "z", "radius"}) : columns<3>(element, {"x", "y", "z"});
         for (std::size_t i = 0; i < count; ++i) {
-            std::array<Scalar, 4> row{};
-            source_.begin_row();
-            for (std::size_t k = 0; k < places.size(); ++k) {
-                const PlyProperty& property = element.properties[k];
-                if (places[k] == skipped)
-                    detail::skip_value(source_, property);
-                else
-                    row[static_cast<std::size_t>(places[k])] = finite(property);
-            }
+            const auto row = read_row<std::array<Scalar, 4>>(
+                element, places, [this](const PlyProperty& property) { return finite(property); });
             builder_.add_node({row[0], row[1], row[2]}, fail());
             if (has_radius) builder_.add_radius(row[3], fail());
-            source_.end_row();
         }
     }
 
@@ -103,17 +111,9 @@ private:
             if (places[k] != skipped && !detail::is_integer(element.properties[k].type))
                 source_.fail("the properties vertex1 and vertex2 must be of an integer type");
         for (std::size_t i = 0; i < count; ++i) {
-            std::array<std::int64_t, 2> edge{};
-            source_.begin_row();
-            for (std::size_t k = 0; k < places.size(); ++k) {
-                const PlyProperty& property = element.properties[k];
-                if (places[k] == skipped)
-                    detail::skip_value(source_, property);
-                else
-                    edge[static_cast<std::size_t>(places[k])] = source_.integer(property.type);
-            }
+            const auto edge = read_row<std::array<std::int64_t, 2>>(
+                element, places, [this](const PlyProperty& property) { return source_.integer(property.type); });
             builder_.add_edge(edge[0], edge[1], nodes_, fail());
-            source_.end_row();
         }
     }
 

@@ -194,10 +194,7 @@ private:
             scanner_.fail_at(row, "a node has the id " + std::to_string(id) + " where " + std::to_string(expected) +
                                       " is expected; ids are 1, 2, 3, ... without gaps");
         static_cast<void>(scanner_.whole_integer("type"));
-        std::array<Scalar, 3> node;
-        node[0] = scanner_.template number<Scalar>("x coordinate");
-        node[1] = scanner_.template number<Scalar>("y coordinate");
-        node[2] = scanner_.template number<Scalar>("z coordinate");
+        const auto node = scanner_.template coordinates<Scalar>();
         const auto radius = scanner_.template number<Scalar>("radius");
         const std::int64_t parent = scanner_.whole_integer("parent");
         if (!scanner_.at_line_end()) scanner_.fail("there are more than the seven fields id type x y z radius parent");

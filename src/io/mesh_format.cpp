@@ -1,7 +1,8 @@
 #include <skelgen/io/mesh_format.hpp>
 
-#include <algorithm>
 #include <array>
+
+#include "file_extension.hpp"
 
 namespace skelgen::io {
 namespace {
@@ -20,12 +21,8 @@ std::string mesh_extensions_text() {
 }
 
 std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    const auto found = std::find(extensions.begin(), extensions.end(), extension);
-    if (found == extensions.end()) return std::nullopt;
-    return static_cast<MeshFormat>(found - extensions.begin());
+    const auto found = detail::find_extension(path, extensions);
+    return found ? std::optional(static_cast<MeshFormat>(*found)) : std::nullopt;
 }
 
 } // namespace skelgen::io

@@ -33,9 +33,7 @@ public:
 
 private:
     void read_vertex() {
-        mesh_.coordinates.push_back(scanner_.number("x coordinate"));
-        mesh_.coordinates.push_back(scanner_.number("y coordinate"));
-        mesh_.coordinates.push_back(scanner_.number("z coordinate"));
+        for (const double coordinate : scanner_.coordinates()) mesh_.coordinates.push_back(coordinate);
         scanner_.skip_line(); // weight, colour
     }
 

@@ -50,9 +50,7 @@ PolygonMesh parse_text(TextScanner scanner) {
     reserve(mesh, vertices, faces);
     for (std::size_t i = 0; i < vertices; ++i) {
         seek_row(scanner, "vertices", i, vertices);
-        mesh.coordinates.push_back(scanner.number("x coordinate"));
-        mesh.coordinates.push_back(scanner.number("y coordinate"));
-        mesh.coordinates.push_back(scanner.number("z coordinate"));
+        for (const double coordinate : scanner.coordinates()) mesh.coordinates.push_back(coordinate);
         scanner.skip_line(); // normal, colour, texture coordinates
     }
     for (std::size_t i = 0; i < faces; ++i) {

@@ -112,10 +112,7 @@ private:
 
     void read_vertex() {
         if (++corners_ > 3) scanner_.fail("a facet has more than 3 vertices");
-        const double x = scanner_.number("x coordinate");
-        const double y = scanner_.number("y coordinate");
-        const double z = scanner_.number("z coordinate");
-        merger_.add_corner({x, y, z});
+        merger_.add_corner(scanner_.coordinates());
     }
 
     void end_facet() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -76,6 +77,14 @@ public:
         if (!std::isfinite(value)) fail_to_read(start, what);
         at_ = stop;
         return value;
+    }
+
+    /// The next three words of this line as the coordinates of a point.
+    template <typename Number = double>
+    std::array<Number, 3> coordinates() {
+        const auto x = number<Number>("x coordinate"), y = number<Number>("y coordinate"),
+                   z = number<Number>("z coordinate");
+        return {x, y, z};
     }
 
     /// An integer that begins the next word of this line; the rest of the word is left (OBJ's "1/2/3").

@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include <skelgen/core/geometry.hpp>
+
 #include "stroke_font.hpp"
 
 namespace skelgen::render {
@@ -32,13 +34,6 @@ Mask empty_mask(const std::vector<Polyline>& strokes, double reach, const Image&
     return mask;
 }
 
-double distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    const Eigen::Vector2d along = b - a;
-    const double length2 = along.squaredNorm();
-    const double t = length2 > 0 ? std::clamp((p - a).dot(along) / length2, 0.0, 1.0) : 0.0;
-    return (p - a - t * along).norm();
-}
-
 void cover_segment(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double radius, Mask& mask) {
     const double reach = radius + 0.5;
     const auto first = [&](double x, int origin) {
@@ -52,7 +47,7 @@ void cover_segment(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double ra
     for (int y = first(std::min(a.y(), b.y()), mask.top); y < end_y; ++y)
         for (int x = first(std::min(a.x(), b.x()), mask.left); x < end_x; ++x) {
             const Eigen::Vector2d centre(mask.left + x + 0.5, mask.top + y + 0.5);
-            const double covered = std::clamp(reach - distance_to_segment(centre, a, b), 0.0, 1.0);
+            const double covered = std::clamp(reach - core::nearest_on_segment(centre, a, b).distance, 0.0, 1.0);
             mask.coverage(y, x) = std::max(mask.coverage(y, x), static_cast<float>(covered));
         }
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <skelgen/core/geometry.hpp>
+
 namespace skelgen::synth {
 namespace {
 
@@ -22,11 +24,6 @@ Ball bound_of(const TubeStroke& stroke, std::size_t first, std::size_t last) {
 }
 
 double gap(const Ball& ball, const Vec3& p) { return (p - ball.centre).norm() - ball.radius; }
-
-/// Where a segment comes nearest to a point: 0 at its start, 1 at its end.
-double nearest_on(const Vec3& a, const Vec3& b, const Vec3& p) {
-    return std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-}
 
 } // namespace
 
@@ -66,9 +63,8 @@ StrokeField::Nearest StrokeField::elliptic_at(const Part& part, const Chunk& sta
     std::size_t segment = 0;
     const auto look_at = [&](const Chunk& chunk) {
         for (std::size_t i = chunk.first; i < chunk.last; ++i) {
-            const double t = nearest_on(stroke.line[i], stroke.line[i + 1], p);
-            const double d = (stroke.line[i] + t * (stroke.line[i + 1] - stroke.line[i]) - p).norm();
-            if (d < distance) distance = d, along = t, segment = i;
+            const auto nearest = core::nearest_on_segment(p, stroke.line[i], stroke.line[i + 1]);
+            if (nearest.distance < distance) distance = nearest.distance, along = nearest.along, segment = i;
         }
     };
     look_at(start);

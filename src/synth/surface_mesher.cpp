@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include <CGAL/Complex_2_in_triangulation_3.h>
@@ -27,6 +26,7 @@
 #include <CGAL/subdivision_method_3.h>
 #include <boost/optional.hpp>
 
+#include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/error.hpp>
 
 namespace skelgen::synth {
@@ -256,19 +256,12 @@ bool is_one_body(const TriangleMesh<double>& mesh) {
 
 Topology topology_of(const TriangleMesh<double>& mesh) {
     std::vector<std::array<int, 2>> directed;
-    std::vector<int> group(static_cast<std::size_t>(mesh.vertices.rows()));
-    std::iota(group.begin(), group.end(), 0);
-    const auto root = [&group](int v) {
-        while (group[static_cast<std::size_t>(v)] != v)
-            v = group[static_cast<std::size_t>(v)] =
-                group[static_cast<std::size_t>(group[static_cast<std::size_t>(v)])];
-        return v;
-    };
+    core::DisjointSets components(static_cast<std::size_t>(mesh.vertices.rows()));
     for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
         for (int k = 0; k < 3; ++k) {
             const int a = mesh.faces(f, k), b = mesh.faces(f, (k + 1) % 3);
             directed.push_back({a, b});
-            group[static_cast<std::size_t>(root(a))] = root(b);
+            components.unite(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
         }
     std::sort(directed.begin(), directed.end());
     Topology result;
@@ -277,7 +270,7 @@ Topology topology_of(const TriangleMesh<double>& mesh) {
         return std::binary_search(directed.begin(), directed.end(), std::array<int, 2>{e[1], e[0]});
     });
     result.closed_manifold = once && paired;
-    for (int v = 0; v < static_cast<int>(group.size()); ++v) result.components += root(v) == v ? 1 : 0;
+    result.components = static_cast<int>(components.count());
     result.euler =
         static_cast<int>(mesh.vertices.rows() - static_cast<Eigen::Index>(directed.size()) / 2 + mesh.faces.rows());
     return result;

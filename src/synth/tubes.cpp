@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/synth/body.hpp>
@@ -44,8 +45,8 @@ public:
         }
     }
 
-    [[nodiscard]] CurveTruth truth() const {
-        CurveTruth result;
+    [[nodiscard]] CurveSkeleton<double> truth() const {
+        CurveSkeleton<double> result;
         result.nodes.resize(static_cast<Eigen::Index>(nodes_.size()), 3);
         for (std::size_t i = 0; i < nodes_.size(); ++i)
             core::set_point(result.nodes, static_cast<Eigen::Index>(i), nodes_[i]);
@@ -82,7 +83,7 @@ private:
     std::map<std::array<double, 3>, int> known_;
 };
 
-CurveTruth truth_of(const std::vector<TubeStroke>& strokes) {
+CurveSkeleton<double> truth_of(const std::vector<TubeStroke>& strokes) {
     AxisBuilder builder;
     for (const TubeStroke& stroke : strokes) builder.add(stroke);
     for (const TubeStroke& stroke : strokes) {
@@ -94,7 +95,7 @@ CurveTruth truth_of(const std::vector<TubeStroke>& strokes) {
 }
 
 /// The point of a line nearest to the middle of everything: whence the surface lies within the smallest ball.
-Vec3 middle_of(const CurveTruth& truth) {
+Vec3 middle_of(const CurveSkeleton<double>& truth) {
     const Vec3 middle = (truth.nodes.colwise().minCoeff() + truth.nodes.colwise().maxCoeff()).transpose() / 2;
     return core::point(truth.nodes, core::nearest_point(truth.nodes, middle));
 }
@@ -115,8 +116,8 @@ void check(const TubePlan& plan, const SynthTube& tube) {
     const auto require = [&plan](bool holds, const char* what) {
         if (!holds) throw Error(ErrorCode::internal, "the tubes of " + plan.name + " have " + what);
     };
-    require(io::end_count(tube.truth) == plan.ends, "not the ends that are planned");
-    require(io::cycle_count(tube.truth) == plan.cycles, "not the cycles that are planned");
+    require(core::end_count(tube.truth) == plan.ends, "not the ends that are planned");
+    require(core::cycle_count(tube.truth) == plan.cycles, "not the cycles that are planned");
     const Topology topology = topology_of(tube.mesh);
     require(topology.closed_manifold && topology.components == 1, "not one closed surface");
     require(topology.euler == 2 - 2 * plan.cycles, "a surface with other handles than their axis has cycles");
@@ -136,7 +137,7 @@ SynthTube synthesize_tube(const TubePlan& plan, int faces) {
     return tube;
 }
 
-std::string curve_truth_to_json(const CurveTruth& truth, const std::string& mesh_file) {
+std::string curve_truth_to_json(const CurveSkeleton<double>& truth, const std::string& mesh_file) {
     using Json = nlohmann::ordered_json;
     Json nodes = Json::array();
     for (Eigen::Index i = 0; i < truth.nodes.rows(); ++i)
@@ -145,8 +146,8 @@ std::string curve_truth_to_json(const CurveTruth& truth, const std::string& mesh
     json["mesh"] = mesh_file;
     json["source"] = "skelgen synth: exact by construction";
     json["axis"] = {{"nodes", nodes}, {"edges", truth.edges}, {"radii", truth.radii}};
-    json["ends"] = io::end_count(truth);
-    json["cycles"] = io::cycle_count(truth);
+    json["ends"] = core::end_count(truth);
+    json["cycles"] = core::cycle_count(truth);
     // One list of numbers a line would make the file ten times as long.
     return json.dump() + "\n";
 }

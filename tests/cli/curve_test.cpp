@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
+#include <skelgen/core/curve_graph.hpp>
 #include <skelgen/io/curve_formats.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
@@ -26,13 +28,6 @@ CurveSkeleton<double> curve_by_cli(const fs::path& folder, const std::string& me
     CAPTURE(result.err);
     REQUIRE(result.status == 0);
     return read_curve(folder / "out.json");
-}
-
-std::size_t end_count(const CurveSkeleton<double>& curve) {
-    std::vector<int> degree(static_cast<std::size_t>(curve.nodes.rows()), 0);
-    for (const auto& edge : curve.edges)
-        for (const int node : edge) ++degree[static_cast<std::size_t>(node)];
-    return static_cast<std::size_t>(std::count(degree.begin(), degree.end(), 1));
 }
 
 TEST_CASE("curve: all formats are written and read back the same") {
@@ -74,13 +69,13 @@ TEST_CASE("curve: twice the spacing gives half the nodes") {
 TEST_CASE("curve: more detail keeps more ends") {
     const TemporaryFolder folder;
     const auto ends_at = [&](const std::string& detail) {
-        return end_count(curve_by_cli(folder.path(), sample_body, {"--detail", detail}));
+        return core::end_count(curve_by_cli(folder.path(), sample_body, {"--detail", detail}));
     };
-    const std::size_t limbs = ends_at("limbs"), digits = ends_at("digits"), all = ends_at("all");
+    const int limbs = ends_at("limbs"), digits = ends_at("digits"), all = ends_at("all");
     CHECK(limbs == 5);
     CHECK(digits >= limbs);
     CHECK(all >= digits);
-    CHECK(end_count(curve_by_cli(folder.path(), sample_body, {})) == limbs);
+    CHECK(core::end_count(curve_by_cli(folder.path(), sample_body, {})) == limbs);
 }
 
 TEST_CASE("curve: each component has its curve, the largest first; a ball has its centre, with a warning") {
@@ -122,6 +117,17 @@ TEST_CASE("curve: options out of their range end with status 2, one line, and no
     CHECK(result.err.rfind("skelgen: error: ", 0) == 0);
     CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
     CHECK(files_below(folder.path()).empty());
+}
+
+TEST_CASE("curve: a mesh of loose triangles ends with status 3, and no output") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "soup.off") << "OFF 12 4 0\n0 0 0\n0 1 0\n0 0 1\n1 0 0\n1 1 0\n1 0 1\n2 0 0\n2 1 0\n2 0 1\n"
+                                          "3 0 0\n3 1 0\n3 0 1\n3 0 1 2\n3 3 4 5\n3 6 7 8\n3 9 10 11\n";
+    const CliResult result = run_cli(folder.path(), {"curve", "soup.off", "-o", "out.json"});
+    CHECK(result.status == 3);
+    CHECK(result.err.rfind("skelgen: error: soup.off: the mesh has no component that encloses anything", 0) == 0);
+    CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
+    CHECK(files_below(folder.path()) == std::vector<std::string>{"soup.off"});
 }
 
 TEST_CASE("curve: a name that no format has ends with status 2") {

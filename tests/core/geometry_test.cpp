@@ -65,3 +65,20 @@ TEST_CASE("the winding number counts surfaces, with their sense, and sees throug
     const Mesh no_lid = without_faces(cube(), 10, 2);
     CHECK(winding_number(no_lid, Vec3(0.5, 0.5, 0.5)) == Approx(5.0 / 6));
 }
+
+TEMPLATE_TEST_CASE("the nearest of a segment is beside it or one of its ends", "[core]", float, double) {
+    using Place = Vector3<TestType>;
+    const Place a(1, 0, 0), b(5, 0, 0);
+    const auto check = [](const NearestOnSegment<TestType>& nearest, double distance, double along) {
+        CHECK(nearest.distance == Approx(distance));
+        CHECK(nearest.along == Approx(along));
+    };
+    check(nearest_on_segment(Place(2, 3, 4), a, b), 5, 0.25);
+    check(nearest_on_segment(Place(2, 3, 4), b, a), 5, 0.75);
+    check(nearest_on_segment(Place(4, 0, 0), a, b), 0, 0.75);
+    check(nearest_on_segment(Place(-2, 4, 0), a, b), 5, 0);
+    check(nearest_on_segment(Place(8, 0, 4), a, b), 5, 1);
+    check(nearest_on_segment(Place(4, 4, 0), a, a), 5, 0); // a segment that is a point
+    using Pixel = Eigen::Matrix<TestType, 2, 1>;
+    check(nearest_on_segment(Pixel(1, 1), Pixel(0, 0), Pixel(0, 4)), 1, 0.25);
+}

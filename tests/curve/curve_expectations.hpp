@@ -12,6 +12,8 @@
 
 namespace skelgen::test {
 
+using core::nodes_of_degree;
+
 /// Number of connected pieces of a curve.
 template <typename Scalar>
 int pieces(const CurveSkeleton<Scalar>& curve) {
@@ -32,16 +34,6 @@ int pieces(const CurveSkeleton<Scalar>& curve) {
 template <typename Scalar>
 int cycles(const CurveSkeleton<Scalar>& curve) {
     return static_cast<int>(curve.edges.size()) - static_cast<int>(curve.nodes.rows()) + pieces(curve);
-}
-
-/// The nodes with that many branches, in ascending order.
-template <typename Scalar>
-std::vector<int> nodes_of_degree(const CurveSkeleton<Scalar>& curve, int degree) {
-    const core::CurveGraph<Scalar> graph = core::curve_graph(curve);
-    std::vector<int> out;
-    for (int v = 0; v < graph.size(); ++v)
-        if (graph.degree(v) == degree) out.push_back(v);
-    return out;
 }
 
 /// Is `curve` well-formed: edges between existing nodes, first < second, each once, and each of `vertices` mesh

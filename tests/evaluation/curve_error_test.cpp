@@ -47,8 +47,6 @@ CurveSkeleton<double> branching(double bar_radius = 2, double branch_radius = 2)
     return curve;
 }
 
-io::AxisTruth truth_of(const CurveSkeleton<double>& curve) { return {curve.nodes, curve.edges, curve.radii}; }
-
 CurveSkeleton<double> moved(CurveSkeleton<double> curve, const Vec3& offset) {
     curve.nodes.rowwise() += offset.transpose();
     return curve;
@@ -56,7 +54,7 @@ CurveSkeleton<double> moved(CurveSkeleton<double> curve, const Vec3& offset) {
 
 TEST_CASE("a curve that is the axis has no error") {
     for (const auto& curve : {straight(), branching()}) {
-        const CurveError error = measure_curve(curve, truth_of(curve));
+        const CurveError error = measure_curve(curve, curve);
         CHECK(error.hausdorff == 0);
         CHECK(error.mean == 0);
         CHECK(error.radius_error == 0);
@@ -68,7 +66,7 @@ TEST_CASE("a curve that is the axis has no error") {
 }
 
 TEST_CASE("a curve beside the axis is as far from it as it is beside it, in radii") {
-    const CurveError error = measure_curve(moved(straight(), {0, 0.5, 0}), truth_of(straight()));
+    const CurveError error = measure_curve(moved(straight(), {0, 0.5, 0}), straight());
     CHECK(error.hausdorff == Approx(0.25));
     CHECK(error.mean == Approx(0.25));
     CHECK(error.end_error == Approx(0.25));
@@ -83,22 +81,22 @@ TEST_CASE("coarse curves and axes are compared between their nodes too") {
     bow.nodes << 0, 0, 0, 10, 1, 0, 20, 0, 0;
     bow.edges = {{0, 1}, {1, 2}};
     bow.radii = {2, 2, 2};
-    CHECK(measure_curve(bow, truth_of(straight())).hausdorff == Approx(0.5));
+    CHECK(measure_curve(bow, straight()).hausdorff == Approx(0.5));
     // From the middle of the axis it is sqrt(100 / 101) to either half of the bow.
-    CHECK(measure_curve(straight(), truth_of(bow)).hausdorff == Approx(0.5));
+    CHECK(measure_curve(straight(), bow).hausdorff == Approx(0.5));
 }
 
 TEST_CASE("what a curve lacks or has too much near its ends is no distance, but an error of the ends") {
-    const CurveError shorter = measure_curve(line({1, 0, 0}, {19, 0, 0}, 2), truth_of(straight()));
+    const CurveError shorter = measure_curve(line({1, 0, 0}, {19, 0, 0}, 2), straight());
     CHECK(shorter.hausdorff == 0);
     CHECK(shorter.end_error == Approx(0.5));
-    const CurveError longer = measure_curve(line({-2, 0, 0}, {22, 0, 0}, 2), truth_of(straight()));
+    const CurveError longer = measure_curve(line({-2, 0, 0}, {22, 0, 0}, 2), straight());
     CHECK(longer.hausdorff == 0);
     CHECK(longer.end_error == Approx(1));
 }
 
 TEST_CASE("a branch that is not there counts with its length, but for the end") {
-    const CurveError error = measure_curve(line({-20, 0, 0}, {20, 0, 0}, 2), truth_of(branching()));
+    const CurveError error = measure_curve(line({-20, 0, 0}, {20, 0, 0}, 2), branching());
     CHECK(error.ends == 2);
     CHECK(error.true_ends == 3);
     CHECK(error.hausdorff == Approx((15 - 1.5 * 2) / 2).margin(0.15)); // of samples an eighth of a radius apart
@@ -106,7 +104,7 @@ TEST_CASE("a branch that is not there counts with its length, but for the end") 
 }
 
 TEST_CASE("a branch too many counts as well") {
-    const CurveError error = measure_curve(branching(), truth_of(line({-20, 0, 0}, {20, 0, 0}, 2)));
+    const CurveError error = measure_curve(branching(), line({-20, 0, 0}, {20, 0, 0}, 2));
     CHECK(error.ends == 3);
     CHECK(error.true_ends == 2);
     CHECK(error.hausdorff == Approx((15 - 1.5 * 2) / 2).margin(0.15));
@@ -118,24 +116,24 @@ TEST_CASE("cycles are counted, and those too many are away from the axis") {
     add_line(curve, {7, 0, 0}, {7, 4, 0}, 2);
     add_line(curve, {7, 4, 0}, {13, 4, 0}, 2);
     add_line(curve, {13, 4, 0}, {13, 0, 0}, 2);
-    const CurveError error = measure_curve(curve, truth_of(straight()));
+    const CurveError error = measure_curve(curve, straight());
     CHECK(error.ends == 2);
     CHECK(error.cycles == 1);
     CHECK(error.true_cycles == 0);
     CHECK(error.hausdorff == Approx(2));
-    CHECK(measure_curve(straight(), truth_of(curve)).true_cycles == 1);
+    CHECK(measure_curve(straight(), curve).true_cycles == 1);
 }
 
 TEST_CASE("cycles of curves in several pieces are those of the pieces") {
     CurveSkeleton<double> curve = straight();
     add_line(curve, {0, 2, 0}, {20, 2, 0}, 2);
-    const CurveError error = measure_curve(curve, truth_of(straight()));
+    const CurveError error = measure_curve(curve, straight());
     CHECK(error.cycles == 0);
     CHECK(error.ends == 4);
 }
 
 TEST_CASE("near a junction, distances are in the radius of the thickest tube there") {
-    const io::AxisTruth truth = truth_of(branching(4, 1)); // 1.5 * 4 along the thin branch
+    const CurveSkeleton<double> truth = branching(4, 1); // 1.5 * 4 along the thin branch
     CurveSkeleton<double> curve = line({-20, 0, 0}, {20, 0, 0}, 4);
     add_line(curve, {0, 0, 0}, {0, 0, 5}, 1);
     add_line(curve, {0, 0, 5}, {0, 1, 5}, 1);
@@ -148,17 +146,17 @@ TEST_CASE("near a junction, distances are in the radius of the thickest tube the
 TEST_CASE("radii are compared away from ends and junctions") {
     CurveSkeleton<double> curve = branching();
     for (double& radius : curve.radii) radius = 2.2;
-    CHECK(measure_curve(curve, truth_of(branching())).radius_error == Approx(0.1));
+    CHECK(measure_curve(curve, branching()).radius_error == Approx(0.1));
     for (std::size_t i = 0; i < curve.radii.size(); ++i) {
         const Vec3 place = core::point(curve.nodes, static_cast<Eigen::Index>(i));
         const bool counts = place.norm() > 5 && std::abs(place.x()) < 15 && place.z() < 10;
         curve.radii[i] = counts ? 2 : 7;
     }
-    CHECK(measure_curve(curve, truth_of(branching())).radius_error == 0);
+    CHECK(measure_curve(curve, branching()).radius_error == 0);
 }
 
-TEST_CASE("no curve is infinitely far away, one of a single node is not, and an axis without edges is refused") {
-    const CurveError none = measure_curve({}, truth_of(straight()));
+TEST_CASE("no curve is infinitely far away, one of a single node is not") {
+    const CurveError none = measure_curve({}, straight());
     CHECK(std::isinf(none.hausdorff));
     CHECK(std::isinf(none.end_error));
     CHECK(none.ends == 0);
@@ -167,8 +165,16 @@ TEST_CASE("no curve is infinitely far away, one of a single node is not, and an 
     node.nodes.resize(1, 3);
     node.nodes << 10, 0, 0;
     node.radii = {2};
-    CHECK(measure_curve(node, truth_of(straight())).hausdorff == Approx((10 - 1.5 * 2) / 2).margin(0.15));
-    CHECK_THROWS_AS(measure_curve(straight(), io::AxisTruth{}), Error);
+    CHECK(measure_curve(node, straight()).hausdorff == Approx((10 - 1.5 * 2) / 2).margin(0.15));
+}
+
+TEST_CASE("an axis without edges or without radii is refused") {
+    CHECK_THROWS_AS(measure_curve(straight(), {}), Error);
+    CurveSkeleton<double> bare = straight();
+    bare.radii.pop_back();
+    CHECK_THROWS_AS(measure_curve(straight(), bare), Error);
+    bare.radii.clear();
+    CHECK_THROWS_AS(measure_curve(straight(), bare), Error);
 }
 
 } // namespace

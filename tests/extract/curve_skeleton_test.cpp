@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/extract.hpp>
 
@@ -95,5 +96,34 @@ TEST_CASE("the regions of the curve hold every vertex of the largest piece exact
         std::vector<int> expected = first_numbers(body.vertices.rows());
         std::erase(expected, fused); // no face uses it any more
         CHECK(vertices_in_regions(find_curve_skeleton(touching)) == expected);
+    }
+}
+
+TEST_CASE("one component's curve is that of the largest piece; something small far away makes the spacing wider") {
+    const Mesh body = three_tubes();
+    const auto alone = find_curves(body);
+    REQUIRE(alone.size() == 1);
+    const CurveSkeleton<double> expected = find_curve_skeleton(body);
+    REQUIRE(alone.front().curve.edges == expected.edges);
+    CHECK((alone.front().curve.nodes - expected.nodes).cwiseAbs().maxCoeff() < 1e-9);
+
+    const Mesh speck = moved(sphere(0.005, 2), {Eigen::Matrix3d::Identity(), 1, {0, 0, 5}});
+    const auto beside = find_curves(side_by_side(body, speck));
+    REQUIRE(beside.size() == 1);
+    CHECK(beside.front().curve.nodes.rows() < expected.nodes.rows() / 2);
+}
+
+TEST_CASE("where no piece encloses anything there is no curve to be found") {
+    Mesh soup{Points<double>(12, 3), Triangles(4, 3)}; // four triangles apart
+    for (int f = 0; f < 4; ++f) {
+        soup.vertices.middleRows(3 * f, 3) << f, 0, 0, f, 1, 0, f, 0, 1;
+        soup.faces.row(f) << 3 * f, 3 * f + 1, 3 * f + 2;
+    }
+    try {
+        static_cast<void>(find_curves(soup));
+        FAIL("a curve was found");
+    } catch (const Error& error) {
+        CHECK(error.code() == ErrorCode::bad_input);
+        CHECK_THAT(error.what(), Catch::Matchers::Contains("encloses anything"));
     }
 }

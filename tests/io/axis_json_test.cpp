@@ -3,6 +3,7 @@
 #include <fstream>
 #include <string>
 
+#include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/error.hpp>
 
 #include "catch.hpp"
@@ -15,7 +16,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-AxisTruth read_text(const std::string& text) {
+CurveSkeleton<double> read_text(const std::string& text) {
     const TemporaryFolder folder;
     std::ofstream(folder / "truth.json") << text;
     return read_axis_truth(folder / "truth.json");
@@ -39,32 +40,37 @@ std::string axis(const std::string& nodes, const std::string& edges, const std::
 } // namespace
 
 TEST_CASE("an axis comes with its radii, its ends and its cycles", "[io][truth]") {
-    const AxisTruth truth = read_text(
+    const CurveSkeleton<double> truth = read_text(
         axis("[[0, 0, 0], [1, 0, 0], [1, 1, 0], [2, 0, 0.5]]", "[[0, 1], [1, 2], [2, 0], [3, 1]]", "[1, 2, 3, 4]"));
     CHECK(truth.nodes.rows() == 4);
     CHECK(truth.nodes(3, 2) == 0.5);
-    CHECK(truth.edges == std::vector<std::array<int, 2>>{{0, 1}, {1, 2}, {0, 2}, {1, 3}});
+    CHECK(truth.edges == std::vector<std::array<int, 2>>{{0, 1}, {0, 2}, {1, 2}, {1, 3}});
     CHECK(truth.radii == std::vector<double>{1, 2, 3, 4});
-    CHECK(end_count(truth) == 1);
-    CHECK(cycle_count(truth) == 1);
+    CHECK(core::end_count(truth) == 1);
+    CHECK(core::cycle_count(truth) == 1);
 }
 
 TEST_CASE("what the truth of an axis lacks is named", "[io][truth]") {
     const std::string two = "[[0, 0, 0], [1, 0, 0]]";
+    CHECK(refusal(axis(two, "[[0, 1]]", "[1, 1], \"regions\": 5")).empty()); // not a key that it knows
     CHECK(refusal(axis(two, "[[0, 1]]", "[1, 1]")).empty());
     CHECK_THAT(refusal(""), Contains("no valid JSON"));
     CHECK_THAT(refusal("[]"), Contains("\"axis\" is missing"));
-    CHECK_THAT(refusal(R"({"axis": {}})"), Contains("\"nodes\" is missing"));
-    CHECK_THAT(refusal(R"({"axis": {"nodes": []}})"), Contains("\"edges\" is missing"));
-    CHECK_THAT(refusal(axis("[[0, 0]]", "[]", "[1]")), Contains("node 0"));
-    CHECK_THAT(refusal(axis(two, "[[0, 2]]", "[1, 1]")), Contains("edge 0"));
-    CHECK_THAT(refusal(axis(two, "[[0, 0.5]]", "[1, 1]")), Contains("edge 0"));
-    CHECK_THAT(refusal(axis(two, "[[-1, 0]]", "[1, 1]")), Contains("edge 0"));
-    CHECK_THAT(refusal(axis(two, "[[1, 1]]", "[1, 1]")), Contains("edge 0"));
-    CHECK_THAT(refusal(axis(two, "[[0, 1], [1, 0]]", "[1, 1]")), Contains("twice"));
-    CHECK_THAT(refusal(axis(two, "[[0, 1]]", "[1]")), Contains("every node"));
-    CHECK_THAT(refusal(axis(two, "[[0, 1]]", "[1, 0]")), Contains("radius 1"));
-    CHECK_THAT(refusal(axis(two, "[[0, 1]]", "[1, \"2\"]")), Contains("radius 1"));
+    CHECK_THAT(refusal(R"({"axis": {}})"), Contains("lacks the list 'nodes'"));
+    CHECK_THAT(refusal(R"({"axis": {"nodes": []}})"), Contains("lacks the list 'edges'"));
+    CHECK_THAT(refusal(axis("[[0, 0]]", "[]", "[1]")), Contains("nodes[0]"));
+    CHECK_THAT(refusal(axis(two, "[[0, 2]]", "[1, 1]")), Contains("edges[0]"));
+    CHECK_THAT(refusal(axis(two, "[[0, 0.5]]", "[1, 1]")), Contains("edges[0]"));
+    CHECK_THAT(refusal(axis(two, "[[-1, 0]]", "[1, 1]")), Contains("edges[0]"));
+    CHECK_THAT(refusal(axis(two, "[[1, 1]]", "[1, 1]")), Contains("edges[0]"));
+    CHECK_THAT(refusal(axis(two, "[[0, 1], [1, 0]]", "[1, 1]")), Contains("edges[1]") && Contains("is there already"));
+    CHECK_THAT(refusal(axis(two, "[[0, 1]]", "[]")), Contains("lacks the list 'radii'"));
+    CHECK_THAT(refusal(R"({"axis": {"nodes": [[0, 0, 0], [1, 0, 0]], "edges": [[0, 1]]}})"),
+               Contains("lacks the list 'radii'"));
+    CHECK_THAT(refusal(axis(two, "[[0, 1]]", "[1, -1]")), Contains("radii[1]"));
+    CHECK_THAT(refusal(axis(two, "[[0, 1]]", "[1]")), Contains("not one radius for each node"));
+    CHECK_THAT(refusal(axis(two, "[[0, 1]]", "[1, 0]")), Contains("radii[1]"));
+    CHECK_THAT(refusal(axis(two, "[[0, 1]]", "[1, \"2\"]")), Contains("radii[1]"));
     CHECK_THAT(refusal(axis(two, "[]", "[1, 1]")), Contains("not connected"));
-    CHECK_THAT(refusal(axis("[]", "[]", "[]")), Contains("not connected"));
+    CHECK_THAT(refusal(axis("[]", "[]", "[]")), Contains("no nodes"));
 }

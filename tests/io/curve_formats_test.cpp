@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cstring>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -11,6 +9,7 @@
 #include <skelgen/io/curve_formats.hpp>
 
 #include "catch.hpp"
+#include "io/same_curve.hpp"
 #include "temporary_folder.hpp"
 
 using namespace skelgen;
@@ -34,21 +33,6 @@ CurveSkeleton<double> curve() {
 CurveSkeleton<double> without_regions(CurveSkeleton<double> from) {
     from.regions.clear();
     return from;
-}
-
-/// Whether two numbers have the same bits: 0 and -0 are two numbers.
-template <typename Scalar>
-bool same_bits(Scalar a, Scalar b) {
-    return std::memcmp(&a, &b, sizeof(Scalar)) == 0;
-}
-
-template <typename Scalar>
-void check_same(const CurveSkeleton<Scalar>& a, const CurveSkeleton<Scalar>& b) {
-    REQUIRE(a.nodes.rows() == b.nodes.rows());
-    CHECK(std::equal(a.nodes.data(), a.nodes.data() + a.nodes.size(), b.nodes.data(), same_bits<Scalar>));
-    CHECK(a.edges == b.edges);
-    CHECK(std::equal(a.radii.begin(), a.radii.end(), b.radii.begin(), b.radii.end(), same_bits<Scalar>));
-    CHECK(a.regions == b.regions);
 }
 
 template <typename Work>

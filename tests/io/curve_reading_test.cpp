@@ -3,23 +3,24 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <random>
-#include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
 
+#include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/io/curve_formats.hpp>
 
 #include "catch.hpp"
+#include "io/same_curve.hpp"
 
 using namespace skelgen;
 using namespace skelgen::io;
+using namespace skelgen::test;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -74,20 +75,6 @@ std::vector<Named<Scalar>> curves() {
 }
 
 template <typename Scalar>
-bool same_bits(Scalar a, Scalar b) {
-    return std::memcmp(&a, &b, sizeof(Scalar)) == 0;
-}
-
-template <typename Scalar>
-void check_same(const CurveSkeleton<Scalar>& a, const CurveSkeleton<Scalar>& b) {
-    REQUIRE(a.nodes.rows() == b.nodes.rows());
-    CHECK(std::equal(a.nodes.data(), a.nodes.data() + a.nodes.size(), b.nodes.data(), same_bits<Scalar>));
-    CHECK(a.edges == b.edges);
-    CHECK(std::equal(a.radii.begin(), a.radii.end(), b.radii.begin(), b.radii.end(), same_bits<Scalar>));
-    CHECK(a.regions == b.regions);
-}
-
-template <typename Scalar>
 CurveSkeleton<Scalar> in_ascending_order(CurveSkeleton<Scalar> curve) {
     for (auto& edge : curve.edges) std::sort(edge.begin(), edge.end());
     std::sort(curve.edges.begin(), curve.edges.end());
@@ -110,16 +97,6 @@ CurveSkeleton<Scalar> in_order_of(const CurveSkeleton<Scalar>& other, const Curv
                 if (curve.edges[e][end] == i) result.edges[e][end] = static_cast<int>(there);
     }
     return in_ascending_order(result);
-}
-
-int component_count(std::size_t nodes, const std::vector<std::array<int, 2>>& edges) {
-    std::vector<int> labels(nodes);
-    for (std::size_t i = 0; i < nodes; ++i) labels[i] = static_cast<int>(i);
-    for (const auto& [a, b] : edges) {
-        const int from = labels[static_cast<std::size_t>(a)], to = labels[static_cast<std::size_t>(b)];
-        std::replace(labels.begin(), labels.end(), from, to);
-    }
-    return static_cast<int>(std::set<int>(labels.begin(), labels.end()).size());
 }
 
 // ---- errors ----
@@ -228,9 +205,8 @@ TEMPLATE_TEST_CASE("SWC's rules hold: one tree for each component, parents first
             roots += parent == -1 ? 1 : 0;
             CHECK((parent == -1 || (parent >= 1 && parent < last)));
         }
-        const auto nodes = static_cast<std::size_t>(curve.nodes.rows());
         CHECK(last == curve.nodes.rows());
-        CHECK(roots == component_count(nodes, curve.edges));
+        CHECK(roots == core::component_count(curve));
         CHECK(left_out == static_cast<int>(curve.edges.size()) - last + roots);
     }
 }

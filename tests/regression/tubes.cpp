@@ -54,7 +54,7 @@ std::vector<TubeScore> measure_tubes(const fs::path& folder, unsigned jobs) {
     const std::vector<synth::TubePlan> plans = synth::tube_plans(seed);
     std::vector<TubeScore> scores(plans.size());
     test::for_each_index(plans.size(), jobs, [&](std::size_t i) {
-        const io::AxisTruth truth = io::read_axis_truth(folder / (plans[i].name + ".json"));
+        const CurveSkeleton<double> truth = io::read_axis_truth(folder / (plans[i].name + ".json"));
         const CurveSkeleton<double> curve = find_curve_in(folder / (plans[i].name + ".off"), plans[i]);
         scores[i] = {plans[i].name, evaluation::measure_curve(curve, truth)};
     });

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 
@@ -25,25 +26,13 @@ TubePlan planned(const std::string& name) {
     throw std::runtime_error("no plan " + name);
 }
 
-double distance_to_axis(const CurveTruth& truth, const Vec3& place) {
+double distance_to_axis(const CurveSkeleton<double>& truth, const Vec3& place) {
     double nearest = 1e9;
-    for (const auto& [from, to] : truth.edges) {
-        const Vec3 a = core::point(truth.nodes, from), b = core::point(truth.nodes, to);
-        const double t = std::clamp((place - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-        nearest = std::min(nearest, (a + t * (b - a) - place).norm());
-    }
+    for (const auto& [a, b] : truth.edges)
+        nearest = std::min(
+            nearest,
+            core::nearest_on_segment(place, core::point(truth.nodes, a), core::point(truth.nodes, b)).distance);
     return nearest;
-}
-
-/// Ends and poles of a tube's axis: its nodes with one edge.
-std::vector<Vec3> ends_of(const CurveTruth& truth) {
-    std::vector<int> degree(static_cast<std::size_t>(truth.nodes.rows()), 0);
-    for (const auto& edge : truth.edges)
-        for (const int node : edge) ++degree[static_cast<std::size_t>(node)];
-    std::vector<Vec3> ends;
-    for (std::size_t i = 0; i < degree.size(); ++i)
-        if (degree[i] == 1) ends.push_back(core::point(truth.nodes, static_cast<Eigen::Index>(i)));
-    return ends;
 }
 
 void check_tube(const TubePlan& plan) {
@@ -55,11 +44,11 @@ void check_tube(const TubePlan& plan) {
     CHECK(topology.components == 1);
     CHECK(topology.euler == 2 - 2 * plan.cycles);
     CHECK(core::enclosed_volume(tube.mesh) > 0);
-    CHECK(io::end_count(tube.truth) == plan.ends);
-    CHECK(io::cycle_count(tube.truth) == plan.cycles);
+    CHECK(core::end_count(tube.truth) == plan.ends);
+    CHECK(core::cycle_count(tube.truth) == plan.cycles);
     // Free ends are poles, on the surface.
-    for (const Vec3& end : ends_of(tube.truth)) {
-        const auto nearest = (tube.mesh.vertices.rowwise() - end.transpose()).rowwise().norm().minCoeff();
+    for (const int end : core::nodes_of_degree(tube.truth, 1)) {
+        const auto nearest = (tube.mesh.vertices.rowwise() - tube.truth.nodes.row(end)).rowwise().norm().minCoeff();
         CHECK(nearest < 0.03);
     }
 }
@@ -99,7 +88,7 @@ TEST_CASE("the vertices of a straight tube lie at the radius from its axis") {
     const TubePlan plan = planned("straight");
     const SynthTube tube = synthesize_tube(plan, 5000);
     const std::vector<Vec3>& line = plan.strokes[0].line;
-    CurveTruth uncapped = tube.truth;
+    CurveSkeleton<double> uncapped = tube.truth;
     uncapped.edges.clear();
     for (int i = 1; i < static_cast<int>(line.size()); ++i) uncapped.edges.push_back({i - 1, i}); // in order, no caps
     for (Eigen::Index v = 0; v < tube.mesh.vertices.rows(); ++v)

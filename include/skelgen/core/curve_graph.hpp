@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <skelgen/core/curve_skeleton.hpp>
+#include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
 
 namespace skelgen::core {
@@ -82,10 +83,34 @@ template <typename Scalar>
     return nearest_point(curve.nodes, place);
 }
 
-/// Independent cycles of a connected curve: 0 for a tree.
+/// The nodes with that many edges, in ascending order; with one, they are the curve's ends. O(k + edges log edges).
+template <typename Scalar>
+[[nodiscard]] std::vector<int> nodes_of_degree(const CurveSkeleton<Scalar>& curve, int degree) {
+    const CurveGraph<Scalar> graph = curve_graph(curve);
+    std::vector<int> nodes;
+    for (int v = 0; v < graph.size(); ++v)
+        if (graph.degree(v) == degree) nodes.push_back(v);
+    return nodes;
+}
+
+/// Ends of a curve: its nodes with one edge. O(k + edges log edges).
+template <typename Scalar>
+[[nodiscard]] int end_count(const CurveSkeleton<Scalar>& curve) {
+    return static_cast<int>(nodes_of_degree(curve, 1).size());
+}
+
+/// Connected components of a curve, of which a node without edges is one. O(k + edges log k).
+template <typename Scalar>
+[[nodiscard]] int component_count(const CurveSkeleton<Scalar>& curve) {
+    DisjointSets components(static_cast<std::size_t>(curve.nodes.rows()));
+    for (const auto& [a, b] : curve.edges) components.unite(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+    return static_cast<int>(components.count());
+}
+
+/// Independent cycles of a curve, those of all its components: 0 for trees. As `component_count`.
 template <typename Scalar>
 [[nodiscard]] int cycle_count(const CurveSkeleton<Scalar>& curve) {
-    return static_cast<int>(curve.edges.size()) - static_cast<int>(curve.nodes.rows()) + 1;
+    return static_cast<int>(curve.edges.size()) - static_cast<int>(curve.nodes.rows()) + component_count(curve);
 }
 
 /// Shortest paths from one node: distances (infinite where there is no path) and predecessors (-1 at the source).
@@ -121,7 +146,8 @@ template <typename Scalar>
 [[nodiscard]] std::vector<int> nearest_source(const CurveGraph<Scalar>& graph,
                                               const std::vector<Source<Scalar>>& sources);
 
-/// Largest distance along the curve between any two of its nodes. O(k^2 log k).
+/// Largest distance along the curve between any two of its nodes that are connected. O(k log k) for each component that
+/// is a tree; each of the j nodes of one with cycles costs as much as a tree of j nodes.
 template <typename Scalar>
 [[nodiscard]] Scalar curve_diameter(const CurveGraph<Scalar>& graph);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/core/precision.hpp>
 
@@ -15,6 +17,24 @@ template <typename Scalar>
 template <typename Scalar>
 void set_point(Points<Scalar>& points, Eigen::Index i, const Vector3<Scalar>& p) {
     for (int k = 0; k < 3; ++k) points(i, k) = p[k];
+}
+
+/// Where a segment comes nearest to a place.
+template <typename Scalar>
+struct NearestOnSegment {
+    Scalar distance = 0; ///< from the place to there
+    Scalar along = 0;    ///< 0 at the segment's first end, 1 at its second; 0 where both are the same
+};
+
+/// Where the segment from `a` to `b` comes nearest to a place, in the plane or in space.
+template <typename Scalar, int Dimensions>
+[[nodiscard]] NearestOnSegment<Scalar> nearest_on_segment(const Eigen::Matrix<Scalar, Dimensions, 1>& place,
+                                                          const Eigen::Matrix<Scalar, Dimensions, 1>& a,
+                                                          const Eigen::Matrix<Scalar, Dimensions, 1>& b) {
+    const Eigen::Matrix<Scalar, Dimensions, 1> ab = b - a;
+    const Scalar length2 = ab.squaredNorm();
+    const Scalar along = length2 > 0 ? std::clamp((place - a).dot(ab) / length2, Scalar(0), Scalar(1)) : Scalar(0);
+    return {(a + along * ab - place).norm(), along};
 }
 
 /// Adds `weight` times the outer product of `d` with itself to a matrix of second moments.

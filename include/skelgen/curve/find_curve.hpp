@@ -15,7 +15,7 @@ namespace skelgen::curve {
 /// Which branches a curve has.
 enum class Detail {
     limbs,  ///< trunk and limbs: five ends on a body; lengths as LF20 prunes them
-    digits, ///< also fingers, ears, tails, horns, table legs
+    digits, ///< also fingers, tails, horns, table legs
     all     ///< everything that sticks out of what it is part of
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <skelgen/core/curve_skeleton.hpp>
-#include <skelgen/io/axis_json.hpp>
 
 namespace skelgen::evaluation {
 
@@ -20,7 +19,7 @@ struct CurveError {
 
 /// Compares a curve with the axis. Distances are infinite where one has nodes or ends and the other has none.
 /// O(length of both, in radii, times the number of edges of the other).
-/// \throws Error bad_input when the axis has no edges.
-[[nodiscard]] CurveError measure_curve(const CurveSkeleton<double>& curve, const io::AxisTruth& truth);
+/// \throws Error bad_input when the axis has no edges, or not one radius for each node.
+[[nodiscard]] CurveError measure_curve(const CurveSkeleton<double>& curve, const CurveSkeleton<double>& truth);
 
 } // namespace skelgen::evaluation

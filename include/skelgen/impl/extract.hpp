@@ -195,6 +195,33 @@ Outcome<Fit<Scalar>> fit_touching_body(const Body<Scalar>& body, const curve::Cu
     return finish(body, fit_to_finer_curves(body, found, wanted, options), false);
 }
 
+/// The components that get a curve each.
+template <typename Scalar>
+std::vector<surface::ManifoldParts<Scalar>> closable_components(const TriangleMesh<Scalar>& mesh) {
+    constexpr double least_area = 1e-3;
+    constexpr Eigen::Index least_faces = 4; // fewer enclose nothing, whatever is closed
+    std::vector<surface::ManifoldParts<Scalar>> parts = surface::manifold_parts(mesh, least_area);
+    std::erase_if(parts,
+                  [](const surface::ManifoldParts<Scalar>& part) { return part.mesh.faces.rows() < least_faces; });
+    if (parts.empty())
+        throw Error(ErrorCode::bad_input, "the mesh has no component that encloses anything; close its surface");
+    return parts;
+}
+
+template <typename Scalar>
+bool is_all_of(const surface::ManifoldParts<Scalar>& part, const TriangleMesh<Scalar>& mesh) {
+    return part.mesh.faces.rows() == mesh.faces.rows() && part.mesh.vertices.rows() == mesh.vertices.rows();
+}
+
+/// The diagonal of a mesh's bounding box along the axes that a similarity turns to x, y and z; in the mesh's unit.
+template <typename Scalar>
+Scalar diagonal_along(const Similarity<Scalar>& similarity, const Points<Scalar>& vertices) {
+    Points<Scalar> turned(vertices.rows(), 3);
+    for (Eigen::Index v = 0; v < vertices.rows(); ++v)
+        core::set_point<Scalar>(turned, v, similarity.to_canonical(core::point(vertices, v)));
+    return similarity.scale * core::bounding_diagonal(turned);
+}
+
 } // namespace detail
 
 SKELGEN_INLINE void validate(const ExtractOptions& options) {
@@ -235,22 +262,24 @@ Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const Extr
 
 template <typename Scalar>
 std::vector<curve::CurveResult<Scalar>> find_curves(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options) {
-    constexpr double least_area = 1e-3;
     validate(options);
     surface::require_surface(mesh);
-    const surface::CanonicalMesh<Scalar> whole = surface::canonical_form(mesh);
-    const Scalar size = whole.similarity.scale * core::bounding_diagonal(whole.mesh.vertices);
+    const auto components = detail::closable_components(mesh);
+    std::optional<Scalar> size;
+    if (components.size() > 1 || !detail::is_all_of(components.front(), mesh))
+        size = detail::diagonal_along(surface::canonical_form(mesh).similarity, mesh.vertices);
     std::vector<curve::CurveResult<Scalar>> out;
-    for (const surface::ManifoldParts<Scalar>& part : surface::manifold_parts(mesh, least_area)) {
-        if (part.mesh.faces.rows() < 4) continue; // encloses nothing
-        const Body<Scalar> body = prepare(part.mesh, options.prepare);
+    for (const surface::ManifoldParts<Scalar>& component : components) {
+        const Body<Scalar> body = prepare(component.mesh, options.prepare);
+        // What has one component alone has that one's axes.
+        const Scalar all = size ? *size : detail::diagonal_along(body.similarity, mesh.vertices);
+        const Scalar own = body.similarity.scale * core::bounding_diagonal(body.mesh.vertices);
         curve::CurveOptions relative = options.curve;
-        const Scalar own_size = body.similarity.scale * core::bounding_diagonal(body.mesh.vertices);
-        relative.centring.spacing = std::min(1.0, relative.centring.spacing * static_cast<double>(size / own_size));
+        relative.centring.spacing = std::min(1.0, relative.centring.spacing * static_cast<double>(all / own));
         curve::CurveResult<Scalar> found = find_curve(body, relative);
         found.curve = surface::to_input(body, found.curve);
         for (std::vector<int>& region : found.curve.regions)
-            for (int& vertex : region) vertex = part.source[static_cast<std::size_t>(vertex)];
+            for (int& vertex : region) vertex = component.source[static_cast<std::size_t>(vertex)];
         out.push_back(std::move(found));
     }
     return out;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
-#include <skelgen/io/axis_json.hpp>
 
 namespace skelgen::synth {
 
@@ -35,13 +35,10 @@ struct TubePlan {
 /// gives the same plans.
 [[nodiscard]] std::vector<TubePlan> tube_plans(std::uint64_t seed);
 
-/// The lines of the tubes, each free end carried on to the pole of its cap.
-using CurveTruth = io::AxisTruth;
-
 /// A mesh of tubes and the axis in it.
 struct SynthTube {
     TriangleMesh<double> mesh;
-    CurveTruth truth;
+    CurveSkeleton<double> truth; ///< the lines of the tubes, each free end carried on to the pole of its cap
 };
 
 /// A closed mesh in one piece with `faces` triangles (within 2 %), `least_faces` to `most_faces`, smaller ones on
@@ -52,6 +49,6 @@ struct SynthTube {
 
 /// JSON with mesh, source, axis ({"nodes", "edges", "radii"}), and the numbers of ends and cycles.
 /// \param mesh_file what to write into "mesh"
-[[nodiscard]] std::string curve_truth_to_json(const CurveTruth& truth, const std::string& mesh_file);
+[[nodiscard]] std::string curve_truth_to_json(const CurveSkeleton<double>& truth, const std::string& mesh_file);
 
 } // namespace skelgen::synth

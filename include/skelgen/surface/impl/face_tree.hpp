@@ -101,14 +101,6 @@ struct DistanceQuery {
     }
 };
 
-template <typename Scalar>
-Scalar distance_to_segment(const Vector3<Scalar>& place, const Vector3<Scalar>& a, const Vector3<Scalar>& b) {
-    const Vector3<Scalar> d = b - a;
-    const Scalar length = d.squaredNorm();
-    const Scalar t = length > 0 ? std::clamp((place - a).dot(d) / length, Scalar(0), Scalar(1)) : Scalar(0);
-    return (a + t * d - place).norm();
-}
-
 } // namespace detail
 
 template <typename Scalar>
@@ -120,8 +112,8 @@ Scalar distance_to_triangle(const Vector3<Scalar>& place, const Vector3<Scalar>&
     const bool over_ab = normal.dot((b - a).cross(place - a)) >= 0, over_bc = normal.dot((c - b).cross(place - b)) >= 0,
                over_ca = normal.dot((a - c).cross(place - c)) >= 0;
     if (area > 0 && over_ab && over_bc && over_ca) return std::abs(normal.dot(place - a)) / area;
-    return std::min({detail::distance_to_segment<Scalar>(place, a, b), detail::distance_to_segment<Scalar>(place, b, c),
-                     detail::distance_to_segment<Scalar>(place, c, a)});
+    return std::min({core::nearest_on_segment(place, a, b).distance, core::nearest_on_segment(place, b, c).distance,
+                     core::nearest_on_segment(place, c, a).distance});
 }
 
 template <typename Scalar>

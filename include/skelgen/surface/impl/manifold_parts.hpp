@@ -5,31 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 
+#include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/precision.hpp>
 
 namespace skelgen::surface {
 namespace detail {
-
-class DisjointSets {
-public:
-    explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-
-    std::size_t find(std::size_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void unite(std::size_t a, std::size_t b) {
-        a = find(a);
-        b = find(b);
-        if (a != b) parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<std::size_t> parent_;
-};
 
 /// A directed edge u -> v of a face and the corner (3 f + k) it starts at.
 struct DirectedEdge {
@@ -56,18 +38,14 @@ inline std::vector<DirectedEdge> directed_edges(const Triangles& faces) {
 
 inline std::size_t next_corner(std::size_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
-} // namespace detail
-
-namespace detail {
-
 /// Which corners are one vertex, and which faces one piece.
 struct ManifoldPieces {
-    DisjointSets same_vertex, same_piece;
+    core::DisjointSets same_vertex, same_piece;
 };
 
 inline ManifoldPieces join_faces(const Triangles& faces) {
     const auto corners = static_cast<std::size_t>(faces.rows()) * 3;
-    ManifoldPieces out{DisjointSets(corners), DisjointSets(corners / 3)};
+    ManifoldPieces out{core::DisjointSets(corners), core::DisjointSets(corners / 3)};
     const std::vector<DirectedEdge> edges = directed_edges(faces);
     for (std::size_t i = 0; i < edges.size();) {
         std::size_t end = i;
@@ -86,7 +64,7 @@ inline ManifoldPieces join_faces(const Triangles& faces) {
 /// The piece of these faces; `index` holds -1 for each corner of theirs, and the new vertices afterwards.
 template <typename Scalar>
 ManifoldParts<Scalar> extract_piece(const TriangleMesh<Scalar>& mesh, const std::vector<std::size_t>& piece,
-                                    DisjointSets& same_vertex, std::vector<int>& index) {
+                                    core::DisjointSets& same_vertex, std::vector<int>& index) {
     ManifoldParts<Scalar> out;
     std::vector<std::array<int, 3>> faces;
     for (const std::size_t f : piece) {
@@ -117,7 +95,7 @@ ManifoldParts<Scalar> extract_piece(const TriangleMesh<Scalar>& mesh, const std:
 /// face.
 template <typename Scalar>
 std::vector<std::pair<core::Accumulator, std::vector<std::size_t>>> pieces_by_area(const TriangleMesh<Scalar>& mesh,
-                                                                                   DisjointSets& same_piece) {
+                                                                                   core::DisjointSets& same_piece) {
     const auto faces = static_cast<std::size_t>(mesh.faces.rows());
     std::vector<std::pair<core::Accumulator, std::vector<std::size_t>>> pieces;
     std::vector<std::size_t> number(faces, faces);
