@@ -3,8 +3,6 @@
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 
-#include <skelgen/core/error.hpp>
-
 namespace skelgen::damage {
 
 CgalMesh to_cgal(const Mesh& mesh) {
@@ -17,8 +15,6 @@ CgalMesh to_cgal(const Mesh& mesh) {
         polygons.push_back(
             {static_cast<std::size_t>(face[0]), static_cast<std::size_t>(face[1]), static_cast<std::size_t>(face[2])});
     pmp::orient_polygon_soup(points, polygons);
-    if (!pmp::is_polygon_soup_a_polygon_mesh(polygons))
-        throw Error(ErrorCode::bad_input, "more than two faces share an edge: only a sound body can be damaged so");
     CgalMesh out;
     pmp::polygon_soup_to_polygon_mesh(points, polygons, out);
     return out;

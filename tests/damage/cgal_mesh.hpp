@@ -10,8 +10,7 @@ namespace skelgen::damage {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-/// Vertices where several fans of faces touch become one for each fan.
-/// \throws Error bad_input when more than two faces share an edge.
+/// Where several fans of faces touch in a vertex, or more than two in an edge, it becomes one for each.
 [[nodiscard]] CgalMesh to_cgal(const Mesh& mesh);
 
 [[nodiscard]] Mesh from_cgal(const CgalMesh& mesh);

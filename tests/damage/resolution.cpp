@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <map>
 
-#include <skelgen/core/error.hpp>
-
 #include "cgal_mesh.hpp"
 #include "damages.hpp"
 

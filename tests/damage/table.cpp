@@ -22,6 +22,16 @@ using Json = nlohmann::json;
 
 constexpr double sure = 0.8;
 
+/// Does `work`; an error of the input says which file it is about.
+template <typename Work>
+auto naming(const fs::path& file, const Work& work) {
+    try {
+        return work(file);
+    } catch (const Error& error) {
+        throw Error(error.code(), file.string() + ": " + error.what());
+    }
+}
+
 /// A line of a batch's summary.
 struct Line {
     std::string status, error;
@@ -30,7 +40,7 @@ struct Line {
 
 std::map<std::string, Line> read_summary(const fs::path& file) {
     std::map<std::string, Line> lines;
-    std::istringstream text(io::read_file(file));
+    std::istringstream text(naming(file, io::read_file));
     for (std::string line; std::getline(text, line);) try {
             const Json json = Json::parse(line);
             lines[json.at("file").get<std::string>()] = {json.at("status").get<std::string>(),
@@ -97,7 +107,7 @@ Row score_kind(const Kind& kind, const fs::path& truth, const fs::path& skeleton
         ++sum.row.meshes;
         if (line.seconds >= sum.row.worst_seconds) sum.row.worst_seconds = line.seconds, sum.row.slowest = file;
         if (kind.is_one_body)
-            add_body(sum, file, truth_after(kind, io::read_ground_truth(truth / name)), skeleton, line);
+            add_body(sum, file, truth_after(kind, naming(truth / name, io::read_ground_truth)), skeleton, line);
         else
             add_bodies(sum, file, skeleton, line);
     }
