@@ -178,6 +178,7 @@ set(skelgen_synth_headers
     include/skelgen/synth/body.hpp
     include/skelgen/synth/garment.hpp
     include/skelgen/synth/objects.hpp
+    include/skelgen/synth/pieces.hpp
     include/skelgen/synth/pose.hpp
     include/skelgen/synth/scan_faults.hpp
     include/skelgen/synth/sets.hpp
@@ -250,12 +251,14 @@ set(skelgen_synth_sources
     src/synth/anatomy_limbs.cpp
     src/synth/anatomy_trunk.cpp
     src/synth/body.cpp
+    src/synth/body_surface.cpp
     src/synth/clothing.cpp
     src/synth/geodesic.cpp
     src/synth/implicit_body.cpp
     src/synth/joints.cpp
     src/synth/kinematics.cpp
     src/synth/objects.cpp
+    src/synth/pieces.cpp
     src/synth/poses.cpp
     src/synth/primitives.cpp
     src/synth/proportions.cpp
