@@ -280,8 +280,10 @@ set(skelgen_cli_sources
     curve.cpp
     extract.cpp
     extract_file.cpp
+    fingerprint.cpp
     main.cpp
     progress_bar.cpp
+    stages.cpp
     worker_pool.cpp
 )
 set(skelgen_cli_render_sources
