@@ -181,6 +181,7 @@ set(skelgen_synth_headers
     include/skelgen/synth/body.hpp
     include/skelgen/synth/garment.hpp
     include/skelgen/synth/objects.hpp
+    include/skelgen/synth/pieces.hpp
     include/skelgen/synth/pose.hpp
     include/skelgen/synth/scan_faults.hpp
     include/skelgen/synth/sets.hpp
@@ -253,12 +254,14 @@ set(skelgen_synth_sources
     src/synth/anatomy_limbs.cpp
     src/synth/anatomy_trunk.cpp
     src/synth/body.cpp
+    src/synth/body_surface.cpp
     src/synth/clothing.cpp
     src/synth/geodesic.cpp
     src/synth/implicit_body.cpp
     src/synth/joints.cpp
     src/synth/kinematics.cpp
     src/synth/objects.cpp
+    src/synth/pieces.cpp
     src/synth/poses.cpp
     src/synth/primitives.cpp
     src/synth/proportions.cpp
@@ -280,8 +283,10 @@ set(skelgen_cli_sources
     curve.cpp
     extract.cpp
     extract_file.cpp
+    fingerprint.cpp
     main.cpp
     progress_bar.cpp
+    stages.cpp
     worker_pool.cpp
 )
 set(skelgen_cli_render_sources

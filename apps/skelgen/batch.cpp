@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <optional>
+#include <new>
 #include <set>
 #include <sstream>
 #include <thread>
@@ -14,6 +14,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "extract_file.hpp"
+#include "fingerprint.hpp"
 #include "progress_bar.hpp"
 #include "worker_pool.hpp"
 
@@ -31,6 +32,7 @@ struct BatchCommand {
     std::string shard = "1/1";
     std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
     double timeout_seconds = 600;
+    std::size_t memory = 0; ///< mebibytes
     bool resume = false;
     bool quiet = false;
 };
@@ -53,17 +55,42 @@ std::string to_status(ErrorCode code) {
     return "internal";
 }
 
-/// Extracts one mesh to its output file.
-SummaryLine process(const BatchItem& item, const ExtractOptions& options) {
-    SummaryLine line{item.file, "ok", "", 0, 0, {}};
+std::string to_text(double number) {
+    std::ostringstream text;
+    text << number;
+    return text.str();
+}
+
+/// `extract_file`; where it takes too much memory, `line` gets the status that says so.
+FileExtraction extract_within_memory(const BatchItem& item, const ExtractOptions& options, std::size_t mebibytes,
+                                     SummaryLine& line) {
     try {
-        const auto result = in_file(item.mesh, [&] { return extract_file(item.mesh, options); });
+        return extract_file(item.mesh, options);
+    } catch (const std::bad_alloc&) {
+        if (mebibytes == 0) throw;
+        line.status = "memory";
+        throw Error(ErrorCode::internal, "needs more memory than --memory " + std::to_string(mebibytes) +
+                                             " MiB; use a smaller mesh or a larger --memory");
+    }
+}
+
+/// Extracts one mesh to its output file.
+SummaryLine process(const BatchItem& item, const ExtractOptions& options, std::size_t mebibytes) {
+    SummaryLine line;
+    line.file = item.file;
+    try {
+        if (!item.fault.empty()) throw Error(ErrorCode::bad_input, item.mesh.string() + ": " + item.fault);
+        const std::string input = input_fingerprint(item.mesh, options.skeleton_template);
+        const auto result = in_file(item.mesh, [&] { return extract_within_memory(item, options, mebibytes, line); });
         make_folder(item.output.parent_path());
         in_file(item.output, [&] { io::write_file_atomically(item.output, result.json); });
+        line.status = "ok";
         line.faces = result.provenance.mesh->faces;
         line.warnings = result.extraction.skeleton.quality.warnings;
+        line.input = input;
+        line.output = result_fingerprint(result.extraction.skeleton, result.provenance.mesh);
     } catch (const Error& error) {
-        line.status = to_status(error.code());
+        if (line.status.empty()) line.status = to_status(error.code());
         line.error = error.what();
     }
     return line;
@@ -90,55 +117,34 @@ void start_over(const std::vector<BatchItem>& items, const BatchSummary& summary
     summary.update(names(items), {});
 }
 
-/// The summary line that an earlier run did not come to write; none if it did not finish the skeleton either.
-std::optional<SummaryLine> recover_line(const BatchItem& item) {
-    std::error_code error;
-    if (!fs::exists(item.output, error)) return std::nullopt;
-    try {
-        const io::SkeletonDocument document = io::read_skeleton_document(item.output);
-        const auto& [mesh, timings] = document.provenance;
-        return SummaryLine{item.file,
-                           "ok",
-                           "",
-                           timings ? timings->stages.total / 1000 : 0,
-                           mesh ? mesh->faces : 0,
-                           document.skeleton.quality.warnings};
-    } catch (const Error&) {
-        return std::nullopt;
-    }
+/// Whether an earlier run has found the skeleton in what the mesh is now, with the same template and the same skelgen,
+/// and its file is still as it was written. One that was killed between a skeleton and its line has to find it again.
+bool is_done(const BatchItem& item, const SummaryLine& line, const SkeletonTemplate& skeleton_template) {
+    return line.status == "ok" && !line.input.empty() && !line.output.empty() &&
+           line.output == result_fingerprint(item.output) &&
+           line.input == input_fingerprint(item.mesh, skeleton_template);
 }
 
 /// Brings the summary in order after a run that was cut off. Returns the items still to be done.
-std::vector<BatchItem> resume(const std::vector<BatchItem>& items, const BatchSummary& summary) {
+std::vector<BatchItem> resume(const std::vector<BatchItem>& items, const BatchSummary& summary,
+                              const SkeletonTemplate& skeleton_template) {
     const SummaryLines known = summary.read();
     std::vector<BatchItem> left;
-    std::vector<SummaryLine> recovered;
     for (const BatchItem& item : items) {
         const auto line = known.find(item.file);
-        std::error_code error;
-        if (line != known.end() && line->second.status == "ok" && fs::exists(item.output, error)) continue;
-        if (auto made = recover_line(item))
-            recovered.push_back(std::move(*made));
-        else
-            left.push_back(item);
+        if (line == known.end() || !is_done(item, line->second, skeleton_template)) left.push_back(item);
     }
-    summary.update(names(left), recovered);
+    start_over(left, summary);
     return left;
 }
 
 // -------------------------------------------------------------------------------------------------- while it runs
 
-std::string seconds_text(double seconds) {
-    std::ostringstream text;
-    text << seconds;
-    return text.str();
-}
-
 /// Takes down what becomes of each mesh.
 class Recorder {
 public:
     Recorder(const std::vector<BatchItem>& items, const BatchSummary& summary, const BatchCommand& command)
-        : items_(items), summary_(summary), timeout_seconds_(command.timeout_seconds),
+        : items_(items), summary_(summary), timeout_seconds_(command.timeout_seconds), memory_(command.memory),
           bar_(items.size(), !command.quiet) {
         bar_.show(0, 0);
     }
@@ -156,7 +162,9 @@ public:
 
 private:
     [[nodiscard]] SummaryLine to_line(const BatchItem& item, const JobOutcome& outcome) const {
-        SummaryLine line{item.file, "", "", outcome.seconds, 0, {}};
+        SummaryLine line;
+        line.file = item.file;
+        line.seconds = outcome.seconds;
         switch (outcome.end) {
         case JobEnd::done:
             line = parse_summary_line(outcome.result);
@@ -164,11 +172,13 @@ private:
             break;
         case JobEnd::crashed:
             line.status = "crash";
-            line.error = item.mesh.string() + ": " + outcome.result + "; a fault of skelgen's own, please report it";
+            line.error = item.mesh.string() + ": " + outcome.result +
+                         (memory_ > 0 ? "; --memory may be too small for it, or" : ";") +
+                         " a fault of skelgen's own, please report it";
             break;
         case JobEnd::timed_out:
             line.status = "timeout";
-            line.error = item.mesh.string() + ": took longer than " + seconds_text(timeout_seconds_) +
+            line.error = item.mesh.string() + ": took longer than " + to_text(timeout_seconds_) +
                          " s; use a smaller mesh or a longer --timeout";
             break;
         }
@@ -187,6 +197,7 @@ private:
     const std::vector<BatchItem>& items_;
     const BatchSummary& summary_;
     double timeout_seconds_;
+    std::size_t memory_;
     ProgressBar bar_;
     std::size_t done_ = 0;
     std::size_t failed_ = 0;
@@ -210,14 +221,14 @@ int run(const BatchCommand& command) {
     const BatchSummary summary(folder);
     std::vector<BatchItem> left = items;
     if (command.resume)
-        left = resume(items, summary);
+        left = resume(items, summary, options.skeleton_template);
     else
         start_over(items, summary);
 
     Recorder recorder(left, summary, command);
     const int signal = run_in_workers(
-        left.size(), {command.jobs, command.timeout_seconds},
-        [&](std::size_t i) { return to_json(process(left[i], options)); },
+        left.size(), {command.jobs, command.timeout_seconds, command.memory << 20U},
+        [&](std::size_t i) { return to_json(process(left[i], options, command.memory)); },
         [&](std::size_t i, const JobOutcome& outcome) { recorder.record(i, outcome); });
 
     recorder.clear_bar();
@@ -244,10 +255,14 @@ void add_batch_command(CLI::App& app) {
     sub->add_option("--jobs", command->jobs, "Meshes at a time")
         ->check(CLI::Range(std::size_t{1}, std::size_t{1024}))
         ->capture_default_str();
-    sub->add_flag("--resume", command->resume, "Leave out what an earlier run has done; try again what has failed");
+    sub->add_flag("--resume", command->resume,
+                  "Leave out what an earlier run has done and what has not changed since; try again what has failed");
     sub->add_option("--shard", command->shard, "Do part K of N only, for several machines")->type_name("K/N");
     sub->add_option("--timeout", command->timeout_seconds, "Seconds after which a mesh is given up; 0: never")
         ->check(CLI::Range(0.0, 1e9))
+        ->capture_default_str();
+    sub->add_option("--memory", command->memory, "Mebibytes of memory that each worker may take; 0: no limit")
+        ->check(CLI::Range(std::size_t{0}, std::size_t{1} << 40U))
         ->capture_default_str();
     sub->add_option("--template", command->skeleton_template, "Built-in template, or a template's file (JSON)")
         ->capture_default_str();

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdio>
 #include <fnmatch.h>
+#include <map>
+#include <utility>
+
+#include <nlohmann/json.hpp>
 
 #include <skelgen/core/error.hpp>
 #include <skelgen/io/mesh_format.hpp>
@@ -12,31 +17,36 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A mesh, and its path within the input that named it.
+/// A mesh, and its path within the input that named it; or a folder, and why it cannot be searched.
 struct FoundMesh {
     fs::path mesh;
     fs::path relative;
+    std::string fault;
 };
 
 bool is_hidden(const fs::path& path) { return path.filename().native().front() == '.'; }
 
-/// All meshes below `folder`, in any order.
-std::vector<FoundMesh> meshes_below(const fs::path& folder) {
-    std::vector<FoundMesh> found;
+/// Adds all meshes below `folder`, in any order. `relative` is its path within the input.
+void add_meshes_below(const fs::path& folder, const fs::path& relative, std::vector<FoundMesh>& found) {
     std::error_code error;
-    fs::recursive_directory_iterator entry(folder, error);
-    for (const fs::recursive_directory_iterator end; !error && entry != end; entry.increment(error)) {
-        if (is_hidden(entry->path())) {
-            entry.disable_recursion_pending();
-            continue;
-        }
+    fs::directory_iterator entry(folder, error);
+    for (const fs::directory_iterator end; !error && entry != end; entry.increment(error)) {
+        const fs::path& path = entry->path();
+        if (is_hidden(path)) continue;
         std::error_code gone; // a file that vanishes meanwhile is no mesh
-        if (io::mesh_format_of(entry->path()) && entry->is_regular_file(gone))
-            found.push_back({entry->path(), entry->path().lexically_relative(folder)});
+        if (entry->is_directory(gone) && !entry->is_symlink(gone))
+            add_meshes_below(path, relative / path.filename(), found);
+        else if (io::mesh_format_of(path) && entry->is_regular_file(gone))
+            found.push_back({path, relative / path.filename(), {}});
     }
     if (error)
-        throw Error(ErrorCode::bad_input,
-                    folder.string() + ": cannot be searched: " + error.message() + "; check the permissions");
+        found.push_back({folder, relative.empty() ? folder.filename() : relative,
+                         "cannot be searched: " + error.message() + "; check the permissions"});
+}
+
+std::vector<FoundMesh> meshes_below(const fs::path& folder) {
+    std::vector<FoundMesh> found;
+    add_meshes_below(folder, {}, found);
     return found;
 }
 
@@ -92,7 +102,7 @@ std::vector<FoundMesh> find_meshes(const std::string& input) {
     else if (is_pattern(input) && !fs::exists(input, error))
         found = meshes_matching(input);
     else
-        found = {{input, fs::path(input).filename()}};
+        found = {{input, fs::path(input).filename(), {}}};
     if (found.empty())
         throw Error(ErrorCode::bad_input,
                     input + ": holds no mesh (" + io::mesh_extensions_text() + "); check the name");
@@ -104,21 +114,29 @@ bool is_same_file(const BatchItem& a, const BatchItem& b) {
     return a.mesh == b.mesh || fs::equivalent(a.mesh, b.mesh, error);
 }
 
-/// Orders the items and drops those named twice.
-void require_distinct_outputs(std::vector<BatchItem>& items) {
+/// Orders the items by `file` and drops those named twice.
+std::vector<BatchItem> distinct(std::vector<BatchItem> items) {
     std::stable_sort(items.begin(), items.end(),
-                     [](const BatchItem& a, const BatchItem& b) { return a.output.native() < b.output.native(); });
-    std::vector<BatchItem> distinct;
+                     [](const BatchItem& a, const BatchItem& b) { return a.file < b.file; });
+    std::vector<BatchItem> out;
     for (BatchItem& item : items) {
-        if (distinct.empty() || distinct.back().output != item.output)
-            distinct.push_back(std::move(item));
-        else if (!is_same_file(distinct.back(), item))
-            throw Error(ErrorCode::usage, item.output.string() + ": both " + distinct.back().mesh.string() + " and " +
+        if (out.empty() || out.back().file != item.file)
+            out.push_back(std::move(item));
+        else if (!is_same_file(out.back(), item))
+            throw Error(ErrorCode::usage, item.output.string() + ": both " + out.back().mesh.string() + " and " +
                                               item.mesh.string() +
                                               " would be written there; rename one, or run them into two folders");
     }
-    std::sort(distinct.begin(), distinct.end(), [](const BatchItem& a, const BatchItem& b) { return a.file < b.file; });
-    items = std::move(distinct);
+    return out;
+}
+
+/// Meshes that differ in their extension alone keep it in their outputs' names.
+std::vector<BatchItem> with_outputs_apart(std::vector<BatchItem> items) {
+    std::map<fs::path, int> count;
+    for (const BatchItem& item : items) ++count[item.output];
+    for (BatchItem& item : items)
+        if (count[item.output] > 1) item.output.replace_extension(item.mesh.extension().string() + ".json");
+    return items;
 }
 
 } // namespace
@@ -128,10 +146,26 @@ std::vector<BatchItem> find_batch_items(const std::vector<std::string>& inputs, 
     for (const std::string& input : inputs)
         for (const FoundMesh& found : find_meshes(input)) {
             fs::path output = output_folder / found.relative;
-            items.push_back({found.mesh, found.relative.generic_string(), output.replace_extension(".json")});
+            items.push_back({found.mesh, printable(found.relative), output.replace_extension(".json"), found.fault});
         }
-    require_distinct_outputs(items);
-    return items;
+    return with_outputs_apart(distinct(std::move(items)));
+}
+
+std::string printable(const fs::path& path) {
+    std::string text;
+    for (const char c : path.generic_string()) text += c == '\\' ? std::string("\\\\") : std::string(1, c);
+    try {
+        static_cast<void>(nlohmann::json(text).dump());
+        return text;
+    } catch (const nlohmann::json::type_error&) { // no UTF-8
+    }
+    std::string ascii;
+    for (const char c : text) {
+        char digits[5];
+        std::snprintf(digits, sizeof digits, "\\x%02x", static_cast<unsigned char>(c));
+        ascii += static_cast<unsigned char>(c) < 0x80 ? std::string(1, c) : std::string(digits);
+    }
+    return ascii;
 }
 
 Shard parse_shard(const std::string& text) {

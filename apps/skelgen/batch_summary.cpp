@@ -82,7 +82,9 @@ std::string to_json(const SummaryLine& line) {
                     {"error", line.error.empty() ? Json(nullptr) : Json(line.error)},
                     {"seconds", std::round(line.seconds * 1000) / 1000},
                     {"faces", line.faces},
-                    {"warnings", line.warnings}};
+                    {"warnings", line.warnings},
+                    {"input", line.input},
+                    {"output", line.output}};
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -95,7 +97,9 @@ SummaryLine parse_summary_line(const std::string& json) {
                 error.is_null() ? "" : error.get<std::string>(),
                 fields.at("seconds").get<double>(),
                 fields.at("faces").get<std::int64_t>(),
-                fields.at("warnings").get<std::vector<std::string>>()};
+                fields.at("warnings").get<std::vector<std::string>>(),
+                fields.value("input", std::string()),
+                fields.value("output", std::string())};
     } catch (const Json::exception& error) {
         throw Error(ErrorCode::bad_input, std::string("no summary line: ") + error.what());
     }

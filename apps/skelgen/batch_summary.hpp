@@ -11,11 +11,13 @@ namespace skelgen::cli {
 /// What became of one mesh of a batch.
 struct SummaryLine {
     std::string file;   ///< BatchItem::file
-    std::string status; ///< "ok", an error's code ("bad_input", "no_skeleton", ...), "timeout" or "crash"
+    std::string status; ///< "ok", an error's code ("bad_input", "no_skeleton", ...), "timeout", "memory" or "crash"
     std::string error;  ///< one sentence; empty when all is well
     double seconds = 0;
     std::int64_t faces = 0;
     std::vector<std::string> warnings;
+    std::string input;  ///< `input_fingerprint` of what the skeleton was found in; empty where it could not be taken
+    std::string output; ///< `result_fingerprint` of the skeleton's file; empty where there is none
 };
 
 /// By file.

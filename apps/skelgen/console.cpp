@@ -53,4 +53,16 @@ void require_different_files(const std::filesystem::path& input, const std::stri
         throw Error(ErrorCode::usage, output + ": is the input; choose another output file");
 }
 
+void require_different_outputs(const std::string& a, const std::string& option_a, const std::string& b,
+                               const std::string& option_b) {
+    if (a.empty() || b.empty() || a == "-" || b == "-") return;
+    std::error_code error;
+    const auto place = [&](const std::string& file) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(file, error), error);
+    };
+    if (place(a) == place(b) && std::filesystem::status(a, error).type() != std::filesystem::file_type::character)
+        throw Error(ErrorCode::usage, a + ": is given to " + option_a + " and to " + option_b +
+                                          "; choose two files, or one result would replace the other");
+}
+
 } // namespace skelgen::cli

@@ -28,6 +28,11 @@ void make_folder(const std::filesystem::path& folder);
 /// \throws Error usage when both are the same file.
 void require_different_files(const std::filesystem::path& input, const std::string& output);
 
+/// Refuses to write two results to one file; an empty name and "-" are none.
+/// \throws Error usage when both are the same file, there or not; the text names the options that gave them.
+void require_different_outputs(const std::string& a, const std::string& option_a, const std::string& b,
+                               const std::string& option_b);
+
 /// Does `work`; what it throws becomes an Error with the name of the file it is about in front.
 template <typename Work>
 auto in_file(const std::filesystem::path& file, const Work& work) {

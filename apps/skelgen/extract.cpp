@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "extract_file.hpp"
+#include "stages.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -37,9 +38,17 @@ void print_details(const FileExtraction& result) {
 void run(const ExtractCommand& command) {
     require_different_files(command.mesh, command.output);
     require_different_files(command.mesh, command.curve);
+    require_different_outputs(command.output, "-o", command.curve, "--curve");
     ExtractOptions options;
     options.skeleton_template = in_file("--template", [&] { return load_template(command.skeleton_template); });
-    const auto result = in_file(command.mesh, [&] { return extract_file(command.mesh, options); });
+    const auto result = in_file(command.mesh, [&] {
+        try {
+            return extract_file(command.mesh, options);
+        } catch (const Error& error) {
+            if (command.verbose && error.code() == ErrorCode::no_skeleton) print_stages(command.mesh, options);
+            throw;
+        }
+    });
 
     if (!command.curve.empty()) in_file(command.curve, [&] { write_curve(command.curve, result.extraction.curve); });
     write_result(command.output, result.json);
@@ -62,7 +71,8 @@ void add_extract_command(CLI::App& app) {
     sub->add_option("--threads", command->threads, "Threads to use (not in use yet); the result does not depend on it")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
-    CLI::Option* verbose = sub->add_flag("-v,--verbose", command->verbose, "Tell sizes, confidence and timings");
+    CLI::Option* verbose = sub->add_flag("-v,--verbose", command->verbose,
+                                         "Tell sizes, confidence and timings; of a refusal, what each stage saw");
     sub->add_flag("-q,--quiet", command->quiet, "No warnings")->excludes(verbose);
     sub->footer("Example:\n  skelgen extract body.off -o body.json");
     sub->callback([command] { run(*command); });

@@ -18,23 +18,31 @@ std::vector<render::Mark> read_marks(const std::filesystem::path& path) {
     return marks;
 }
 
-/// Extracts skeleton and curve into the scene, or says there why not.
-void extract_into(render::Scene& scene, const ExtractOptions& options) {
-    try {
-        Extraction<double> extraction = extract_skeleton(scene.mesh, options);
-        scene.skeleton = std::move(extraction.skeleton);
-        scene.curve = std::move(extraction.curve);
-        return;
-    } catch (const Error& error) {
-        if (error.code() != ErrorCode::no_skeleton && error.code() != ErrorCode::bad_input) throw;
-        scene.failure = std::string("no skeleton: ") + error.what();
-    }
+/// Extracts the curve into the scene.
+void extract_curve_into(render::Scene& scene, const ExtractOptions& options) {
     try {
         scene.curve = find_curve_skeleton(scene.mesh, options);
     } catch (const Error& error) {
         // No usable surface: the picture says so already, and shows the mesh alone.
         if (error.code() != ErrorCode::bad_input) throw;
     }
+}
+
+/// Extracts skeleton and curve into the scene, or says there why not.
+void extract_into(render::Scene& scene, const ExtractOptions& options) {
+    try {
+        Extraction<double> extraction = extract_skeleton(scene.mesh, options);
+        scene.skeleton = std::move(extraction.skeleton);
+        scene.curve = std::move(extraction.curve);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::no_skeleton && error.code() != ErrorCode::bad_input) throw;
+        scene.failure = std::string("no skeleton: ") + error.what();
+        extract_curve_into(scene, options);
+    }
+}
+
+bool is_missing(const SceneSources& sources) {
+    return sources.skeleton_may_be_missing && !std::filesystem::exists(sources.skeleton);
 }
 
 } // namespace
@@ -44,7 +52,10 @@ render::Scene load_scene(const SceneSources& sources) {
     scene.mesh = in_file(sources.mesh, [&] { return read_mesh<double>(sources.mesh); });
     if (sources.skeleton.empty())
         in_file(sources.mesh, [&] { extract_into(scene, sources.extraction); });
-    else
+    else if (is_missing(sources)) {
+        scene.failure = "no skeleton: there is no file " + sources.skeleton.string();
+        if (sources.curve.empty()) in_file(sources.mesh, [&] { extract_curve_into(scene, sources.extraction); });
+    } else
         scene.skeleton = in_file(sources.skeleton, [&] { return read_skeleton(sources.skeleton); });
     if (!sources.curve.empty()) scene.curve = in_file(sources.curve, [&] { return read_curve(sources.curve); });
     if (!sources.truth.empty()) scene.marks = in_file(sources.truth, [&] { return read_marks(sources.truth); });

@@ -15,6 +15,7 @@ struct SceneSources {
     std::filesystem::path curve;    ///< curve file of any format that is read
     std::filesystem::path truth;    ///< file with true joints, shown as marks
     ExtractOptions extraction;
+    bool skeleton_may_be_missing = false; ///< then the curve alone is extracted, unless `curve` is given
 };
 
 /// Reads a mesh and all there is to show of it. A mesh in which no skeleton is found is still a scene: its `failure`

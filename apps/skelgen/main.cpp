@@ -5,6 +5,7 @@
 #include <new>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <skelgen/version.hpp>
 
@@ -74,12 +75,19 @@ std::string unknown_command(std::string_view argument) {
     return "is no command of skelgen; see `skelgen --help`";
 }
 
+/// What to say to one who has given `extract` several meshes.
+std::string hint(const CLI::App& command) {
+    const std::vector<std::string> rest = command.remaining();
+    const bool several = command.get_name() == "extract" && !rest.empty() && rest.front().front() != '-';
+    return several ? "; for several meshes use `skelgen batch`" : "";
+}
+
 /// CLI11's own message in the shape of all others.
 void print_usage_error(const CLI::App& app, const CLI::ParseError& error, const std::string& first_argument) {
     const auto commands = app.get_subcommands();
     if (!commands.empty()) {
         const std::string name = commands.front()->get_name();
-        print_error(name + ": " + error.what() + "; see `skelgen " + name + " --help`");
+        print_error(name + ": " + error.what() + hint(*commands.front()) + "; see `skelgen " + name + " --help`");
     } else if (!first_argument.empty() && first_argument.front() != '-') {
         print_error(first_argument + ": " + unknown_command(first_argument));
     } else {
@@ -97,7 +105,7 @@ void make_signals_errors() {
 int run(int argc, char** argv) {
     make_signals_errors();
     CLI::App app("The kinematic skeleton of a human body, found in its triangle mesh by geometry alone.", "skelgen");
-    app.set_version_flag("--version", "skelgen " + std::string(version));
+    app.set_version_flag("-V,--version", "skelgen " + std::string(version));
     app.require_subcommand(1);
     app.footer(footer());
     add_commands(app);

@@ -2,12 +2,22 @@
 
 #include <cmath>
 #include <cstdio>
+#include <iomanip>
+#include <sstream>
 #include <unistd.h>
 
 namespace skelgen::cli {
 namespace {
 
 constexpr const char* clear_line = "\r\033[K";
+
+/// With two digits: "12/s", "0.25/s".
+std::string rate_text(double per_second) {
+    std::ostringstream text;
+    text << std::setprecision(per_second < 10 ? 2 : 10) << (per_second < 10 ? per_second : std::round(per_second))
+         << "/s";
+    return text.str();
+}
 
 std::string minutes_and_seconds(double seconds) {
     const long whole = std::lround(seconds);
@@ -25,6 +35,7 @@ std::string progress_text(std::size_t done, std::size_t failed, std::size_t tota
     if (failed > 0) text += ", " + std::to_string(failed) + " failed";
     if (done > 0 && done < total) {
         const double each = seconds / static_cast<double>(done);
+        if (seconds > 0) text += ", " + rate_text(static_cast<double>(done) / seconds);
         text += ", " + minutes_and_seconds(each * static_cast<double>(total - done)) + " left";
     }
     return text;

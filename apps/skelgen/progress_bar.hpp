@@ -6,8 +6,8 @@
 
 namespace skelgen::cli {
 
-/// One line on standard error that is rewritten in place: how much is done, failed, and how long the rest will take.
-/// Does nothing unless standard error is a terminal.
+/// One line on standard error that is rewritten in place: how much is done, failed, how fast, and how long the rest
+/// will take. Does nothing unless standard error is a terminal.
 class ProgressBar {
 public:
     ProgressBar(std::size_t total, bool wanted);
@@ -26,7 +26,7 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// The bar's text: "[####------] 12/30, 1 failed, 0:42 left".
+/// The bar's text: "[####------] 12/30, 1 failed, 0.43/s, 0:42 left".
 [[nodiscard]] std::string progress_text(std::size_t done, std::size_t failed, std::size_t total, double seconds);
 
 } // namespace skelgen::cli

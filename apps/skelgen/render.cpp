@@ -73,10 +73,12 @@ render::RenderOptions render_options(const RenderCommand& command, bool sheet) {
     return options;
 }
 
-/// The file that belongs to a mesh: the one that was named, or the mesh's own in the folder that was named.
+/// The file that belongs to a mesh: the one that was named, or the mesh's own in the folder that was named, which a
+/// batch may have given its mesh's extension besides its own.
 fs::path companion(const std::string& named, const BatchItem& item) {
     if (named.empty() || !fs::is_directory(named)) return named;
-    return fs::path(named) / fs::path(item.file).replace_extension(".json");
+    const fs::path own = fs::path(named) / item.output;
+    return fs::exists(own) ? own : fs::path(own).replace_filename(item.mesh.stem().string() + ".json");
 }
 
 /// As `companion`, for a curve: in a folder the first that is there of the formats that are read.
@@ -97,13 +99,18 @@ ExtractOptions extract_options(const RenderCommand& command) {
 }
 
 SceneSources sources_of(const RenderCommand& command, const BatchItem& item, const ExtractOptions& options) {
-    return {item.mesh, companion(command.skeleton, item), curve_companion(command.curve, item),
-            companion(command.truth, item), options};
+    return {item.mesh,
+            companion(command.skeleton, item),
+            curve_companion(command.curve, item),
+            companion(command.truth, item),
+            options,
+            !command.skeleton.empty() && fs::is_directory(command.skeleton)};
 }
 
 // ---- one mesh ----
 
 void render_one(const RenderCommand& command, const BatchItem& item) {
+    if (!item.fault.empty()) throw Error(ErrorCode::bad_input, item.mesh.string() + ": " + item.fault);
     require_different_files(item.mesh, command.output);
     const render::RenderOptions options = render_options(command, false);
     const render::Scene scene = load_scene(sources_of(command, item, extract_options(command)));
@@ -125,6 +132,7 @@ struct Cell {
 Cell load_cell(const SceneSources& sources, const BatchItem& item) {
     Cell cell;
     try {
+        if (!item.fault.empty()) throw Error(ErrorCode::bad_input, item.mesh.string() + ": " + item.fault);
         cell = {load_scene(sources), true};
         if (!cell.scene.failure.empty()) print_warning(item.mesh.string() + ": " + cell.scene.failure);
     } catch (const Error& error) {
@@ -179,8 +187,10 @@ void run(const RenderCommand& command) {
 }
 
 void add_source_options(CLI::App& sub, RenderCommand& command) {
-    sub.add_option("--skeleton", command.skeleton,
-                   "Show this skeleton file instead of extracting; several meshes: a folder of them");
+    sub.add_option(
+        "--skeleton", command.skeleton,
+        "Show this skeleton file instead of extracting; several meshes: a folder of them, in which those of bodies\n"
+        "that have none may be missing: their curves are shown");
     sub.add_option("--curve", command.curve,
                    "Show this curve file (.json, .obj, .ply or .swc); several meshes: a folder of them");
     sub.add_option("--truth", command.truth,

@@ -13,6 +13,7 @@
 #include <optional>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/signalfd.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -79,6 +80,14 @@ void silence_standard_output() {
     if (null >= 0) ::dup2(null, STDOUT_FILENO);
 }
 
+void limit_memory(std::size_t bytes) {
+    if (bytes == 0) return;
+    ::rlimit limit{};
+    ::getrlimit(RLIMIT_AS, &limit);
+    limit.rlim_cur = std::min<::rlim_t>(bytes, limit.rlim_max);
+    ::setrlimit(RLIMIT_AS, &limit);
+}
+
 // ------------------------------------------------------------------------------------------------ the parent's side
 
 std::string describe_end(int wait_status) {
@@ -94,7 +103,7 @@ std::string describe_end(int wait_status) {
 class Worker {
 public:
     /// Forks; `others` are the sockets that the child must not keep open.
-    Worker(const Job& job, const std::vector<int>& others) {
+    Worker(const Job& job, const std::vector<int>& others, std::size_t memory) {
         int ends[2];
         if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) throw_system_error("no socket");
         const ::pid_t parent = ::getpid();
@@ -111,6 +120,7 @@ public:
             ::close(ends[0]);
             for (const int socket : others) ::close(socket);
             silence_standard_output();
+            limit_memory(memory);
             serve(ends[1], job);
         }
         ::close(ends[1]);
@@ -212,7 +222,7 @@ class WorkerPool {
 public:
     WorkerPool(std::size_t count, const WorkerPoolOptions& options, const Job& job,
                const std::function<void(std::size_t, const JobOutcome&)>& report)
-        : count_(count), timeout_(options.timeout_seconds), job_(job), report_(report),
+        : count_(count), timeout_(options.timeout_seconds), memory_(options.memory), job_(job), report_(report),
           workers_(std::min(std::max<std::size_t>(options.workers, 1), count)) {}
 
     int run() {
@@ -239,7 +249,7 @@ private:
     void feed(std::unique_ptr<Worker>& worker) {
         constexpr int most_tries = 3; // an idle worker may have been killed from outside
         for (int i = 0; i < most_tries; ++i) {
-            if (!worker) worker = std::make_unique<Worker>(job_, open_descriptors());
+            if (!worker) worker = std::make_unique<Worker>(job_, open_descriptors(), memory_);
             if (worker->start(next_)) {
                 ++next_;
                 return;
@@ -296,6 +306,7 @@ private:
 
     std::size_t count_;
     double timeout_;
+    std::size_t memory_;
     const Job& job_;
     const std::function<void(std::size_t, const JobOutcome&)>& report_;
     SignalWatch signals_;

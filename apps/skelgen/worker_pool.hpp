@@ -9,6 +9,7 @@ namespace skelgen::cli {
 struct WorkerPoolOptions {
     std::size_t workers = 1;    ///< processes at a time
     double timeout_seconds = 0; ///< a job that takes longer is ended; 0: never
+    std::size_t memory = 0;     ///< bytes of address space of each worker; allocations beyond it fail; 0: no limit
 };
 
 enum class JobEnd { done, crashed, timed_out };

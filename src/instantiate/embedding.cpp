@@ -18,8 +18,8 @@ namespace skelgen::embedding {
                                const MatchingOptions&);                                                                \
     template std::vector<int> descend(const ReducedGraph<Scalar>&, const ReducedGraph<Scalar>&, std::vector<int>,      \
                                       const MatchingOptions&);                                                         \
-    template std::vector<int> least_distorted(const ReducedGraph<Scalar>&, const ReducedGraph<Scalar>&,                \
-                                              std::vector<int>, const MatchingOptions&);                               \
+    template Assignment least_distorted(const ReducedGraph<Scalar>&, const ReducedGraph<Scalar>&, std::vector<int>,    \
+                                        const MatchingOptions&);                                                       \
     template Outcome<Embedding> embed(const CurveSkeleton<Scalar>&, const SkeletonTemplate&, const MatchingOptions&);  \
     template Scalar unmatched_reach(const CurveSkeleton<Scalar>&, const Embedding&);                                   \
     template std::vector<LoopCut> find_loop_cuts(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,                \

@@ -21,6 +21,9 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void throw_cannot_write(int error) {
     const ErrorCode code = write_error_code(error);
+    // Of a file that is to be made, it is the folder that is missing.
+    if (error == ENOENT)
+        throw Error(code, "cannot be written: its folder does not exist; make it first, or choose another output file");
     throw Error(code, "cannot be written: " + std::generic_category().message(error) +
                           (code == ErrorCode::not_written ? "; make room, or choose another output file"
                                                           : "; choose another output file"));

@@ -8,10 +8,11 @@
 
 #include <skelgen/core/error.hpp>
 
+#include "body_surface.hpp"
 #include "clothing.hpp"
 #include "geodesic.hpp"
 #include "implicit_body.hpp"
-#include "surface_mesher.hpp"
+#include "pieces.hpp"
 
 namespace skelgen::synth {
 namespace {
@@ -54,23 +55,16 @@ std::vector<int> vertices_at(const TriangleMesh<double>& mesh, const std::array<
     return vertices;
 }
 
-ImplicitSurface surface_of(const ImplicitBody& body, const Proportions& proportions) {
-    const Vector3<double> middle = body.skeleton().position(BodyJoint::crotch);
-    double radius = 0;
-    for (const auto& frame : body.skeleton().frames) radius = std::max(radius, (frame.translation() - middle).norm());
-    return {[&body](const Vec3& p) { return body(p); }, [&body](const Vec3& p) { return body.grain(p); }, middle,
-            radius + 0.25 * proportions.scale * proportions.head_scale + 0.1 * proportions.scale};
-}
-
 double clearance(const Proportions& proportions, const BodyPose& pose) {
     return ImplicitBody(proportions, pose).clearance();
 }
 
-/// Puts the lowest vertex on the ground.
-void stand_on_ground(SynthBody& body) {
+/// Puts the lowest vertex on the ground, which was at the height that is returned.
+double stand_on_ground(SynthBody& body) {
     const double ground = body.mesh.vertices.col(2).minCoeff();
     body.mesh.vertices.col(2).array() -= ground;
     for (auto& joint : body.truth.joints) joint.z() -= ground;
+    return ground;
 }
 
 nlohmann::ordered_json to_json(const Vector3<double>& p) { return {p.x(), p.y(), p.z()}; }
@@ -85,6 +79,7 @@ SynthBody synthesize_body(const BodyPlan& plan) {
     if (!plan.may_touch && field.clearance() < least_gap / 2 * proportions.scale)
         throw Error(ErrorCode::usage, "parts of the body touch or sink into each other in this pose: spread the limbs");
     for (const BodyJoint joint : plan.missing) field.leave_out(joint);
+    const ImplicitBody naked = field;
     for (const Garment garment : plan.clothes) put_on(field, proportions, garment);
 
     SynthBody body;
@@ -96,10 +91,14 @@ SynthBody synthesize_body(const BodyPlan& plan) {
     }
     const std::vector<int> tips = vertices_at(body.mesh, field.extremities());
     body.truth.geodesic_diameter = geodesic_diameter(body.mesh, tips);
-    stand_on_ground(body);
+    const double ground = stand_on_ground(body);
     for (std::size_t i = 0; i < tips.size(); ++i)
         if (!beyond_any(end_points[i].beyond, plan.missing))
             body.truth.end_points.emplace_back(end_points[i].name, body.mesh.vertices.row(tips[i]).transpose());
+    if (plan.pieces.any()) {
+        body.mesh = put_together(naked, field, proportions, plan.pieces, plan.faces);
+        body.mesh.vertices.col(2).array() -= ground;
+    }
     if (plan.faults.any()) body.mesh = with_scan_faults(body.mesh, plan.faults);
     return body;
 }

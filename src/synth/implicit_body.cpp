@@ -255,11 +255,40 @@ Vec3 ImplicitBody::onto_trunk(Vec3 p) const {
 
 double ImplicitBody::part_value(PartName name, const Vec3& p) const {
     const Part& part = parts_[index(name)];
-    const Vec3 local = name == PartName::trunk ? spine_.to_rest(p) : part.to_local(p);
+    const Vec3 local = in_part(name, p);
     double field = evaluate(part.blobs, local, far_away);
     for (const std::vector<Blob>& layer : part.clothes)
         field = smooth_union(field, evaluate(layer, local, far_away), cloth_blend);
     return field;
+}
+
+double ImplicitBody::part_alone(PartName name, const Vec3& p) const {
+    const double near = 0.05 * scale_, bound = part(name).distance_bound(p);
+    return bound > near ? bound : part_value(name, p);
+}
+
+Vec3 ImplicitBody::in_part(PartName name, const Vec3& p) const {
+    return name == PartName::trunk ? spine_.to_rest(p) : part(name).to_local(p);
+}
+
+Vec3 ImplicitBody::part_middle(PartName name) const {
+    const auto between = [this](BodyJoint a, BodyJoint b) -> Vec3 {
+        return 0.5 * (skeleton_.position(a) + skeleton_.position(b));
+    };
+    if (name == PartName::trunk) return between(BodyJoint::waist, BodyJoint::chest);
+    if (name == PartName::head) return part(name).frame.translation();
+    constexpr std::array<BodyJoint, 4> roots{BodyJoint::left_shoulder, BodyJoint::right_shoulder, BodyJoint::left_hip,
+                                             BodyJoint::right_hip};
+    const std::size_t limb = index(name) - index(PartName::left_upper_arm);
+    const int step = static_cast<int>(limb % 3);
+    return between(next(roots[limb / 3], step), next(roots[limb / 3], step + 1));
+}
+
+Ball ImplicitBody::part_bound(PartName name) const {
+    const Vec3 middle = part_middle(name);
+    double radius = 0;
+    for (const Capsule& capsule : part(name).hull) radius = std::max(radius, capsule.farthest(middle));
+    return {middle, radius};
 }
 
 double ImplicitBody::limb_value(PartName first, const Vec3& p, double limit) const {

@@ -95,6 +95,18 @@ public:
     /// from probes: good to a few millimetres.
     [[nodiscard]] double clearance() const;
 
+    /// One part by itself: its own field near it, a distance that is too small elsewhere.
+    [[nodiscard]] double part_alone(PartName name, const Vec3& p) const;
+
+    /// A point in the coordinates that the part is modelled in: y from front to back.
+    [[nodiscard]] Vec3 in_part(PartName name, const Vec3& p) const;
+
+    /// A point inside the part, between its joints.
+    [[nodiscard]] Vec3 part_middle(PartName name) const;
+
+    /// The part lies within this ball around its middle.
+    [[nodiscard]] Ball part_bound(PartName name) const;
+
     [[nodiscard]] const PosedSkeleton& skeleton() const { return skeleton_; }
     [[nodiscard]] const Part& part(PartName name) const { return parts_[static_cast<std::size_t>(name)]; }
 

@@ -78,6 +78,11 @@ public:
 
     [[nodiscard]] Capsule grown(double distance) const { return {from_, from_ + axis_, radius_ + distance}; }
 
+    /// Distance from p to the point of the capsule that is farthest from it.
+    [[nodiscard]] double farthest(const Vec3& p) const {
+        return std::max((p - from_).norm(), (p - from_ - axis_).norm()) + radius_;
+    }
+
     [[nodiscard]] double operator()(const Vec3& p) const {
         const Vec3 off = p - from_;
         const double t = std::clamp(off.dot(axis_) * over_length2_, 0.0, 1.0);

@@ -200,18 +200,38 @@ Plans dressed(std::uint64_t) {
     return plans;
 }
 
+Plans pieces(std::uint64_t) {
+    using G = Garment;
+    using L = LimbPieces;
+    const std::vector<std::pair<std::string, BodyPieces>> makes{
+        {"seams", {L::whole, true, false, false}},          {"face", {L::whole, false, true, false}},
+        {"closed-limbs", {L::closed, false, false, false}}, {"open-limbs", {L::open, false, false, false}},
+        {"clothes", {L::whole, false, false, true}},        {"doll", {L::closed, true, true, false}},
+        {"character", {L::open, true, true, true}}};
+    Plans plans;
+    for (const auto& [name, make] : makes)
+        for (const char* pose : {"a", "walk"}) {
+            const BodyShape shape = person(30, static_cast<double>(plans.size() % 3) / 2);
+            plans.push_back(plan(name + "-" + pose, shape, dressed_pose(shape, pose)));
+            plans.back().pieces = make;
+            if (make.clothes) plans.back().clothes = {G::trousers, G::boots, G::hat};
+        }
+    return plans;
+}
+
 struct NamedSet {
     const char* name;
     Plans (*plans)(std::uint64_t seed);
 };
 
-constexpr std::array<NamedSet, 7> sets{{{"scape", scape},
+constexpr std::array<NamedSet, 8> sets{{{"scape", scape},
                                         {"faust", faust},
                                         {"proportions", proportions},
                                         {"partial", partial},
                                         {"joined", joined},
                                         {"scan", scan},
-                                        {"dressed", dressed}}};
+                                        {"dressed", dressed},
+                                        {"pieces", pieces}}};
 
 } // namespace
 

@@ -144,15 +144,54 @@ TEST_CASE("inputs that name no mesh end the batch before it starts") {
     CHECK_FALSE(fs::exists(folder / "out"));
 }
 
-TEST_CASE("two meshes with one output are wrong usage, and both are named") {
+TEST_CASE("two meshes of one name are wrong usage, and both are named") {
     const TemporaryFolder folder;
     write_file(folder / "a/mesh.off", "");
-    write_file(folder / "b/mesh.ply", "");
+    write_file(folder / "b/mesh.off", "");
     const CliResult result = run_cli(folder.path(), {"batch", "a", "b", "-o", "out"});
     CHECK(result.status == 2);
     CHECK(result.err.find("a/mesh.off") != std::string::npos);
-    CHECK(result.err.find("b/mesh.ply") != std::string::npos);
+    CHECK(result.err.find("b/mesh.off") != std::string::npos);
     CHECK_FALSE(fs::exists(folder / "out"));
+}
+
+TEST_CASE("meshes that differ in their extension alone have outputs apart, and cost no other mesh anything") {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "in");
+    fs::copy_file(sample_body, folder / "in/x.off");
+    fs::copy_file(sample_body, folder / "in/y.off");
+    write_file(folder / "in/x.ply", "no mesh");
+    CHECK(run_cli(folder.path(), {"batch", "in", "-o", "out"}).status == 5);
+    CHECK(statuses(folder / "out") ==
+          std::map<std::string, std::string>{{"x.off", "ok"}, {"x.ply", "bad_input"}, {"y.off", "ok"}});
+    CHECK(files_below(folder / "out") == std::vector<std::string>{"summary.jsonl", "x.off.json", "y.json"});
+}
+
+TEST_CASE("a folder that cannot be read costs its own meshes alone") {
+    const TemporaryFolder folder;
+    fs::permissions(folder.path(), fs::perms::all);
+    if (run_shell(folder.path(), "exec setpriv --reuid=65534 --clear-groups \"$skelgen\" -V").status != 0)
+        SKELGEN_SKIP("needs a user without rights, as the superuser can make one");
+    write_file(folder / "in/a.off", "");
+    write_file(folder / "in/closed/b.off", "");
+    fs::permissions(folder / "in/closed", fs::perms::none);
+    const CliResult result =
+        run_shell(folder.path(), "exec setpriv --reuid=65534 --clear-groups \"$skelgen\" batch in -o out --jobs 1");
+    fs::permissions(folder / "in/closed", fs::perms::owner_all);
+    CHECK(result.status == 5);
+    CHECK(result.err.find("skelgen: error: in/closed: cannot be searched: ") != std::string::npos);
+    CHECK(statuses(folder / "out") ==
+          std::map<std::string, std::string>{{"a.off", "bad_input"}, {"closed", "bad_input"}});
+}
+
+TEST_CASE("names that are no UTF-8 have a summary line each, in UTF-8") {
+    const TemporaryFolder folder;
+    for (const char* name : {"in/a\xff.off", "in/a\xfe.off", "in/a\\xff.off", "in/\xc3\xa4.off"})
+        write_file(folder / name, "");
+    CHECK(run_cli(folder.path(), {"batch", "in", "-o", "out"}).status == 5);
+    std::vector<std::string> files;
+    for (const auto& [file, line] : read_summary(folder / "out")) files.push_back(file);
+    CHECK(files == std::vector<std::string>{"a\\\\xff.off", "a\\xfe.off", "a\\xff.off", "\xc3\xa4.off"});
 }
 
 TEST_CASE("shards share the meshes out, each to exactly one") {
@@ -239,6 +278,68 @@ TEST_CASE("resuming tries again what has failed, and repairs a summary cut off i
     CHECK(run_cli(folder.path(), {"batch", "in", "-o", "out", "--resume"}).status == 5);
     CHECK(statuses(folder / "out") ==
           std::map<std::string, std::string>{{"a.off", "no_skeleton"}, {"b.off", "bad_input"}});
+}
+
+TEST_CASE("resuming leaves alone what is done, and does again what has changed since") {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "in");
+    fs::copy_file(sample_body, folder / "in/body.off");
+    const std::vector<std::string> batch{"batch", "in", "-o", "out"};
+    const auto resume = [&](const std::vector<std::string>& more = {}) {
+        std::vector<std::string> arguments = batch;
+        arguments.push_back("--resume");
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run_cli(folder.path(), arguments);
+    };
+    REQUIRE(run_cli(folder.path(), batch).status == 0);
+    const fs::path result = folder / "out/body.json";
+    const std::string first = read_file(result);
+    const auto first_results = results(folder / "out");
+
+    CHECK(resume().err.find("0 done now, 1 done before") != std::string::npos);
+    CHECK(read_file(result) == first); // the timings, too: it is the same file
+
+    SECTION("the result is garbled") {
+        std::string garbled = first;
+        garbled.replace(garbled.find("\"position\": [") + 13, 1, " ");
+        write_file(result, garbled);
+        CHECK(resume().status == 0);
+        CHECK(results(folder / "out") == first_results);
+    }
+    SECTION("a number in the result is another one") {
+        std::string garbled = first;
+        const auto digit = garbled.find("\"radius\": 0.") + 13;
+        garbled[digit] = garbled[digit] == '1' ? '2' : '1';
+        write_file(result, garbled);
+        CHECK(resume().status == 0);
+        CHECK(results(folder / "out") == first_results);
+    }
+    SECTION("the mesh is another one") {
+        write_file(folder / "in/body.off", sphere_off());
+        CHECK(resume().status == 5);
+        CHECK(statuses(folder / "out") == std::map<std::string, std::string>{{"body.off", "no_skeleton"}});
+        CHECK_FALSE(fs::exists(result));
+    }
+    SECTION("the template is another one") {
+        CHECK(resume({"--template", "pinocchio18"}).err.find("1 done now, 0 done before") != std::string::npos);
+        CHECK(Json::parse(read_file(result)).at("template") == "pinocchio18");
+    }
+}
+
+TEST_CASE("a mesh that needs more memory than it may take is given up, alone, and told why") {
+#if defined(__SANITIZE_ADDRESS__)
+    SKELGEN_SKIP("the address sanitizer takes more address space than any limit leaves");
+#endif
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "in");
+    fs::copy_file(sample_body, folder / "in/body.off");
+    std::string large = "OFF\n3000000 1 0\n";
+    for (int i = 0; i < 3000000; ++i) large += "0 0 0\n";
+    write_file(folder / "in/large.off", large + "3 0 1 2\n");
+    const CliResult result = run_cli(folder.path(), {"batch", "in", "-o", "out", "--memory", "100", "--jobs", "1"});
+    CHECK(result.status == 5);
+    CHECK(statuses(folder / "out") == std::map<std::string, std::string>{{"body.off", "ok"}, {"large.off", "memory"}});
+    CHECK(result.err.find("in/large.off: needs more memory than --memory 100 MiB") != std::string::npos);
 }
 
 TEST_CASE("a failing mesh leaves no result of an earlier run behind") {

@@ -122,7 +122,8 @@ TEST_CASE("help comes with an example, on standard output, with status 0") {
 
 TEST_CASE("the version is told") {
     const TemporaryFolder folder;
-    const CliResult result = run_cli(folder.path(), {"--version"});
+    const std::string option = GENERATE("--version", "-V");
+    const CliResult result = run_cli(folder.path(), {option});
     CHECK(result.status == 0);
     CHECK(std::regex_match(result.out, std::regex("skelgen \\d+\\.\\d+\\.\\d+\n")));
 }
@@ -135,6 +136,39 @@ TEST_CASE("the mesh is never replaced by the result") {
     CHECK(result.status == 2);
     CHECK(is_error_line(result.err, "./mesh.off"));
     CHECK(read_file(folder / "mesh.off") == cube_off());
+}
+
+TEST_CASE("one file for two results is refused before anything is done") {
+    const TemporaryFolder folder;
+    const CliResult result =
+        run_cli(folder.path(), {"extract", sample_body, "-q", "-o", "out.json", "--curve", "./out.json"});
+    CHECK(result.status == 2);
+    CHECK(is_error_line(result.err, "out.json"));
+    CHECK(result.err.find("--curve") != std::string::npos);
+    CHECK(files_below(folder.path()).empty());
+    CHECK(run_cli(folder.path(), {"extract", sample_body, "-q", "-o", "out.json", "--curve", "c.json"}).status == 0);
+}
+
+TEST_CASE("several meshes for extract: the message names batch") {
+    const TemporaryFolder folder;
+    const CliResult several = run_cli(folder.path(), {"extract", "a.off", "b.off"});
+    CHECK(several.status == 2);
+    CHECK(several.err.find("`skelgen batch`") != std::string::npos);
+    const CliResult option = run_cli(folder.path(), {"extract", "a.off", "--frobnicate"});
+    CHECK(option.err.find("`skelgen batch`") == std::string::npos);
+}
+
+TEST_CASE("of a refusal, -v tells what each stage saw, before the one line of the error") {
+    const TemporaryFolder folder;
+    write_file(folder / "torus.off", torus_off());
+    const CliResult result = run_cli(folder.path(), {"extract", "torus.off", "-v", "-o", "out.json"});
+    CHECK(result.status == 4);
+    CHECK(std::regex_search(result.err, std::regex("^torus.off: surface: \\d+ vertices and \\d+ faces; .*; closed\n"
+                                                   "torus.off: curve: \\d+ nodes, 0 ends, .* 1 loops.*\n"
+                                                   "torus.off: template: [^\n]+\n"
+                                                   "skelgen: error: torus.off: [^\n]+\n$")));
+    CHECK(files_below(folder.path()) == std::vector<std::string>{"torus.off"});
+    CHECK(is_error_line(run_cli(folder.path(), {"extract", "torus.off"}).err, "torus.off"));
 }
 
 TEST_CASE("file names may hold anything, and messages stay one line") {
@@ -171,6 +205,7 @@ TEST_CASE("an output that is no place to write to ends with status 2 and one lin
     const CliResult result = run_cli(folder.path(), {"extract", sample_body, "-q", "-o", output});
     CHECK(result.status == 2);
     CHECK(is_error_line(result.err, output));
+    CHECK((result.err.find("its folder does not exist") != std::string::npos) == (output != "folder"));
     CHECK(files_below(folder.path()).empty());
 }
 

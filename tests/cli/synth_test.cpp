@@ -40,6 +40,16 @@ TEST_CASE("a set needs a folder to go to") {
     CHECK(files_below(folder.path()) == std::vector<std::string>{"file"});
 }
 
+TEST_CASE("a set for which there is no room ends with status 6 and names the file, in one line") {
+    const TemporaryFolder folder;
+    const CliResult result =
+        run_shell(folder.path(), "ulimit -f 1; exec \"$skelgen\" synth --set not-a-body --faces 5000 -o set");
+    CHECK(result.status == 6);
+    CHECK(result.err.rfind("skelgen: error: set/meshes/not-a-body/", 0) == 0);
+    CHECK(result.err.find('\n') == result.err.size() - 1);
+    for (const std::string& file : files_below(folder.path())) CHECK(file.find(".off") == std::string::npos);
+}
+
 TEST_CASE("what synth cannot make ends with status 2 and one line") {
     const TemporaryFolder folder;
     const auto arguments =

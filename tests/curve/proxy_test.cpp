@@ -154,6 +154,12 @@ TEST_CASE("a surface that is not manifold is bad input") {
     CHECK(throws(ErrorCode::bad_input, [&] { static_cast<void>(proxy_mesh(fin)); }));
 }
 
+TEST_CASE("a vertex far off the rest of the surface is refused before it is split to") {
+    Mesh stray = sphere(1, 4);
+    stray.vertices.row(0) *= 1000;
+    CHECK(throws(ErrorCode::bad_input, [&] { static_cast<void>(proxy_mesh(stray)); }));
+}
+
 TEST_CASE("a surface without area is bad input") {
     Mesh point = sphere(1, 2);
     point.vertices.setConstant(0.25);

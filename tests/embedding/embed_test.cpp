@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 
@@ -61,6 +62,18 @@ std::string failure_of(const CurveSkeleton<double>& curve) {
 }
 
 } // namespace
+
+TEST_CASE("a curve with more ends than any body has is refused at once, with their number") {
+    CurveSkeleton<double> star = path_of(2);
+    for (int leaf = 2; leaf <= 200; ++leaf) {
+        star.nodes.conservativeResize(leaf + 1, 3);
+        star.nodes.row(leaf) << std::cos(leaf), std::sin(leaf), 0;
+        star.edges.push_back({0, leaf});
+        star.regions.emplace_back();
+        star.radii.push_back(0.1);
+    }
+    CHECK(failure_of(star).find("201 ends and junctions") != std::string::npos);
+}
 
 TEST_CASE("human21 embeds in its own bones: each joint of the reduced template at its node, up to left and right") {
     const CurveSkeleton<double> curve = human_curve();

@@ -141,7 +141,7 @@ TEST_CASE("the least distorted match of a tree with itself is itself, wherever t
         const ReducedGraph<double> graph = graph_of(tree, in_order(tree));
         const std::vector<int> start = random_permutation(static_cast<int>(tree.parent.size()), random);
         INFO("seed " << seed);
-        CHECK(least_distorted(graph, graph, start) == in_order(tree));
+        CHECK(least_distorted(graph, graph, start).partner == in_order(tree));
     }
 }
 
@@ -152,9 +152,35 @@ TEST_CASE("no assignment of fewer distortion is missed: the search agrees with t
     for (double& length : longer.length) length *= uniform(random, 0.6, 1.6);
     const ReducedGraph<double> curve = graph_of(longer, in_order(longer)), wanted = graph_of(tree, in_order(tree));
     std::vector<int> all = in_order(tree);
-    const std::vector<int> found = least_distorted(curve, wanted, all);
-    do CHECK(least_distorted(curve, wanted, all) == found); // as a start, none is better than what is found
+    const std::vector<int> found = least_distorted(curve, wanted, all).partner;
+    do CHECK(least_distorted(curve, wanted, all).partner == found); // as a start, none is better than what is found
     while (std::next_permutation(all.begin(), all.end()));
+}
+
+TEST_CASE("a search that would take too long is ended, says so, and returns nothing worse than its start") {
+    // Nodes at random distances from each other: hardly any partial match is worse than the best one known.
+    constexpr int nodes = 60, wanted_nodes = 9;
+    std::mt19937_64 random(6);
+    const auto random_graph = [&](int count) {
+        ReducedGraph<double> graph;
+        graph.distances = Eigen::MatrixXd::Zero(count, count);
+        for (int i = 0; i < count; ++i) {
+            graph.origin.push_back(i);
+            graph.degree.push_back(1);
+            graph.radius.push_back(0.0);
+            for (int k = 0; k < i; ++k) graph.distances(i, k) = graph.distances(k, i) = uniform(random, 0.45, 0.55);
+        }
+        return graph;
+    };
+    const ReducedGraph<double> curve = random_graph(nodes), wanted = random_graph(wanted_nodes);
+    std::vector<int> start(wanted_nodes);
+    std::iota(start.begin(), start.end(), 0);
+    const Assignment found = least_distorted(curve, wanted, start);
+    CHECK_FALSE(found.is_least);
+    CHECK(distortion(curve, wanted, found.partner) <= distortion(curve, wanted, start));
+
+    const Tree tree = random_tree(2, random);
+    CHECK(least_distorted(graph_of(tree, in_order(tree)), graph_of(tree, in_order(tree)), in_order(tree)).is_least);
 }
 
 TEMPLATE_TEST_CASE("what is assigned follows the leading eigenvector: of two candidates, the more affine one", "",

@@ -23,7 +23,7 @@ constexpr const char* done = "done"; ///< a file that tells a finished folder fr
 
 const std::vector<SetSample>& body_samples() {
     static const std::vector<SetSample> samples{{"scape", 14}, {"faust", 9}, {"proportions", 3}, {"partial", 3},
-                                                {"joined", 2}, {"scan", 2},  {"dressed", 2}};
+                                                {"joined", 2}, {"scan", 2},  {"dressed", 2},     {"pieces", 3}};
     return samples;
 }
 

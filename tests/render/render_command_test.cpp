@@ -101,6 +101,25 @@ TEST_CASE("skelgen render shows a curve file of any format, alone or in a folder
     CHECK_FALSE(fs::exists(folder / "bad.svg"));
 }
 
+TEST_CASE("skelgen render shows the curve of a body that has no file in the folder of skeletons") {
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "scans");
+    fs::create_directories(folder / "found");
+    fs::copy_file(SKELGEN_DATA "/sample/body.off", folder / "scans/body.off");
+    const CommandResult outcome = run_render("scans -o sheet.svg --skeleton found", folder.path());
+    CHECK(outcome.status == 0);
+    CHECK(outcome.messages == "skelgen: warning: scans/body.off: no skeleton: there is no file found/body.json\n");
+    // The picture has all the lines of a body's curve, and not the single one of another.
+    CurveSkeleton<double> line;
+    line.nodes.resize(2, 3);
+    line.nodes << 0, 0, 1, 0, 0, 1.1;
+    line.edges = {{0, 1}};
+    write_curve(folder / "line.json", line);
+    REQUIRE(run_render("scans/body.off -o one.svg --skeleton found", folder.path()).status == 0);
+    REQUIRE(run_render("scans/body.off -o bare.svg --skeleton found --curve line.json", folder.path()).status == 0);
+    CHECK(content(folder / "one.svg").size() > content(folder / "bare.svg").size());
+}
+
 TEST_CASE("skelgen render makes a contact sheet in which a bad file costs its own cell") {
     const TemporaryFolder folder;
     fs::create_directory(folder / "scans");

@@ -30,8 +30,8 @@ struct Proxy {
 /// thin the input's triangles: isotropic remeshing with one target edge length (BK04 section 4): collapse short edges,
 /// split long ones, flip towards valence six, relax tangentially. Same topology as the input. Bounds the cost of
 /// contraction and spares it degenerate triangles. Any unit.
-/// O(n log n). \throws Error bad_input when `mesh` is not manifold or has no area; usage when an option is out of its
-/// range.
+/// O(n log n). \throws Error bad_input when `mesh` is not manifold, has no area, or has triangles so long that
+/// splitting them would take more than ten times `options.vertices` vertices; usage when an option is out of its range.
 template <typename Scalar>
 [[nodiscard]] Proxy<Scalar> build_proxy(const TriangleMesh<Scalar>& mesh, const ProxyOptions& options = {});
 

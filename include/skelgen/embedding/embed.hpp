@@ -21,13 +21,18 @@ struct Embedding {
     std::vector<Chain> chains;      ///< every bone of the template belongs to exactly one
     int matched_nodes = 0;
     double distortion = 0; ///< of distances, degrees and thicknesses, see distortion()
+    bool is_least = true;  ///< no other is less distorted; false: the search was ended early
 };
+
+/// Most ends and junctions of a curve that a template is looked for in: a body with all its fingers, toes, hair and
+/// folds has fewer than half as many, a torn surface hundreds.
+inline constexpr int most_reduced_nodes = 100;
 
 /// Embeds the template in a pruned curve skeleton (LF20 section 3.1): reduced graphs, spectral matching, merging of
 /// unmatched junctions into the matched neighbour with the most branches. Which of two like limbs is the left one is
 /// not known yet. O(k^2 log k) for k nodes of the curve; the matching is cheap beside that. \returns failure no_match
-/// when the curve has too few ends and junctions for the reduced template, or is in several pieces. \throws Error usage
-/// when an option is out of its range.
+/// when the curve has too few ends and junctions for the reduced template or more than a body's, or is in several
+/// pieces. \throws Error usage when an option is out of its range.
 template <typename Scalar>
 [[nodiscard]] Outcome<Embedding> embed(const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template,
                                        const MatchingOptions& options = {});

@@ -32,7 +32,8 @@ affinity_matrix(const ReducedGraph<Scalar>& curve, const ReducedGraph<Scalar>& s
 
 /// Per template node the index of its partner among the m candidates, -1 where none is left. The leading eigenvector of
 /// `affinities`, made discrete greedily (LH05): largest entry first, conflicts discarded. `affinities` is
-/// (m n) x (m n), symmetric and non-negative. O((m n)^2). \throws Error internal when no eigenvector is found.
+/// (m n) x (m n), symmetric and non-negative. O((m n)^2) per iteration; where the eigenvector is not found after a
+/// number of them that falls with the size, what is known of it is taken.
 template <typename Scalar>
 [[nodiscard]] std::vector<int>
 spectral_assignment(const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& affinities, int template_nodes);
@@ -50,13 +51,20 @@ template <typename Scalar>
 [[nodiscard]] std::vector<int> descend(const ReducedGraph<Scalar>& curve, const ReducedGraph<Scalar>& skeleton_template,
                                        std::vector<int> partner, const MatchingOptions& options = {});
 
+/// What a search among assignments has found.
+struct Assignment {
+    std::vector<int> partner; ///< per template node
+    bool is_least = true;     ///< false: the search was ended before all others were excluded
+};
+
 /// The least distorted of all assignments, by branch and bound from `partner`: exchanges one at a time do not lead out
-/// of a body matched upside down, as one with a raised leg may be. Junctions are tried first, and no more than some
-/// million partial assignments are, which a body's curve never needs. O(m^n) at worst, milliseconds in practice.
+/// of a body matched upside down, as one with a raised leg may be. Junctions are tried first. O(m^n) at worst, so no
+/// more partners are tried than a number that grows with m, and which a body's curve does not need by far:
+/// milliseconds in practice, tenths of a second at most.
 template <typename Scalar>
-[[nodiscard]] std::vector<int> least_distorted(const ReducedGraph<Scalar>& curve,
-                                               const ReducedGraph<Scalar>& skeleton_template, std::vector<int> partner,
-                                               const MatchingOptions& options = {});
+[[nodiscard]] Assignment least_distorted(const ReducedGraph<Scalar>& curve,
+                                         const ReducedGraph<Scalar>& skeleton_template, std::vector<int> partner,
+                                         const MatchingOptions& options = {});
 
 } // namespace skelgen::embedding
 

@@ -105,6 +105,9 @@ Attempt<Scalar> fit_to_curve(const Body<Scalar>& body, const curve::CurveResult<
     timings.sides = stage.lap();
     if (!completed) return failed(completed.failure());
     completed->skeleton.quality.matched_nodes = embedding->matched_nodes;
+    if (!embedding->is_least)
+        completed->skeleton.quality.warnings.push_back(
+            "the curve skeleton has too many branches to try all matches: limbs may be mistaken");
     return {Candidate<Scalar>{std::move(completed->skeleton), found, diameter, completed->misplaced}, timings};
 }
 

@@ -8,6 +8,7 @@
 
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/synth/garment.hpp>
+#include <skelgen/synth/pieces.hpp>
 #include <skelgen/synth/pose.hpp>
 #include <skelgen/synth/scan_faults.hpp>
 #include <skelgen/synth/shape.hpp>
@@ -41,10 +42,11 @@ struct BodyPlan {
     bool may_touch = false;         ///< parts that touch grow together: handles, genus above 0
     std::vector<BodyJoint> missing; ///< wrists, elbows, shoulders, ankles, knees from which on a limb is left out
     std::vector<Garment> clothes;   ///< put on in this order; the joints stay those of the body
+    BodyPieces pieces;
     ScanFaults faults;
 };
 
-/// As planned; watertight and manifold but for the faults.
+/// As planned; watertight and manifold but for the pieces and the faults.
 /// \throws Error usage as `synthesize_body`.
 [[nodiscard]] SynthBody synthesize_body(const BodyPlan& plan);
 

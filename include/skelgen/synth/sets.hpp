@@ -12,7 +12,8 @@ namespace skelgen::synth {
 /// The sets that `body_set` knows: scape (one person, 71 poses), faust (10 people, 10 poses), proportions (children,
 /// very heavy, long and short limbs), partial (feet, hands or an arm missing), joined (arms, hands and thighs grown
 /// together), scan (noise, holes, floating pieces, flipped patches, pinched vertices), dressed (skirt, coat, trousers,
-/// boots, hat, long hair, rucksack).
+/// boots, hat, long hair, rucksack), pieces (limbs that are closed or open by themselves, seams, eyes and teeth,
+/// clothes as shells).
 [[nodiscard]] std::vector<std::string> set_names();
 
 /// What to synthesize for a set, in order. The same seed gives the same plans.

@@ -85,13 +85,16 @@ Scalar threshold(Scalar length, int steps) {
     return static_cast<Scalar>(length * std::pow(threshold_ratio, steps));
 }
 
-/// Edges made by a split are left alone.
+/// Edges made by a split are left alone. \throws Error bad_input when there come to be more than `most` vertices.
 template <typename Scalar>
-void split_long_edges(HalfedgeMesh<Scalar>& mesh, Source& source, Scalar longest) {
+void split_long_edges(HalfedgeMesh<Scalar>& mesh, Source& source, Scalar longest, std::size_t most) {
     const std::size_t edges = mesh.n_edges();
     for (std::size_t i = 0; i < edges; ++i) {
         const auto e = mesh.edge_handle(static_cast<unsigned>(i));
         if (squared_length(mesh, e) <= longest * longest) continue;
+        if (mesh.n_vertices() >= most)
+            throw Error(ErrorCode::bad_input, "a triangle is far longer than the rest of the surface: remove the stray "
+                                              "vertex that it reaches to");
         const auto h = mesh.halfedge_handle(e, 0);
         const MeshPoint<Scalar> middle =
             Scalar(0.5) * (mesh.point(mesh.from_vertex_handle(h)) + mesh.point(mesh.to_vertex_handle(h)));
@@ -104,14 +107,14 @@ void split_long_edges(HalfedgeMesh<Scalar>& mesh, Source& source, Scalar longest
 /// Splits with a threshold that falls to `longest`, so that the longest edges go first: bisected there, a triangle's
 /// halves are better shaped than itself.
 template <typename Scalar>
-void refine(HalfedgeMesh<Scalar>& mesh, Source& source, Scalar longest) {
+void refine(HalfedgeMesh<Scalar>& mesh, Source& source, Scalar longest, std::size_t most_vertices) {
     constexpr double most_steps = 40;
     Scalar largest = 0;
     for (const auto e : mesh.edges()) largest = std::max(largest, mesh.calc_edge_length(e));
     if (largest < longest) return;
     const double ratio = std::ceil(std::log(largest / longest) / std::log(threshold_ratio));
     for (int step = static_cast<int>(std::min(ratio, most_steps)); step >= 0; --step)
-        split_long_edges(mesh, source, threshold(longest, step));
+        split_long_edges(mesh, source, threshold(longest, step), most_vertices);
 }
 
 /// Twice a face's area below this part of its squared longest edge: the face is a segment. A millionth, but in float a
@@ -282,9 +285,13 @@ Proxy<Scalar> build_proxy(const TriangleMesh<Scalar>& mesh, const ProxyOptions& 
     // n vertices in equilateral triangles of edge l cover the area n * l^2 * sqrt(3) / 2.
     const Accumulator edge = std::sqrt(2 * area / (std::sqrt(Accumulator(3)) * options.vertices));
     const Accumulator longest = Accumulator(4) / 3 * edge, shortest = Accumulator(4) / 5 * edge; // BK04 section 4
+    // Splitting adds no more than the wanted vertices, but for needles: the pieces of one are needles again, and as
+    // many as the square of its length in edges. What may be left of them after the collapses is a few times as many.
+    constexpr std::size_t most_added = 10;
+    const std::size_t most = work.n_vertices() + most_added * static_cast<std::size_t>(options.vertices);
     for (int round = 0; round < options.rounds; ++round) {
         detail::coarsen(work, source, shortest, longest);
-        detail::refine(work, source, longest);
+        detail::refine(work, source, longest, most);
         detail::flip_towards_valence_six(work);
         detail::relax_tangentially(work);
     }

@@ -82,13 +82,19 @@ Outcome<Embedding> embed(const CurveSkeleton<Scalar>& curve, const SkeletonTempl
                                                     " ends and junctions, the template needs " +
                                                     std::to_string(wanted) +
                                                     "; check that head, hands and feet are there and stand free"};
+    if (found > most_reduced_nodes)
+        return Failure{FailureReason::no_match, "no human body: its curve skeleton has " + std::to_string(found) +
+                                                    " ends and junctions, a body's has fewer than " +
+                                                    std::to_string(most_reduced_nodes) +
+                                                    "; the surface may be torn or inside out in places: repair it"};
     if (!reduced_curve.distances.allFinite()) return detail::in_several_pieces();
     const std::vector<int> rounded =
         spectral_assignment(affinity_matrix(reduced_curve, reduced_template, options), wanted);
-    const std::vector<int> partner = least_distorted(
+    const auto [partner, is_least] = least_distorted(
         reduced_curve, reduced_template, descend(reduced_curve, reduced_template, rounded, options), options);
 
     Embedding out;
+    out.is_least = is_least;
     out.distortion = distortion(reduced_curve, reduced_template, partner, options);
     out.node_of_joint.assign(skeleton_template.joints.size(), -1);
     const core::CurveGraph<Scalar> graph = core::curve_graph(curve);

@@ -8,7 +8,6 @@
 #include <numeric>
 #include <utility>
 
-#include <skelgen/core/error.hpp>
 #include <skelgen/core/options.hpp>
 #include <skelgen/core/precision.hpp>
 
@@ -28,10 +27,12 @@ DenseVector<Scalar> mean_distances(const DenseMatrix<Scalar>& distances) {
 }
 
 /// Of a symmetric matrix without negative entries, none of them negative either (Perron and Frobenius), by power
-/// iteration, as LH05 finds it: affinities are so much alike that few iterations do.
+/// iteration, as LH05 finds it: affinities are so much alike that few iterations do. As good as it is found where they
+/// do not.
 template <typename Scalar>
 DenseVector<Scalar> leading_eigenvector(const DenseMatrix<Scalar>& matrix) {
-    constexpr int most_iterations = 100'000;
+    constexpr double most_products = 2e8; // tenths of a second; registered bodies need a hundred thousand
+    const int most_iterations = std::max(100, static_cast<int>(most_products / static_cast<double>(matrix.size())));
     constexpr Scalar tolerance = 4096 * std::numeric_limits<Scalar>::epsilon(); // about 1e-12 in double
     // From a start that favours no pair: a left and a right limb that match equally well keep equal entries.
     const Eigen::Index n = matrix.rows();
@@ -49,7 +50,7 @@ DenseVector<Scalar> leading_eigenvector(const DenseMatrix<Scalar>& matrix) {
         vector.swap(next);
         if (change <= tolerance) return vector;
     }
-    throw Error(ErrorCode::internal, "the spectral matching's eigenvector did not converge");
+    return vector;
 }
 
 template <typename Scalar>
@@ -90,6 +91,7 @@ public:
                    std::vector<int> start, const MatchingOptions& options)
         : curve_(curve), template_(skeleton_template), options_(options), partner_(start.size(), -1),
           taken_(curve.degree.size(), false), order_(start.size()),
+          left_(most_trials_per_node * static_cast<std::ptrdiff_t>(curve.degree.size())),
           least_(distortion(curve, skeleton_template, start, options)), best_(std::move(start)) {
         std::iota(order_.begin(), order_.end(), 0);
         std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) {
@@ -97,15 +99,17 @@ public:
         });
     }
 
-    std::vector<int> run() {
+    Assignment run() {
         extend(0, Scalar(0));
-        return std::move(best_);
+        return {std::move(best_), left_ > 0};
     }
 
 private:
+    /// Calibrated: the curves of registered bodies need up to 400 trials for each of their nodes.
+    static constexpr std::ptrdiff_t most_trials_per_node = 20'000;
+
     void extend(std::size_t depth, Scalar total) {
-        constexpr int most_visits = 3'000'000; // well under a second; bodies' curves need some thousand
-        if (total > least_ - least_gain<Scalar>() || ++visits_ > most_visits) return;
+        if (total > least_ - least_gain<Scalar>()) return;
         if (depth == order_.size()) {
             least_ = total;
             best_ = partner_;
@@ -114,6 +118,8 @@ private:
         const int j = order_[depth];
         for (int i = 0; i < static_cast<int>(taken_.size()); ++i) {
             if (taken_[at(i)]) continue;
+            if (left_ == 0) break;
+            --left_;
             Scalar longer = total + node_distortion(curve_, template_, i, j, options_);
             for (std::size_t d = 0; d < depth; ++d)
                 longer += pair_distortion(curve_, template_, i, j, partner_[at(order_[d])], order_[d]);
@@ -131,7 +137,7 @@ private:
     std::vector<int> partner_;
     std::vector<bool> taken_;
     std::vector<int> order_; ///< template nodes, junctions first
-    int visits_ = 0;
+    std::ptrdiff_t left_;    ///< partners that may still be tried
     Scalar least_;
     std::vector<int> best_;
 };
@@ -244,8 +250,8 @@ std::vector<int> descend(const ReducedGraph<Scalar>& curve, const ReducedGraph<S
 }
 
 template <typename Scalar>
-std::vector<int> least_distorted(const ReducedGraph<Scalar>& curve, const ReducedGraph<Scalar>& skeleton_template,
-                                 std::vector<int> partner, const MatchingOptions& options) {
+Assignment least_distorted(const ReducedGraph<Scalar>& curve, const ReducedGraph<Scalar>& skeleton_template,
+                           std::vector<int> partner, const MatchingOptions& options) {
     return detail::BranchAndBound<Scalar>(curve, skeleton_template, std::move(partner), options).run();
 }
 
