@@ -57,7 +57,7 @@ std::string to_status(ErrorCode code) {
 SummaryLine process(const BatchItem& item, const ExtractOptions& options) {
     SummaryLine line{item.file, "ok", "", 0, 0, {}};
     try {
-        const auto result = in_file(item.mesh, [&] { return extract_file(item.mesh, options); });
+        const auto result = in_file(item.mesh, [&] { return extract_file({item.mesh, {}}, options); });
         make_folder(item.output.parent_path());
         in_file(item.output, [&] { io::write_file_atomically(item.output, result.json); });
         line.faces = result.provenance.mesh->faces;

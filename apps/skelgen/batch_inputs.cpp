@@ -127,8 +127,8 @@ std::vector<BatchItem> find_batch_items(const std::vector<std::string>& inputs, 
     std::vector<BatchItem> items;
     for (const std::string& input : inputs)
         for (const FoundMesh& found : find_meshes(input)) {
-            fs::path output = output_folder / found.relative;
-            items.push_back({found.mesh, found.relative.generic_string(), output.replace_extension(".json")});
+            fs::path output = io::without_extensions(output_folder / found.relative);
+            items.push_back({found.mesh, found.relative.generic_string(), output += ".json"});
         }
     require_distinct_outputs(items);
     return items;

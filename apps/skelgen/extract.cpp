@@ -12,7 +12,7 @@ namespace skelgen::cli {
 namespace {
 
 struct ExtractCommand {
-    std::string mesh;
+    MeshInput mesh;
     std::string output = "-";
     std::string skeleton_template = "human21";
     std::string curve;
@@ -35,18 +35,18 @@ void print_details(const FileExtraction& result) {
 }
 
 void run(const ExtractCommand& command) {
-    require_different_files(command.mesh, command.output);
-    require_different_files(command.mesh, command.curve);
+    require_different_files(command.mesh.file, command.output);
+    require_different_files(command.mesh.file, command.curve);
     ExtractOptions options;
     options.skeleton_template = in_file("--template", [&] { return load_template(command.skeleton_template); });
-    const auto result = in_file(command.mesh, [&] { return extract_file(command.mesh, options); });
+    const auto result = in_file(command.mesh.file, [&] { return extract_file(command.mesh, options); });
 
     if (!command.curve.empty()) in_file(command.curve, [&] { write_curve(command.curve, result.extraction.curve); });
     write_result(command.output, result.json);
     if (command.verbose) print_details(result);
     if (command.quiet) return;
     for (const std::string& warning : result.extraction.skeleton.quality.warnings)
-        print_warning(command.mesh + ": " + warning);
+        print_warning(command.mesh.file.string() + ": " + warning);
 }
 
 } // namespace
@@ -54,7 +54,7 @@ void run(const ExtractCommand& command) {
 void add_extract_command(CLI::App& app) {
     auto command = std::make_shared<ExtractCommand>();
     CLI::App* sub = app.add_subcommand("extract", "Find the skeleton in the mesh of a body");
-    sub->add_option("MESH", command->mesh, "Mesh of one body: OFF, OBJ, PLY or STL")->required();
+    add_mesh_input(*sub, command->mesh, "Mesh of one body");
     sub->add_option("-o,--output", command->output, "Skeleton file to write (JSON); - for standard output");
     sub->add_option("--template", command->skeleton_template, "Built-in template, or a template's file (JSON)")
         ->capture_default_str();

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include <skelgen/io/curve_formats.hpp>
+#include <skelgen/io/mesh_format.hpp>
 #include <skelgen/io/template_json.hpp>
 #include <skelgen/render/contact_sheet.hpp>
 #include <skelgen/render/png.hpp>
@@ -76,7 +77,7 @@ render::RenderOptions render_options(const RenderCommand& command, bool sheet) {
 /// The file that belongs to a mesh: the one that was named, or the mesh's own in the folder that was named.
 fs::path companion(const std::string& named, const BatchItem& item) {
     if (named.empty() || !fs::is_directory(named)) return named;
-    return fs::path(named) / fs::path(item.file).replace_extension(".json");
+    return fs::path(named) / (io::without_extensions(item.file) += ".json");
 }
 
 /// As `companion`, for a curve: in a folder the first that is there of the formats that are read.
