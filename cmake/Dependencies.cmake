@@ -31,6 +31,8 @@ macro(skelgen_find_codec NAME package target what)
   endif()
   list(APPEND skelgen_codec_definitions SKELGEN_WITH_${NAME}=$<BOOL:${SKELGEN_WITH_${NAME}}>)
 endmacro()
+skelgen_find_codec(ASSIMP assimp assimp::assimp "FBX and DAE")
+skelgen_find_codec(ZLIB ZLIB ZLIB::ZLIB "and write files compressed by gzip")
 skelgen_find_codec(DRACO draco draco::draco "glTF compressed with Draco")
 skelgen_find_codec(MESHOPTIMIZER meshoptimizer meshoptimizer::meshoptimizer "glTF compressed with meshopt")
 

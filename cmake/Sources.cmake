@@ -220,10 +220,12 @@ set(skelgen_sources
     src/io/off_parser.cpp
     src/io/ply_header.cpp
     src/io/ply_parser.cpp
+    src/io/polygon_bytes.cpp
     src/io/polygon_mesh.cpp
     src/io/read_file.cpp
     src/io/read_mesh.cpp
     src/io/scene_pose.cpp
+    src/io/separate_process.cpp
     src/io/skeleton_json.cpp
     src/io/stl_parser.cpp
     src/io/template_json.cpp
@@ -234,7 +236,9 @@ set(skelgen_sources
 
 # What needs libraries that may be missing; each file says then what cannot be read.
 set(skelgen_codec_sources
+    src/io/assimp_importer.cpp
     src/io/draco_codec.cpp
+    src/io/gzip.cpp
     src/io/meshopt_codec.cpp
 )
 

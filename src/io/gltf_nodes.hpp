@@ -17,8 +17,8 @@ struct GltfNodes {
 /// \throws Error bad_input when a node is not sound or has two parents.
 [[nodiscard]] GltfNodes read_nodes(const GltfFile& file);
 
-/// The nodes of the scene that a viewer shows first, in the file's order: of the file's default scene, else of the first;
-/// without scenes all. Nodes must not be their own ancestors.
+/// The nodes of the scene that a viewer shows first, in the file's order: of the file's default scene, else of the
+/// first; without scenes all. Nodes must not be their own ancestors.
 [[nodiscard]] std::vector<std::size_t> shown_nodes(const GltfFile& file, const GltfNodes& nodes);
 
 } // namespace skelgen::io::detail

@@ -6,16 +6,18 @@
 #include <skelgen/core/error.hpp>
 #include <skelgen/io/read_file.hpp>
 
+#include "assimp_importer.hpp"
 #include "companion_file.hpp"
 #include "gltf_file.hpp"
 #include "gltf_parser.hpp"
+#include "gzip.hpp"
 #include "mesh_parsers.hpp"
 #include "text_scanner.hpp"
 
 namespace skelgen::io {
 namespace {
 
-enum class Encoding { off, obj, ply, stl_text, stl_binary, gltf };
+enum class Encoding { off, obj, ply, stl_text, stl_binary, gltf, fbx, dae };
 
 [[noreturn]] void throw_unreadable(const std::string& message) { throw Error(ErrorCode::bad_input, message); }
 
@@ -32,6 +34,8 @@ bool is_stl_text(std::string_view content, std::string_view first_word) {
 
 std::optional<Encoding> encoding_by_content(std::string_view content) {
     if (detail::is_glb(content) || detail::is_gltf_json(content)) return Encoding::gltf;
+    if (detail::is_fbx(content)) return Encoding::fbx;
+    if (detail::is_collada(content)) return Encoding::dae;
     if (detail::is_stl_binary(content)) return Encoding::stl_binary;
     detail::TextScanner scanner(content);
     scanner.seek_word();
@@ -57,11 +61,13 @@ Encoding encoding_by_extension(std::optional<MeshFormat> extension) {
     case MeshFormat::glb:
     case MeshFormat::gltf:
     case MeshFormat::vrm:
+        return Encoding::gltf;
     case MeshFormat::fbx:
+        return Encoding::fbx;
     case MeshFormat::dae:
         break;
     }
-    return Encoding::gltf;
+    return Encoding::dae;
 }
 
 PolygonMesh parse(std::string_view content, Encoding encoding, const ReadMeshOptions& options,
@@ -78,12 +84,16 @@ PolygonMesh parse(std::string_view content, Encoding encoding, const ReadMeshOpt
     case Encoding::stl_binary:
         return detail::parse_stl_binary(content);
     case Encoding::gltf:
+        return detail::parse_gltf(content, options, load);
+    case Encoding::fbx:
+        return detail::import_scene(content, MeshFormat::fbx, options);
+    case Encoding::dae:
         break;
     }
-    return detail::parse_gltf(content, options, load);
+    return detail::import_scene(content, MeshFormat::dae, options);
 }
 
-bool is_scene(Encoding encoding) { return encoding == Encoding::gltf; }
+bool is_scene(Encoding encoding) { return encoding >= Encoding::gltf; }
 
 /// Lines that end in a carriage return alone (old Macs), as lines that the parsers know; empty for all other files.
 std::string with_line_feeds(std::string_view content) {
@@ -96,6 +106,11 @@ std::string with_line_feeds(std::string_view content) {
 
 /// Reads a file's content. `load` gives the files that it refers to.
 PolygonMesh read_polygons(std::string_view content, const ReadMeshOptions& options, const detail::LoadCompanion& load) {
+    std::string decompressed;
+    if (detail::is_gzip(content)) {
+        decompressed = detail::gunzip(content, max_file_bytes);
+        content = decompressed;
+    }
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // of UTF-8
     if (content.starts_with(byte_order_mark)) content.remove_prefix(byte_order_mark.size());
     if (content.empty()) throw_unreadable("the file is empty; write it again");

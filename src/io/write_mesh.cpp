@@ -9,6 +9,7 @@
 #include <skelgen/io/atomic_file.hpp>
 
 #include "glb_writer.hpp"
+#include "gzip.hpp"
 #include "little_endian.hpp"
 #include "number_text.hpp"
 
@@ -152,7 +153,8 @@ void write_mesh(const std::filesystem::path& path, const TriangleMesh<Scalar>& m
     const std::optional<MeshFormat> format = mesh_format_of(path);
     if (!format || !is_written(*format))
         throw_unwritable("the file's name must end in " + written_mesh_extensions_text());
-    write_file_atomically(path, format_mesh(mesh, *format));
+    const std::string bytes = format_mesh(mesh, *format);
+    write_file_atomically(path, has_gzip_extension(path) ? detail::gzip(bytes) : bytes);
 }
 
 template std::string format_mesh<float>(const TriangleMesh<float>&, MeshFormat);

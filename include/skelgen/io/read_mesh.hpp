@@ -25,7 +25,7 @@ struct ReadMeshOptions {
 /// holds decides which it is; its extension only where that says nothing. Each may be compressed by gzip.
 ///
 /// - Vertices and faces keep the file's order and indices; normals, colours and texture coordinates are dropped.
-///   STL has no indices: corners at exactly the same position become one vertex.
+///   STL, FBX and DAE: corners at exactly the same position become one vertex.
 /// - Polygons are cut into triangles (see `triangulate`). Triangles that name a vertex twice are left out.
 /// - Scenes give the triangles that a viewer shows, in the scene's unit: all meshes, moved by their nodes, morphed by
 ///   their weights, posed by their skins; as stored, or as an animation has them. Files that a glTF refers to must be

@@ -16,7 +16,8 @@ namespace skelgen::io {
 template <typename Scalar>
 [[nodiscard]] std::string format_mesh(const TriangleMesh<Scalar>& mesh, MeshFormat format);
 
-/// Writes `mesh` in the format of the extension: .off, .obj, .ply, .stl or .glb. The file appears whole or not at all
+/// Writes `mesh` in the format of the extension: .off, .obj, .ply, .stl or .glb; compressed where `.gz`
+/// follows. The file appears whole or not at all
 /// (see `write_file_atomically`). \throws Error usage when the extension is none of these or as `format_mesh`; as
 /// `write_file_atomically` when the file
 ///         cannot be written.
