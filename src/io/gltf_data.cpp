@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <skelgen/core/error.hpp>
+#include <skelgen/io/read_file.hpp>
 
 #include "data_uri.hpp"
 #include "gltf_component.hpp"
@@ -45,7 +46,7 @@ MeshoptStream describe_stream(const GltfValue& compression, std::string_view byt
 } // namespace
 
 GltfData::GltfData(const GltfFile& file, std::size_t file_bytes, LoadCompanion load)
-    : file_(&file), load_(std::move(load)), bytes_(file_bytes) {}
+    : file_(&file), load_(std::move(load)), file_bytes_(file_bytes) {}
 
 std::string GltfData::load_buffer(const GltfValue& buffer) {
     const std::string& uri = buffer.at("uri").text();
@@ -66,7 +67,7 @@ std::string_view GltfData::buffer(const GltfValue& index) {
         auto loaded = buffers_.find(number);
         if (loaded == buffers_.end()) {
             loaded = buffers_.emplace(number, load_buffer(buffer)).first;
-            count_bytes(loaded->second.size());
+            count_file(loaded->second.size(), buffer);
         }
         bytes = loaded->second;
     }
@@ -83,8 +84,11 @@ std::string_view GltfData::part(const GltfValue& view) {
 }
 
 std::string GltfData::decompress(const GltfValue& compression) {
-    std::string bytes = decode_meshopt(describe_stream(compression, part(compression)));
-    count_bytes(bytes.size());
+    // In all; a single part may shrink much more.
+    constexpr std::size_t always_allowed = std::size_t{1} << 24U, best_ratio = 16;
+    const std::size_t most = always_allowed + best_ratio * file_bytes_ - decompressed_bytes_;
+    std::string bytes = decode_meshopt(describe_stream(compression, part(compression)), most);
+    decompressed_bytes_ += bytes.size();
     return bytes;
 }
 
@@ -101,7 +105,7 @@ std::string_view GltfData::view(const GltfValue& index) {
 /// Rows that no view holds are zeros, until sparse ones are put in place. A file's size says how many may be.
 GltfArray GltfData::zeros(const GltfValue& accessor, std::size_t columns) const {
     GltfArray array{accessor.at("count").whole_number(), columns, {}};
-    if (array.rows > bytes_) accessor.fail("promises more zeros than a file of this size has use for");
+    if (array.rows > file_bytes_) accessor.fail("promises more zeros than a file of this size has use for");
     array.values.assign(array.rows * columns, 0.0);
     return array;
 }
@@ -109,6 +113,7 @@ GltfArray GltfData::zeros(const GltfValue& accessor, std::size_t columns) const 
 void GltfData::place_sparse(const GltfValue& accessor, int component_type, GltfArray& array) {
     const GltfValue sparse = accessor.at("sparse"), indices = sparse.at("indices"), values = sparse.at("values");
     const std::size_t count = sparse.at("count").whole_number();
+    count_numbers(count * (1 + array.columns), sparse);
     const auto index_type = static_cast<int>(indices.at("componentType").whole_number());
     const GltfArray places = read_rows({count, 1, {}}, view(indices.at("bufferView")),
                                        {indices.whole_number("byteOffset", 0), 0, index_type, false}, indices);
@@ -122,11 +127,16 @@ void GltfData::place_sparse(const GltfValue& accessor, int component_type, GltfA
     }
 }
 
+void GltfData::count_file(std::size_t bytes, const GltfValue& buffer) {
+    file_bytes_ += bytes;
+    if (file_bytes_ > max_file_bytes) buffer.fail("makes the scene larger than 2 GiB");
+}
+
 void GltfData::count_numbers(std::size_t numbers, const GltfValue& place) {
     // Small scenes may have some hundred copies of a part; a crowd is no body.
-    constexpr std::size_t always_allowed = std::size_t{1} << 24U, most_per_byte = 4;
+    constexpr std::size_t always_allowed = std::size_t{1} << 24U, most_per_byte = 2;
     numbers_ += numbers;
-    if (numbers_ > std::max(always_allowed, most_per_byte * bytes_))
+    if (numbers_ > std::max(always_allowed, most_per_byte * (file_bytes_ + decompressed_bytes_)))
         place.fail("makes the scene many times larger than its file: it is no single body");
 }
 

@@ -41,16 +41,9 @@ public:
     /// The bytes of a view into a buffer, decompressed; valid as long as this lives.
     [[nodiscard]] std::string_view view(const GltfValue& index);
 
-    /// The bytes of the scene's file, of the buffers loaded and of the views decompressed so far: what a scene's size
-    /// may be in proportion to.
-    [[nodiscard]] std::size_t bytes() const { return bytes_; }
-
     /// Takes note that `numbers` are about to be read. A file may refer to the same bytes again and again.
     /// \throws Error bad_input when that makes more than a file of this size has use for.
     void count_numbers(std::size_t numbers, const GltfValue& place);
-
-    /// Takes note of bytes that were decompressed elsewhere.
-    void count_bytes(std::size_t bytes) { bytes_ += bytes; }
 
     [[nodiscard]] const GltfFile& file() const { return *file_; }
 
@@ -58,13 +51,15 @@ private:
     [[nodiscard]] std::string_view buffer(const GltfValue& index);
     [[nodiscard]] std::string load_buffer(const GltfValue& buffer);
     [[nodiscard]] std::string decompress(const GltfValue& compression);
+    void count_file(std::size_t bytes, const GltfValue& buffer);
     [[nodiscard]] std::string_view part(const GltfValue& view);
     [[nodiscard]] GltfArray zeros(const GltfValue& accessor, std::size_t columns) const;
     void place_sparse(const GltfValue& accessor, int component_type, GltfArray& array);
 
     const GltfFile* file_;
     LoadCompanion load_;
-    std::size_t bytes_;
+    std::size_t file_bytes_;                          ///< of the scene's file and of the buffers loaded so far
+    std::size_t decompressed_bytes_ = 0;              ///< of the views decompressed so far
     std::size_t numbers_ = 0;                         ///< read so far
     std::map<std::size_t, std::string> buffers_;      ///< loaded, by number; a map, so that they never move
     std::map<std::size_t, std::string> decompressed_; ///< views, by number

@@ -14,16 +14,7 @@ Vector read_vector(const GltfValue& value) {
     return vector;
 }
 
-std::vector<double> read_weights(const GltfFile& file, const GltfValue& node) {
-    auto weights = node.find("weights");
-    const auto mesh = node.find("mesh");
-    if (!weights && mesh) weights = file.referred("meshes", *mesh).find("weights");
-    std::vector<double> values;
-    for (std::size_t i = 0; weights && i < weights->size(); ++i) values.push_back((*weights)[i].number());
-    return values;
-}
-
-SceneNode read_node(const GltfFile& file, const GltfValue& value) {
+SceneNode read_node(const GltfValue& value) {
     SceneNode node;
     if (const auto translation = value.find("translation"))
         node.translation = read_vector<Eigen::Vector3d>(*translation);
@@ -39,17 +30,24 @@ SceneNode read_node(const GltfFile& file, const GltfValue& value) {
         const auto columns = read_vector<Columns>(*matrix);
         node.matrix = Eigen::Map<const Eigen::Matrix4d>(columns.data());
     }
-    node.weights = read_weights(file, value);
+    node.weights = read_morph_weights(value);
     return node;
 }
 
 } // namespace
 
+std::vector<double> read_morph_weights(const GltfValue& node_or_mesh) {
+    const auto weights = node_or_mesh.find("weights");
+    std::vector<double> values;
+    for (std::size_t i = 0; weights && i < weights->size(); ++i) values.push_back((*weights)[i].number());
+    return values;
+}
+
 GltfNodes read_nodes(const GltfFile& file) {
     GltfNodes result;
     const std::size_t count = file.count("nodes");
     result.children.resize(count);
-    for (std::size_t i = 0; i < count; ++i) result.nodes.push_back(read_node(file, file.root().at("nodes")[i]));
+    for (std::size_t i = 0; i < count; ++i) result.nodes.push_back(read_node(file.root().at("nodes")[i]));
     for (std::size_t i = 0; i < count; ++i) {
         const auto children = file.root().at("nodes")[i].find("children");
         for (std::size_t k = 0; children && k < children->size(); ++k) {

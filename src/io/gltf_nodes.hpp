@@ -8,7 +8,10 @@
 
 namespace skelgen::io::detail {
 
-/// The nodes of a glTF file, with the weights of their meshes' morph targets.
+/// The weights of morph targets that a node or a mesh has; none where it does not say.
+[[nodiscard]] std::vector<double> read_morph_weights(const GltfValue& node_or_mesh);
+
+/// The nodes of a glTF file. Their weights are those that they have themselves, in place of their meshes'.
 struct GltfNodes {
     std::vector<SceneNode> nodes;
     std::vector<std::vector<std::size_t>> children;

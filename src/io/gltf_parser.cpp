@@ -41,16 +41,20 @@ private:
     void add_mesh(const GltfValue& node_value, std::size_t node, const GltfValue& mesh) {
         const auto joint_matrices = read_skin(node_value);
         const bool mirrored = !joint_matrices && matrices_[node].topLeftCorner<3, 3>().determinant() < 0;
+        std::vector<double> weights = nodes_.nodes[node].weights;
+        if (weights.empty()) weights = read_morph_weights(mesh);
         std::map<std::string, std::size_t> first_vertices; // of primitives by their vertices' key
         const GltfValue primitives = mesh.at("primitives");
+        data_->count_numbers(weights.size() + primitives.size(), mesh); // any number of nodes may have the same mesh
         for (std::size_t i = 0; i < primitives.size(); ++i) {
             if (!has_triangles(primitives[i])) {
                 has_points_ = true;
                 continue;
             }
-            const GltfPrimitive primitive = read_primitive(*data_, primitives[i], nodes_.nodes[node].weights);
-            const auto [known, is_new] =
-                first_vertices.emplace(vertex_key(primitives[i]), mesh_.coordinates.size() / 3);
+            const GltfPrimitive primitive = read_primitive(*data_, primitives[i], weights);
+            const std::string key = vertex_key(primitives[i]);
+            data_->count_numbers(key.size(), primitives[i]);
+            const auto [known, is_new] = first_vertices.emplace(key, mesh_.coordinates.size() / 3);
             if (is_new) add_vertices(primitive.vertices, matrices_[node], joint_matrices, primitives[i]);
             add_triangles(primitive, known->second, mirrored);
         }
@@ -62,6 +66,7 @@ private:
         if (!index) return std::nullopt;
         const GltfValue skin = data_->file().referred("skins", *index);
         const GltfValue joints = skin.at("joints");
+        data_->count_numbers(16 * joints.size(), skin);
         std::optional<GltfArray> inverse_binds;
         if (const auto accessor = skin.find("inverseBindMatrices")) {
             inverse_binds = data_->accessor(*accessor, 16);

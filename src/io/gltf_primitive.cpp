@@ -50,7 +50,6 @@ private:
             wanted.push_back({ids.at(name.c_str()).whole_number(), columns_of(name)});
         }
         mesh_ = decode_draco(data_->view(draco_->at("bufferView")), wanted);
-        data_->count_bytes(mesh_.points * 12 + mesh_.triangles.size() * 12); // as without compression
         data_->count_numbers(mesh_.points * 3 + mesh_.triangles.size() * 3, *draco_);
     }
 

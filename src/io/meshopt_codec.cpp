@@ -73,8 +73,10 @@ void apply_filter(const MeshoptStream& stream, char* rows) {
 
 } // namespace
 
-std::string decode_meshopt(const MeshoptStream& stream) {
+std::string decode_meshopt(const MeshoptStream& stream, std::size_t most_bytes) {
     if (!is_sound(stream) || !is_sound_filter(stream)) refuse_damaged();
+    if (stream.count * stream.stride > most_bytes)
+        refuse("parts compressed with EXT_meshopt_compression grow beyond all measure; export the scene uncompressed");
     std::string rows(stream.count * stream.stride, '\0');
     if (decode(stream, rows.data()) != 0) refuse_damaged();
     apply_filter(stream, rows.data());
@@ -83,7 +85,7 @@ std::string decode_meshopt(const MeshoptStream& stream) {
 
 #else
 
-std::string decode_meshopt(const MeshoptStream&) {
+std::string decode_meshopt(const MeshoptStream&, std::size_t) {
     refuse(
         "the scene is compressed with EXT_meshopt_compression, which this build of skelgen cannot read; build it with "
         "meshoptimizer (Debian: libmeshoptimizer-dev), or export the scene uncompressed");

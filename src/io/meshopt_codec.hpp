@@ -19,7 +19,8 @@ struct MeshoptStream {
 };
 
 /// The count x stride bytes that the stream stands for. Linear in them; no more than 128 times the stream's.
-/// \throws Error bad_input when the stream is damaged, or this build lacks meshoptimizer, which the message then says.
-[[nodiscard]] std::string decode_meshopt(const MeshoptStream& stream);
+/// \throws Error bad_input when the stream is damaged or stands for more than `most_bytes`, or this build lacks
+///         meshoptimizer, which the message then says.
+[[nodiscard]] std::string decode_meshopt(const MeshoptStream& stream, std::size_t most_bytes);
 
 } // namespace skelgen::io::detail
