@@ -45,7 +45,9 @@ private:
         if (weights.empty()) weights = read_morph_weights(mesh);
         std::map<std::string, std::size_t> first_vertices; // of primitives by their vertices' key
         const GltfValue primitives = mesh.at("primitives");
-        data_->count_numbers(weights.size() + primitives.size(), mesh); // any number of nodes may have the same mesh
+        // Any number of nodes may have the same mesh, and what JSON says takes longer to read than a buffer's numbers.
+        constexpr std::size_t effort = 64;
+        data_->count_numbers(effort * (weights.size() + primitives.size()), mesh);
         for (std::size_t i = 0; i < primitives.size(); ++i) {
             if (!has_triangles(primitives[i])) {
                 has_points_ = true;
@@ -66,7 +68,7 @@ private:
         if (!index) return std::nullopt;
         const GltfValue skin = data_->file().referred("skins", *index);
         const GltfValue joints = skin.at("joints");
-        data_->count_numbers(16 * joints.size(), skin);
+        data_->count_numbers(16 * joints.size(), skin); // a matrix each
         std::optional<GltfArray> inverse_binds;
         if (const auto accessor = skin.find("inverseBindMatrices")) {
             inverse_binds = data_->accessor(*accessor, 16);

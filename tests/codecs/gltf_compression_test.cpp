@@ -23,7 +23,7 @@ using namespace skelgen::test;
 namespace {
 
 /// A file whose every byte in turn is changed, and which is cut short at every byte, is read or refused: nothing else.
-void check_damaged(const std::string& bytes) {
+[[maybe_unused]] void check_damaged(const std::string& bytes) {
     const auto survives = [](const std::string& damaged) {
         try {
             const auto mesh = parse_mesh(damaged);

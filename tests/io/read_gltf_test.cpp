@@ -382,4 +382,23 @@ TEST_CASE("read glTF: a small file does not make a huge mesh", "[io][gltf]") {
         scene.json["scenes"][0]["nodes"].push_back(i + 1);
     }
     CHECK_THAT(reading_error(scene.glb()), Catch::Matchers::Contains("larger than its file"));
+
+    const auto crowd = [](const char* list) { // 3000 nodes of one mesh, which has 10,000 of something
+        GltfBuilder large = tetrahedron_scene();
+        if (list == std::string("weights")) large.json["meshes"][0]["weights"] = std::vector<int>(10000, 0);
+        if (list == std::string("primitives"))
+            large.json["meshes"][0]["primitives"] =
+                std::vector<Json>(10000, {{"attributes", Json::object()}, {"mode", 0}});
+        if (list == std::string("joints")) large.json["skins"] = {{{"joints", std::vector<int>(10000, 0)}}};
+        for (int i = 1; i <= 3000; ++i) {
+            large.json["nodes"].push_back({{"mesh", 0}});
+            if (list == std::string("joints")) large.json["nodes"].back()["skin"] = 0;
+            large.json["scenes"][0]["nodes"].push_back(i);
+        }
+        return large.glb();
+    };
+    for (const char* const list : {"weights", "primitives", "joints"}) {
+        INFO(list);
+        CHECK_THAT(reading_error(crowd(list)), Catch::Matchers::Contains("larger than its file"));
+    }
 }
