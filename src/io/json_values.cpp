@@ -37,8 +37,13 @@ Json parse_json(std::string_view text) {
         // "[json.exception.parse_error.101] parse error at line 1, column 2: ...": users can do without the first word.
         const std::string_view what = error.what();
         throw Error(ErrorCode::bad_input,
-                    "is no valid JSON: " + std::string(what.substr(what.find(']') + 2)) + "; repair it");
+                    "is no valid JSON: " + valid_utf8(std::string(what.substr(what.find(']') + 2))) + "; repair it");
     }
+}
+
+std::string valid_utf8(const std::string& text) {
+    const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return Json::parse(quoted).get<std::string>();
 }
 
 std::optional<Vector3<double>> to_point(const Json& value) {

@@ -11,6 +11,7 @@
 #include "gltf_file.hpp"
 #include "gltf_parser.hpp"
 #include "gzip.hpp"
+#include "json_values.hpp"
 #include "mesh_parsers.hpp"
 #include "text_scanner.hpp"
 
@@ -124,6 +125,16 @@ PolygonMesh read_polygons(std::string_view content, const ReadMeshOptions& optio
     return parse(content, encoding, options, load);
 }
 
+/// As `read_polygons`. Errors may quote what the file holds: their text is valid UTF-8 whatever that is.
+PolygonMesh read_telling_errors(std::string_view content, const ReadMeshOptions& options,
+                                const detail::LoadCompanion& load) {
+    try {
+        return read_polygons(content, options, load);
+    } catch (const Error& error) {
+        throw Error(error.code(), detail::valid_utf8(error.what()));
+    }
+}
+
 std::string refuse_companion(const std::string& reference) {
     throw_unreadable("the scene refers to a file beside it, '" + reference +
                      "', which cannot be looked for here; name the scene's own file, or export it as GLB");
@@ -133,7 +144,7 @@ std::string refuse_companion(const std::string& reference) {
 
 template <typename Scalar>
 TriangleMesh<Scalar> parse_mesh(std::string_view content, const ReadMeshOptions& options) {
-    return triangulate<Scalar>(read_polygons(content, options, refuse_companion));
+    return triangulate<Scalar>(read_telling_errors(content, options, refuse_companion));
 }
 
 template <typename Scalar>
@@ -148,7 +159,7 @@ TriangleMesh<Scalar> read_mesh(const std::filesystem::path& path, const ReadMesh
     const auto load = [folder = path.parent_path()](const std::string& reference) {
         return detail::read_companion(folder, reference);
     };
-    return triangulate<Scalar>(read_polygons(read_file(path), named, load));
+    return triangulate<Scalar>(read_telling_errors(read_file(path), named, load));
 }
 
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \

@@ -367,6 +367,7 @@ TEST_CASE("read glTF: what does not hold together is refused, with its place", "
         INFO(scene.json.dump() << "\n" << error);
         CHECK_THAT(error, Catch::Matchers::Contains(fault.told));
     }
+    CHECK(reading_error("{\"asset\": \x81 \xff}").find('\x81') == std::string::npos); // messages are UTF-8
     CHECK_THAT(reading_error(std::string(1000000, '[') + "\"asset\"", MeshFormat::gltf),
                Catch::Matchers::Contains("nested"));
     CHECK_THAT(reading_error(tetrahedron_scene().gltf("data:text/plain,abc")), Catch::Matchers::Contains("base64"));
