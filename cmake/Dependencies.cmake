@@ -15,6 +15,27 @@ find_package(nlohmann_json 3.11 REQUIRED)
 find_package(FastFloat 3.9 REQUIRED CONFIG)
 set(skelgen_build_only nanoflann::nanoflann nlohmann_json::nlohmann_json FastFloat::fast_float)
 
+# More kinds of files, each read where its library is there; a build without says which library it lacks when it meets
+# such a file.
+# skelgen_find_codec(<NAME> <package> <target> <what it reads>): the option SKELGEN_WITH_<NAME>, on where the library is.
+set(skelgen_codec_libraries "")
+set(skelgen_codec_definitions "")
+set(skelgen_codec_packages "")
+macro(skelgen_find_codec NAME package target what)
+  find_package(${package} QUIET)
+  option(SKELGEN_WITH_${NAME} "Read ${what} (needs ${package})" ${${package}_FOUND})
+  if(SKELGEN_WITH_${NAME})
+    find_package(${package} REQUIRED)
+    list(APPEND skelgen_codec_libraries ${target})
+    list(APPEND skelgen_codec_packages ${package})
+  endif()
+  list(APPEND skelgen_codec_definitions SKELGEN_WITH_${NAME}=$<BOOL:${SKELGEN_WITH_${NAME}}>)
+endmacro()
+skelgen_find_codec(ASSIMP assimp assimp::assimp "FBX and DAE")
+skelgen_find_codec(ZLIB ZLIB ZLIB::ZLIB "and write files compressed by gzip")
+skelgen_find_codec(DRACO draco draco::draco "glTF compressed with Draco")
+skelgen_find_codec(MESHOPTIMIZER meshoptimizer meshoptimizer::meshoptimizer "glTF compressed with meshopt")
+
 if(SKELGEN_BUILD_RENDER)
   find_package(PNG REQUIRED)
 endif()

@@ -198,13 +198,25 @@ set(skelgen_sources
     src/instantiate/refinement.cpp
     src/instantiate/surface.cpp
     src/instantiate/symmetry.cpp
+    src/io/animation_choice.cpp
     src/io/atomic_file.cpp
     src/io/axis_json.cpp
+    src/io/companion_file.cpp
     src/io/curve_formats.cpp
     src/io/curve_json.cpp
     src/io/curve_obj.cpp
     src/io/curve_ply.cpp
     src/io/curve_swc.cpp
+    src/io/data_uri.cpp
+    src/io/glb_writer.cpp
+    src/io/gltf_animation.cpp
+    src/io/gltf_component.cpp
+    src/io/gltf_data.cpp
+    src/io/gltf_file.cpp
+    src/io/gltf_nodes.cpp
+    src/io/gltf_parser.cpp
+    src/io/gltf_primitive.cpp
+    src/io/gltf_value.cpp
     src/io/json_values.cpp
     src/io/leftovers.cpp
     src/io/mesh_format.cpp
@@ -212,15 +224,26 @@ set(skelgen_sources
     src/io/off_parser.cpp
     src/io/ply_header.cpp
     src/io/ply_parser.cpp
+    src/io/polygon_bytes.cpp
     src/io/polygon_mesh.cpp
     src/io/read_file.cpp
     src/io/read_mesh.cpp
+    src/io/scene_pose.cpp
+    src/io/separate_process.cpp
     src/io/skeleton_json.cpp
     src/io/stl_parser.cpp
     src/io/template_json.cpp
     src/io/temporary_name.cpp
     src/io/truth_json.cpp
     src/io/write_mesh.cpp
+)
+
+# What needs libraries that may be missing; each file says then what cannot be read.
+set(skelgen_codec_sources
+    src/io/assimp_importer.cpp
+    src/io/draco_codec.cpp
+    src/io/gzip.cpp
+    src/io/meshopt_codec.cpp
 )
 
 set(skelgen_render_sources
@@ -280,11 +303,13 @@ set(skelgen_cli_sources
     batch_inputs.cpp
     batch_summary.cpp
     console.cpp
+    convert.cpp
     curve.cpp
     extract.cpp
     extract_file.cpp
     fingerprint.cpp
     main.cpp
+    mesh_input.cpp
     progress_bar.cpp
     stages.cpp
     worker_pool.cpp

@@ -12,7 +12,7 @@ int main(int argc, char** argv) try {
         std::cerr << "usage: extract MESH [SKELETON.json]\n";
         return static_cast<int>(skelgen::ErrorCode::usage);
     }
-    const auto mesh = skelgen::read_mesh(argv[1]); // OFF, OBJ, PLY or STL
+    const auto mesh = skelgen::read_mesh(argv[1]); // OFF, OBJ, PLY, STL, GLB, glTF, VRM, FBX or DAE
     const auto found = skelgen::extract_skeleton(mesh);
 
     for (const auto& joint : found.skeleton.joints)

@@ -65,7 +65,7 @@ std::string to_text(double number) {
 FileExtraction extract_within_memory(const BatchItem& item, const ExtractOptions& options, std::size_t mebibytes,
                                      SummaryLine& line) {
     try {
-        return extract_file(item.mesh, options);
+        return extract_file({item.mesh, {}}, options);
     } catch (const std::bad_alloc&) {
         if (mebibytes == 0) throw;
         line.status = "memory";

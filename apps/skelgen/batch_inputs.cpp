@@ -145,8 +145,8 @@ std::vector<BatchItem> find_batch_items(const std::vector<std::string>& inputs, 
     std::vector<BatchItem> items;
     for (const std::string& input : inputs)
         for (const FoundMesh& found : find_meshes(input)) {
-            fs::path output = output_folder / found.relative;
-            items.push_back({found.mesh, printable(found.relative), output.replace_extension(".json"), found.fault});
+            fs::path output = io::without_extensions(output_folder / found.relative);
+            items.push_back({found.mesh, printable(found.relative), output += ".json", found.fault});
         }
     return with_outputs_apart(distinct(std::move(items)));
 }

@@ -12,6 +12,7 @@ void add_extract_command(CLI::App& app);
 void add_batch_command(CLI::App& app);
 void add_evaluate_command(CLI::App& app);
 void add_curve_command(CLI::App& app);
+void add_convert_command(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_synth_command(CLI::App& app);
 

@@ -5,16 +5,16 @@
 #include <skelgen/core/join_curves.hpp>
 #include <skelgen/extract.hpp>
 #include <skelgen/io/curve_formats.hpp>
-#include <skelgen/io/read_mesh.hpp>
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "mesh_input.hpp"
 
 namespace skelgen::cli {
 namespace {
 
 struct CurveCommand {
-    std::string mesh;
+    MeshInput mesh;
     std::string output;
     double spacing = curve::BranchCentringOptions().spacing;
     std::string detail = "limbs";
@@ -47,9 +47,9 @@ void print_warnings(const std::string& mesh, const std::vector<curve::CurveResul
 }
 
 void run(const CurveCommand& command) {
-    require_different_files(command.mesh, command.output);
-    auto results =
-        in_file(command.mesh, [&] { return find_curves(read_mesh<double>(command.mesh), extract_options(command)); });
+    const std::string file = command.mesh.file.string();
+    require_different_files(file, command.output);
+    auto results = in_file(file, [&] { return find_curves(load_mesh(command.mesh), extract_options(command)); });
     std::vector<CurveSkeleton<double>> curves;
     for (auto& result : results) curves.push_back(std::move(result.curve));
     const CurveSkeleton<double> curve = core::joined(curves);
@@ -57,7 +57,7 @@ void run(const CurveCommand& command) {
         write_result("-", io::curve_to_json(curve));
     else
         in_file(command.output, [&] { write_curve(command.output, curve); });
-    print_warnings(command.mesh, results);
+    print_warnings(file, results);
 }
 
 } // namespace
@@ -65,8 +65,7 @@ void run(const CurveCommand& command) {
 void add_curve_command(CLI::App& app) {
     auto command = std::make_shared<CurveCommand>();
     CLI::App* sub = app.add_subcommand("curve", "Find the curve skeleton alone, of a body or anything else");
-    sub->add_option("MESH", command->mesh, "Mesh: OFF, OBJ, PLY or STL; each of its components gets a curve")
-        ->required();
+    add_mesh_input(*sub, command->mesh, "Mesh, of which each component gets a curve");
     sub->add_option("-o,--output", command->output,
                     "File to write: .json, .obj (lines), .ply or .swc; - for JSON on standard output")
         ->required();

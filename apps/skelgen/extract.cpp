@@ -13,7 +13,7 @@ namespace skelgen::cli {
 namespace {
 
 struct ExtractCommand {
-    std::string mesh;
+    MeshInput mesh;
     std::string output = "-";
     std::string skeleton_template = "human21";
     std::string curve;
@@ -36,16 +36,18 @@ void print_details(const FileExtraction& result) {
 }
 
 void run(const ExtractCommand& command) {
-    require_different_files(command.mesh, command.output);
-    require_different_files(command.mesh, command.curve);
+    require_different_files(command.mesh.file, command.output);
+    require_different_files(command.mesh.file, command.curve);
     require_different_outputs(command.output, "-o", command.curve, "--curve");
     ExtractOptions options;
     options.skeleton_template = in_file("--template", [&] { return load_template(command.skeleton_template); });
-    const auto result = in_file(command.mesh, [&] {
+    const auto result = in_file(command.mesh.file, [&] {
         try {
             return extract_file(command.mesh, options);
         } catch (const Error& error) {
-            if (command.verbose && error.code() == ErrorCode::no_skeleton) print_stages(command.mesh, options);
+            const bool is_there_still = command.mesh.file != "-";
+            if (command.verbose && is_there_still && error.code() == ErrorCode::no_skeleton)
+                print_stages(command.mesh, options);
             throw;
         }
     });
@@ -55,7 +57,7 @@ void run(const ExtractCommand& command) {
     if (command.verbose) print_details(result);
     if (command.quiet) return;
     for (const std::string& warning : result.extraction.skeleton.quality.warnings)
-        print_warning(command.mesh + ": " + warning);
+        print_warning(command.mesh.file.string() + ": " + warning);
 }
 
 } // namespace
@@ -63,7 +65,7 @@ void run(const ExtractCommand& command) {
 void add_extract_command(CLI::App& app) {
     auto command = std::make_shared<ExtractCommand>();
     CLI::App* sub = app.add_subcommand("extract", "Find the skeleton in the mesh of a body");
-    sub->add_option("MESH", command->mesh, "Mesh of one body: OFF, OBJ, PLY or STL")->required();
+    add_mesh_input(*sub, command->mesh, "Mesh of one body");
     sub->add_option("-o,--output", command->output, "Skeleton file to write (JSON); - for standard output");
     sub->add_option("--template", command->skeleton_template, "Built-in template, or a template's file (JSON)")
         ->capture_default_str();

@@ -2,23 +2,21 @@
 
 #include <chrono>
 
-#include <skelgen/io/read_mesh.hpp>
-
 namespace skelgen::cli {
 
-FileExtraction extract_file(const std::filesystem::path& mesh_file, const ExtractOptions& options) {
+FileExtraction extract_file(const MeshInput& input, const ExtractOptions& options) {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     const auto ms_since_start = [&] { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); };
 
-    const TriangleMesh<double> mesh = read_mesh<double>(mesh_file);
+    const TriangleMesh<double> mesh = load_mesh(input);
     const double read_ms = ms_since_start();
 
     FileExtraction result;
     result.extraction = extract_skeleton(mesh, options);
     io::FileTimings timings{read_ms, result.extraction.timings};
     timings.stages.total = ms_since_start();
-    result.provenance.mesh = io::SourceMesh{mesh_file.filename().string(), mesh.vertices.rows(), mesh.faces.rows(),
+    result.provenance.mesh = io::SourceMesh{input.file.filename().string(), mesh.vertices.rows(), mesh.faces.rows(),
                                             result.extraction.geodesic_diameter};
     result.provenance.timings_ms = timings;
     result.json = skeleton_to_json(result.extraction.skeleton, result.provenance);

@@ -7,6 +7,8 @@
 #include <skelgen/extract.hpp>
 #include <skelgen/io/skeleton_json.hpp>
 
+#include "mesh_input.hpp"
+
 namespace skelgen::cli {
 
 /// What came out of one mesh file.
@@ -18,6 +20,6 @@ struct FileExtraction {
 
 /// Reads a mesh and finds its skeleton: what `extract` and `batch` both do, so that they give the same bytes.
 /// \throws Error as `io::read_mesh` and `extract_skeleton`, without the file's name.
-[[nodiscard]] FileExtraction extract_file(const std::filesystem::path& mesh, const ExtractOptions& options);
+[[nodiscard]] FileExtraction extract_file(const MeshInput& mesh, const ExtractOptions& options);
 
 } // namespace skelgen::cli

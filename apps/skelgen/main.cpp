@@ -47,6 +47,7 @@ void add_commands(CLI::App& app) {
     add_evaluate_command(app);
 #endif
     add_curve_command(app);
+    add_convert_command(app);
 #if SKELGEN_WITH_RENDER
     add_render_command(app);
 #endif

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include <skelgen/io/curve_formats.hpp>
+#include <skelgen/io/mesh_format.hpp>
 #include <skelgen/io/template_json.hpp>
 #include <skelgen/render/contact_sheet.hpp>
 #include <skelgen/render/png.hpp>
@@ -78,7 +79,8 @@ render::RenderOptions render_options(const RenderCommand& command, bool sheet) {
 fs::path companion(const std::string& named, const BatchItem& item) {
     if (named.empty() || !fs::is_directory(named)) return named;
     const fs::path own = fs::path(named) / item.output;
-    return fs::exists(own) ? own : fs::path(own).replace_filename(item.mesh.stem().string() + ".json");
+    return fs::exists(own) ? own
+                           : fs::path(own).replace_filename(io::without_extensions(item.mesh.filename()) += ".json");
 }
 
 /// As `companion`, for a curve: in a folder the first that is there of the formats that are read.

@@ -6,7 +6,6 @@
 
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/embedding/embed.hpp>
-#include <skelgen/io/read_mesh.hpp>
 
 namespace skelgen::cli {
 namespace {
@@ -52,8 +51,9 @@ void print(const std::filesystem::path& mesh, const char* stage, const std::stri
 
 } // namespace
 
-void print_stages(const std::filesystem::path& file, const ExtractOptions& options) {
-    const TriangleMesh<double> mesh = read_mesh<double>(file);
+void print_stages(const MeshInput& input, const ExtractOptions& options) {
+    const std::filesystem::path& file = input.file;
+    const TriangleMesh<double> mesh = load_mesh(input);
     const Body<double> body = prepare(mesh, options.prepare);
     print(file, "surface", surface_text(mesh, body));
     const curve::CurveResult<double> found = find_curve(body, options.curve);

@@ -137,7 +137,7 @@ void add_synth_command(CLI::App& app) {
     auto command = std::make_shared<SynthCommand>();
     CLI::App* sub = app.add_subcommand("synth", "Make a posed human body of which every joint is known");
     sub->add_option("-o,--output", command->output,
-                    "Mesh to write: " + io::mesh_extensions_text() + "; a folder for --set")
+                    "Mesh to write: " + io::written_mesh_extensions_text() + "; a folder for --set")
         ->required();
     std::string sets =
         std::string("Make a whole set of meshes with their truth into a folder: ") + object_set + " " + tube_set;

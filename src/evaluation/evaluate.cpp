@@ -43,8 +43,10 @@ std::vector<fs::path> folders(const fs::path& folder) {
 
 fs::path find_mesh(const fs::path& folder, const std::string& name) {
     for (const std::string_view extension : io::mesh_extensions()) {
-        fs::path file = folder / (name + std::string(extension));
-        if (fs::exists(file)) return file;
+        for (const char* const compressed : {"", ".gz"}) {
+            fs::path file = folder / (name + std::string(extension) + compressed);
+            if (fs::exists(file)) return file;
+        }
     }
     throw Error(ErrorCode::bad_input, (folder / name).string() + ": no such mesh (" + io::mesh_extensions_text() + ")");
 }

@@ -55,6 +55,9 @@ private:
             next_[i] = (i + 1) % n;
             previous_[i] = (i + n - 1) % n;
         }
+        is_reflex_.assign(n, 0);
+        reflex_corners_ = 0;
+        for (std::size_t i = 0; i < n; ++i) set_reflex(i, turn(i) <= 0);
         diagonal_.resize(n);
         for (std::size_t i = 0; i < n; ++i) diagonal_[i] = ear_diagonal(i);
     }
@@ -96,9 +99,10 @@ private:
     /// Squared length of the diagonal that cuts corner `i` off, or `not_an_ear` if it leaves the polygon.
     [[nodiscard]] double ear_diagonal(std::size_t i) const {
         const std::size_t a = previous_[i], c = next_[i];
-        if (turn(i) <= 0) return not_an_ear;
+        if (is_reflex_[i]) return not_an_ear;
+        if (reflex_corners_ == 0) return squared_diagonal(i);
         for (std::size_t p = next_[c]; p != a; p = next_[p])
-            if (turn(p) <= 0 && covers(i, p)) return not_an_ear;
+            if (is_reflex_[p] && covers(i, p)) return not_an_ear;
         return squared_diagonal(i);
     }
 
@@ -121,12 +125,20 @@ private:
         return best;
     }
 
-    /// Cutting an ear changes which of its two neighbours are ears, and no other corner.
+    void set_reflex(std::size_t i, bool reflex) {
+        reflex_corners_ += static_cast<int>(reflex) - static_cast<int>(is_reflex_[i]);
+        is_reflex_[i] = static_cast<char>(reflex);
+    }
+
+    /// Cutting an ear changes how its two neighbours turn and whether they are ears, and no other corner.
     void remove(std::size_t ear) {
         const std::size_t a = previous_[ear], c = next_[ear];
         next_[a] = c;
         previous_[c] = a;
         if (first_ == ear) first_ = c;
+        set_reflex(ear, false); // it is no longer in the ring
+        set_reflex(a, turn(a) <= 0);
+        set_reflex(c, turn(c) <= 0);
         diagonal_[a] = ear_diagonal(a);
         diagonal_[c] = ear_diagonal(c);
     }
@@ -139,6 +151,8 @@ private:
     std::vector<Point3> points_;
     std::vector<Point2> flat_;
     std::vector<std::size_t> next_, previous_; ///< the ring of corners not cut off yet
+    std::vector<char> is_reflex_;              ///< per corner: whether the polygon turns the other way there, or not
+    int reflex_corners_ = 0;                   ///< how many of those in the ring are
     std::vector<double> diagonal_;             ///< per corner: see ear_diagonal
     std::size_t first_ = 0;                    ///< any corner of the ring
 };
@@ -152,6 +166,9 @@ void check_corners(const PolygonMesh& mesh) {
 }
 
 void check_sizes(const PolygonMesh& mesh) {
+    // Clipping takes the square of a polygon's corners; so much in all takes a second.
+    constexpr double most_pairs = 4e8, few_corners = 100;
+    double pairs = 0;
     std::size_t corners = 0;
     for (std::size_t face = 0; face < mesh.sizes.size(); ++face) {
         const int size = mesh.sizes[face];
@@ -159,7 +176,10 @@ void check_sizes(const PolygonMesh& mesh) {
             throw_bad_mesh("face " + std::to_string(face) + " (counted from 0) has " + std::to_string(size) +
                            " corners; it must have 3 to " + std::to_string(max_face_corners));
         corners += static_cast<std::size_t>(size);
+        if (size > few_corners) pairs += static_cast<double>(size) * static_cast<double>(size);
     }
+    if (pairs > most_pairs)
+        throw_bad_mesh("there are too many polygons with hundreds of corners to be cut into triangles");
     if (corners != mesh.corners.size())
         throw_bad_mesh("the faces' sizes add up to " + std::to_string(corners) + " corners, but there are " +
                        std::to_string(mesh.corners.size()));
@@ -169,7 +189,9 @@ void check(const PolygonMesh& mesh) {
     if (mesh.coordinates.empty() || mesh.coordinates.size() % 3 != 0) throw_bad_mesh("there are no vertices");
     if (mesh.coordinates.size() / 3 > static_cast<std::size_t>(std::numeric_limits<int>::max()))
         throw_bad_mesh("there are more vertices than an int can count");
-    if (mesh.sizes.empty()) throw_bad_mesh("there are no faces, and a cloud of points is not enough");
+    if (mesh.sizes.empty())
+        throw_bad_mesh(
+            "there are no faces; of points alone a surface has to be made first (Poisson reconstruction, say)");
     check_sizes(mesh);
     check_corners(mesh);
 }

@@ -6,13 +6,19 @@
 #include <skelgen/core/error.hpp>
 #include <skelgen/io/read_file.hpp>
 
+#include "assimp_importer.hpp"
+#include "companion_file.hpp"
+#include "gltf_file.hpp"
+#include "gltf_parser.hpp"
+#include "gzip.hpp"
+#include "json_values.hpp"
 #include "mesh_parsers.hpp"
 #include "text_scanner.hpp"
 
 namespace skelgen::io {
 namespace {
 
-enum class Encoding { off, obj, ply, stl_text, stl_binary };
+enum class Encoding { off, obj, ply, stl_text, stl_binary, gltf, fbx, dae };
 
 [[noreturn]] void throw_unreadable(const std::string& message) { throw Error(ErrorCode::bad_input, message); }
 
@@ -28,6 +34,9 @@ bool is_stl_text(std::string_view content, std::string_view first_word) {
 }
 
 std::optional<Encoding> encoding_by_content(std::string_view content) {
+    if (detail::is_glb(content) || detail::is_gltf_json(content)) return Encoding::gltf;
+    if (detail::is_fbx(content)) return Encoding::fbx;
+    if (detail::is_collada(content)) return Encoding::dae;
     if (detail::is_stl_binary(content)) return Encoding::stl_binary;
     detail::TextScanner scanner(content);
     scanner.seek_word();
@@ -40,7 +49,7 @@ std::optional<Encoding> encoding_by_content(std::string_view content) {
 }
 
 Encoding encoding_by_extension(std::optional<MeshFormat> extension) {
-    if (!extension) throw_unreadable("is no mesh in a known format; use OFF, OBJ, PLY or STL");
+    if (!extension) throw_unreadable("is no mesh in a known format (" + mesh_extensions_text() + ")");
     switch (*extension) {
     case MeshFormat::off:
         return Encoding::off;
@@ -49,12 +58,21 @@ Encoding encoding_by_extension(std::optional<MeshFormat> extension) {
     case MeshFormat::ply:
         return Encoding::ply;
     case MeshFormat::stl:
+        return Encoding::stl_binary;
+    case MeshFormat::glb:
+    case MeshFormat::gltf:
+    case MeshFormat::vrm:
+        return Encoding::gltf;
+    case MeshFormat::fbx:
+        return Encoding::fbx;
+    case MeshFormat::dae:
         break;
     }
-    return Encoding::stl_binary;
+    return Encoding::dae;
 }
 
-PolygonMesh parse(std::string_view content, Encoding encoding) {
+PolygonMesh parse(std::string_view content, Encoding encoding, const ReadMeshOptions& options,
+                  const detail::LoadCompanion& load) {
     switch (encoding) {
     case Encoding::off:
         return detail::parse_off(content);
@@ -65,10 +83,18 @@ PolygonMesh parse(std::string_view content, Encoding encoding) {
     case Encoding::stl_text:
         return detail::parse_stl_text(content);
     case Encoding::stl_binary:
+        return detail::parse_stl_binary(content);
+    case Encoding::gltf:
+        return detail::parse_gltf(content, options, load);
+    case Encoding::fbx:
+        return detail::import_scene(content, MeshFormat::fbx, options);
+    case Encoding::dae:
         break;
     }
-    return detail::parse_stl_binary(content);
+    return detail::import_scene(content, MeshFormat::dae, options);
 }
+
+bool is_scene(Encoding encoding) { return encoding >= Encoding::gltf; }
 
 /// Lines that end in a carriage return alone (old Macs), as lines that the parsers know; empty for all other files.
 std::string with_line_feeds(std::string_view content) {
@@ -79,28 +105,69 @@ std::string with_line_feeds(std::string_view content) {
     return result;
 }
 
-} // namespace
-
-template <typename Scalar>
-TriangleMesh<Scalar> parse_mesh(std::string_view content, std::optional<MeshFormat> extension) {
+/// Reads a file's content. `load` gives the files that it refers to.
+PolygonMesh read_polygons(std::string_view content, const ReadMeshOptions& options, const detail::LoadCompanion& load) {
+    std::string decompressed;
+    if (detail::is_gzip(content)) {
+        decompressed = detail::gunzip(content, max_file_bytes);
+        content = decompressed;
+    }
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // of UTF-8
     if (content.starts_with(byte_order_mark)) content.remove_prefix(byte_order_mark.size());
     if (content.empty()) throw_unreadable("the file is empty; write it again");
     const std::string converted = with_line_feeds(content);
     if (!converted.empty()) content = converted;
 
-    const std::optional<Encoding> encoding = encoding_by_content(content);
-    return triangulate<Scalar>(parse(content, encoding ? *encoding : encoding_by_extension(extension)));
+    const std::optional<Encoding> by_content = encoding_by_content(content);
+    const Encoding encoding = by_content ? *by_content : encoding_by_extension(options.format);
+    if (!options.animation.empty() && !is_scene(encoding))
+        throw Error(ErrorCode::usage, "has no animations: its format is none for scenes; leave the option out");
+    return parse(content, encoding, options, load);
+}
+
+/// As `read_polygons`. Errors may quote what the file holds: their text is valid UTF-8 whatever that is.
+PolygonMesh read_telling_errors(std::string_view content, const ReadMeshOptions& options,
+                                const detail::LoadCompanion& load) {
+    try {
+        return read_polygons(content, options, load);
+    } catch (const Error& error) {
+        throw Error(error.code(), detail::valid_utf8(error.what()));
+    }
+}
+
+std::string refuse_companion(const std::string& reference) {
+    throw_unreadable("the scene refers to a file beside it, '" + reference +
+                     "', which cannot be looked for here; name the scene's own file, or export it as GLB");
+}
+
+} // namespace
+
+template <typename Scalar>
+TriangleMesh<Scalar> parse_mesh(std::string_view content, const ReadMeshOptions& options) {
+    return triangulate<Scalar>(read_telling_errors(content, options, refuse_companion));
 }
 
 template <typename Scalar>
-TriangleMesh<Scalar> read_mesh(const std::filesystem::path& path) {
-    return parse_mesh<Scalar>(read_file(path), mesh_format_of(path));
+TriangleMesh<Scalar> parse_mesh(std::string_view content, std::optional<MeshFormat> format) {
+    return parse_mesh<Scalar>(content, ReadMeshOptions{format, "", 0});
 }
 
-template TriangleMesh<float> parse_mesh<float>(std::string_view, std::optional<MeshFormat>);
-template TriangleMesh<double> parse_mesh<double>(std::string_view, std::optional<MeshFormat>);
-template TriangleMesh<float> read_mesh<float>(const std::filesystem::path&);
-template TriangleMesh<double> read_mesh<double>(const std::filesystem::path&);
+template <typename Scalar>
+TriangleMesh<Scalar> read_mesh(const std::filesystem::path& path, const ReadMeshOptions& options) {
+    ReadMeshOptions named = options;
+    if (!named.format) named.format = mesh_format_of(path);
+    const auto load = [folder = path.parent_path()](const std::string& reference) {
+        return detail::read_companion(folder, reference);
+    };
+    return triangulate<Scalar>(read_telling_errors(read_file(path), named, load));
+}
+
+#define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
+    template TriangleMesh<Scalar> parse_mesh<Scalar>(std::string_view, const ReadMeshOptions&);                        \
+    template TriangleMesh<Scalar> parse_mesh<Scalar>(std::string_view, std::optional<MeshFormat>);                     \
+    template TriangleMesh<Scalar> read_mesh<Scalar>(const std::filesystem::path&, const ReadMeshOptions&);
+SKELGEN_INSTANTIATE(float)
+SKELGEN_INSTANTIATE(double)
+#undef SKELGEN_INSTANTIATE
 
 } // namespace skelgen::io

@@ -1,19 +1,22 @@
 #include <skelgen/io/write_mesh.hpp>
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <type_traits>
 
 #include <skelgen/core/error.hpp>
 #include <skelgen/io/atomic_file.hpp>
 
+#include "glb_writer.hpp"
+#include "gzip.hpp"
+#include "little_endian.hpp"
 #include "number_text.hpp"
 
 namespace skelgen::io {
 namespace {
 
+using detail::append_little_endian;
 using detail::append_number;
 using detail::append_point;
 
@@ -63,13 +66,6 @@ std::string format_obj(const TriangleMesh<Scalar>& mesh) {
     std::string text;
     append_rows(text, mesh, "v ", "f", 1);
     return text;
-}
-
-template <typename T>
-void append_little_endian(std::string& bytes, T value) {
-    auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
-    if constexpr (std::endian::native != std::endian::little) std::reverse(raw.begin(), raw.end());
-    bytes.append(raw.data(), raw.size());
 }
 
 template <typename Scalar>
@@ -140,16 +136,25 @@ std::string format_mesh(const TriangleMesh<Scalar>& mesh, MeshFormat format) {
     case MeshFormat::ply:
         return format_ply(mesh);
     case MeshFormat::stl:
+        return format_stl(mesh);
+    case MeshFormat::glb:
+        return detail::format_glb(mesh.vertices.template cast<double>(), mesh.faces);
+    case MeshFormat::gltf:
+    case MeshFormat::vrm:
+    case MeshFormat::fbx:
+    case MeshFormat::dae:
         break;
     }
-    return format_stl(mesh);
+    throw_unwritable("this format is only read; write " + written_mesh_extensions_text());
 }
 
 template <typename Scalar>
 void write_mesh(const std::filesystem::path& path, const TriangleMesh<Scalar>& mesh) {
     const std::optional<MeshFormat> format = mesh_format_of(path);
-    if (!format) throw_unwritable("the file's name must end in " + mesh_extensions_text());
-    write_file_atomically(path, format_mesh(mesh, *format));
+    if (!format || !is_written(*format))
+        throw_unwritable("the file's name must end in " + written_mesh_extensions_text());
+    const std::string bytes = format_mesh(mesh, *format);
+    write_file_atomically(path, has_gzip_extension(path) ? detail::gzip(bytes) : bytes);
 }
 
 template std::string format_mesh<float>(const TriangleMesh<float>&, MeshFormat);

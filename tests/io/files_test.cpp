@@ -51,14 +51,22 @@ TEST_CASE("read_file: what is no file is bad input", "[io][files]") {
 
 TEST_CASE("mesh formats: the list of extensions is the one that names are judged by", "[io][files]") {
     const auto extensions = mesh_extensions();
-    REQUIRE(extensions.size() == 4);
+    REQUIRE(extensions.size() == 9);
     for (std::size_t i = 0; i < extensions.size(); ++i) {
         std::string upper(extensions[i]);
         std::transform(upper.begin(), upper.end(), upper.begin(), [](char c) { return c == '.' ? c : char(c - 32); });
         CHECK(mesh_format_of("a" + std::string(extensions[i])) == static_cast<MeshFormat>(i));
         CHECK(mesh_format_of("folder.x/a.b" + upper) == static_cast<MeshFormat>(i));
     }
-    CHECK(mesh_extensions_text() == ".off, .obj, .ply or .stl");
-    CHECK_FALSE(mesh_format_of("a.off.gz").has_value());
+    CHECK(mesh_extensions_text() == ".off, .obj, .ply, .stl, .glb, .gltf, .vrm, .fbx or .dae");
+    CHECK(written_mesh_extensions_text() == ".off, .obj, .ply, .stl or .glb");
+    CHECK(mesh_format_of("a.off.gz") == MeshFormat::off);
+    CHECK(mesh_format_of("a.b.PLY.GZ") == MeshFormat::ply);
+    CHECK_FALSE(mesh_format_of("off.gz").has_value());
+    CHECK(mesh_format_named("GlTF") == MeshFormat::gltf);
+    CHECK_FALSE(mesh_format_named("").has_value());
+    CHECK(without_extensions("f/a.off.gz") == "f/a");
+    CHECK(without_extensions("f/a.b.obj") == "f/a.b");
+    CHECK(without_extensions("f.g/a.txt") == "f.g/a");
     CHECK_FALSE(mesh_format_of("a.ofx").has_value());
 }

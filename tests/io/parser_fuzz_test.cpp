@@ -45,6 +45,7 @@ std::vector<Sample> samples() {
          "0\nendloop\nendfacet\nendsolid s\n",
          std::nullopt},
         {"binary STL", format_mesh(tetrahedron(), MeshFormat::stl), MeshFormat::stl},
+        {"GLB", format_mesh(tetrahedron(), MeshFormat::glb), MeshFormat::glb},
     };
 }
 
@@ -129,7 +130,7 @@ TEST_CASE("mesh parsers: random bytes", "[io][fuzz]") {
     for (int trial = 0; trial < 500; ++trial) {
         std::string bytes(random() % 300, '\0');
         for (char& byte : bytes) byte = static_cast<char>(random() % 256);
-        for (const auto format : {MeshFormat::off, MeshFormat::obj, MeshFormat::ply, MeshFormat::stl})
+        for (const auto format : {MeshFormat::off, MeshFormat::obj, MeshFormat::ply, MeshFormat::stl, MeshFormat::glb})
             static_cast<void>(parses(bytes, format));
     }
 }

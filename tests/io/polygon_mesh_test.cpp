@@ -165,6 +165,11 @@ TEST_CASE("triangulate: bad polygons are refused", "[io][polygons]") {
     CHECK_THAT(error_of(bad), Contains("add up to 3"));
     bad.sizes = {};
     CHECK_THAT(error_of(bad), Contains("no faces"));
+    PolygonMesh costly; // each could be read, but all would take a minute
+    costly.coordinates = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    costly.sizes.assign(40, max_face_corners);
+    costly.corners.assign(std::size_t{40} * max_face_corners, 0);
+    CHECK_THAT(error_of(costly), Contains("hundreds of corners"));
     bad.sizes = {max_face_corners + 1};
     CHECK_THAT(error_of(bad), Contains("10001 corners"));
     bad = good;

@@ -66,6 +66,24 @@ void check_same(const SkeletonTemplate& a, const SkeletonTemplate& b) {
 
 } // namespace
 
+TEST_CASE("JSON that is nested deeply or has countless keys is refused at once", "[io][template]") {
+    const auto error = [](const std::string& json) -> std::string {
+        try {
+            static_cast<void>(io::parse_template(json));
+        } catch (const Error& failure) {
+            return failure.what();
+        }
+        return "no error";
+    };
+    CHECK_THAT(error(std::string(1000000, '[')), Catch::Matchers::Contains("nested"));
+    std::string keys = "{";
+    for (int i = 0; i < 300000; ++i) keys += '"' + std::to_string(i) + "\":0,";
+    CHECK_THAT(error(keys + "\"a\":0}"), Catch::Matchers::Contains("keys"));
+    std::string objects = "["; // each object has its own keys
+    for (int i = 0; i < 20000; ++i) objects += R"({"a": 0},)";
+    CHECK_THAT(error(objects + "{}]"), Catch::Matchers::Contains("object"));
+}
+
 TEST_CASE("the built-in templates are those in the data folder, byte for byte") {
     const std::vector<std::string> names = builtin_template_names();
     CHECK(names == std::vector<std::string>{"human21", "pinocchio18"});

@@ -20,9 +20,10 @@ inline constexpr int max_face_corners = 10000;
 /// twice, a quad is cut along its shorter inner diagonal). Vertices keep their indices, also those that no face uses;
 /// triangles follow the order of the faces. Triangles that would name a vertex twice are left out; nothing else is:
 /// several fans around one vertex, or three faces at one edge, stay as they are.
-/// O(vertices + corners) for triangles and quads.
+/// O(vertices + corners) for triangles and quads; O(n^2) for a polygon of n corners.
 /// \throws Error bad_input when there is no vertex or no face left, a coordinate is not finite (in `Scalar`), a face
-///         has less than 3 or more than `max_face_corners` corners, or a corner names no vertex.
+///         has less than 3 or more than `max_face_corners` corners, or a corner names no vertex; or when there
+///         are so many polygons of more than 100 corners that the squares of their corners add up to more than 4e8.
 template <typename Scalar = double>
 [[nodiscard]] TriangleMesh<Scalar> triangulate(const PolygonMesh& polygons);
 

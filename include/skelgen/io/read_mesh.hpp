@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include <skelgen/core/mesh.hpp>
@@ -9,27 +10,47 @@
 
 namespace skelgen::io {
 
-/// Reads a triangle mesh: OFF (text, Geomview's binary), OBJ, PLY (text, binary of either byte order) or STL (text,
-/// binary). What the file holds decides which it is; its extension only where that says nothing.
+/// What to make of a file.
+struct ReadMeshOptions {
+    /// The format where the content does not tell (OBJ with unusual first words); none: the extension's.
+    std::optional<MeshFormat> format;
+    /// Of scenes (GLB, glTF, VRM, FBX, DAE): the animation to pose them by, by its name or its number, counted from 1;
+    /// empty: none, they are posed as they are stored.
+    std::string animation;
+    double time = 0; ///< seconds from the animation's beginning
+};
+
+/// Reads a triangle mesh: OFF (text, Geomview's binary), OBJ, PLY (text, binary of either byte order), STL (text,
+/// binary), GLB, glTF or VRM (2.0; also quantised, sparse, compressed by meshopt or Draco), FBX or DAE. What the file
+/// holds decides which it is; its extension only where that says nothing. Each may be compressed by gzip.
 ///
 /// - Vertices and faces keep the file's order and indices; normals, colours and texture coordinates are dropped.
-///   STL has no indices: corners at exactly the same position become one vertex.
+///   STL, FBX and DAE: corners at exactly the same position become one vertex.
 /// - Polygons are cut into triangles (see `triangulate`). Triangles that name a vertex twice are left out.
+/// - Scenes give the triangles that a viewer shows, in the scene's unit: all meshes, moved by their nodes, morphed by
+///   their weights, posed by their skins; as stored, or as an animation has them. Files that a glTF refers to must be
+///   in its folder or below.
 /// - Nothing is repaired: pinched vertices, holes, several components and unused vertices come through as they are.
 ///
-/// `Scalar` is float or double. Linear in the file's size; memory stays below a small multiple of it even if the
-/// file's counts lie. Pipes can be read too.
-/// \throws Error bad_input, naming the line or the byte, when there is no such file or it is none of these formats,
-///         is cut short, holds more or less than it says, has a coordinate that is no finite number, a face with less
-///         than 3 corners or with a vertex that does not exist, or no vertices or faces at all.
+/// `Scalar` is float or double. Linear in the file's size, which is 2 GiB at most, also decompressed; memory stays
+/// below a small multiple of it even if the file's counts lie. Pipes can be read too. FBX and DAE are read in a process
+/// of their own, of limited time and memory, since the library that reads them may crash on damaged files. Compressed
+/// files, FBX and DAE need libraries that a build may lack: the message then says so. \throws Error bad_input, naming
+/// the line, the byte or the place, when there is no such file or it is none of these
+///         formats, is too large, is cut short, holds more or less than it says, has a coordinate that is no finite
+///         number, a face with less than 3 corners or with a vertex that does not exist, or no vertices or faces at
+///         all. Error usage when there is no such animation.
 template <typename Scalar = double>
-[[nodiscard]] TriangleMesh<Scalar> read_mesh(const std::filesystem::path& path);
+[[nodiscard]] TriangleMesh<Scalar> read_mesh(const std::filesystem::path& path, const ReadMeshOptions& options = {});
 
-/// As `read_mesh`, from the content of a file in memory. `extension` is the format to fall back on where the content
-/// does not tell (OFF without its keyword, OBJ with unusual first words).
+/// As `read_mesh`, from the content of a file in memory. A scene that refers to other files is then bad input.
+template <typename Scalar = double>
+[[nodiscard]] TriangleMesh<Scalar> parse_mesh(std::string_view content, const ReadMeshOptions& options);
+
+/// The same with the format to fall back on alone.
 template <typename Scalar = double>
 [[nodiscard]] TriangleMesh<Scalar> parse_mesh(std::string_view content,
-                                              std::optional<MeshFormat> extension = std::nullopt);
+                                              std::optional<MeshFormat> format = std::nullopt);
 
 } // namespace skelgen::io
 

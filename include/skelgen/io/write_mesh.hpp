@@ -9,16 +9,17 @@
 namespace skelgen::io {
 
 /// The bytes of a file with this mesh: OFF and OBJ as text with the shortest numbers that read back the same, PLY
-/// binary little-endian with properties of type `Scalar`, STL binary. STL alone loses something: it has single
-/// precision and no indices. `Scalar` is float or double. Linear. \throws Error usage when a face names no vertex, a
-/// coordinate is not finite, or is too large for STL's float.
+/// binary little-endian with properties of type `Scalar`, STL and GLB binary. STL and GLB lose something: they have
+/// single precision, and STL no indices. `Scalar` is float or double. Linear. \throws Error usage when the format is
+/// one that is only read, a face names no vertex, a coordinate is not finite, or is too large for a float where the
+/// format has floats.
 template <typename Scalar>
 [[nodiscard]] std::string format_mesh(const TriangleMesh<Scalar>& mesh, MeshFormat format);
 
-/// Writes `mesh` in the format of the extension: .off, .obj, .ply or .stl. The file appears whole or not at all (see
-/// `write_file_atomically`).
-/// \throws Error usage when the extension is none of these or as `format_mesh`; as `write_file_atomically` when the
-/// file
+/// Writes `mesh` in the format of the extension: .off, .obj, .ply, .stl or .glb; compressed where `.gz`
+/// follows. The file appears whole or not at all
+/// (see `write_file_atomically`). \throws Error usage when the extension is none of these or as `format_mesh`; as
+/// `write_file_atomically` when the file
 ///         cannot be written.
 template <typename Scalar>
 void write_mesh(const std::filesystem::path& path, const TriangleMesh<Scalar>& mesh);

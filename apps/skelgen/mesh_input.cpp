@@ -1,0 +1,46 @@
+#include "mesh_input.hpp"
+
+#include <optional>
+#include <vector>
+
+#include <skelgen/io/mesh_format.hpp>
+#include <skelgen/io/read_file.hpp>
+
+namespace skelgen::cli {
+namespace {
+
+constexpr const char* standard_input = "-";
+
+std::vector<std::string> format_names() {
+    std::vector<std::string> names;
+    for (const std::string_view extension : io::mesh_extensions()) names.emplace_back(extension.substr(1));
+    return names;
+}
+
+} // namespace
+
+void add_mesh_input(CLI::App& command, MeshInput& input, const std::string& help) {
+    command
+        .add_option("MESH", input.file,
+                    help + " (" + io::mesh_extensions_text() + ", also .gz of each); - for standard input")
+        ->required();
+    command
+        .add_option_function<std::string>(
+            "--format", [&input](const std::string& name) { input.options.format = io::mesh_format_named(name); },
+            "Format of the mesh, where neither its content nor its name tells")
+        ->check(CLI::IsMember(format_names(), CLI::ignore_case));
+    CLI::Option* animation = command.add_option(
+        "--animation", input.options.animation,
+        "Pose a scene by its animation of this name or number (from 1); else it is posed as it is stored");
+    command.add_option("--time", input.options.time, "Seconds from the animation's beginning")
+        ->needs(animation)
+        ->check(CLI::Range(-1e9, 1e9))
+        ->capture_default_str();
+}
+
+TriangleMesh<double> load_mesh(const MeshInput& input) {
+    if (input.file != standard_input) return read_mesh<double>(input.file, input.options);
+    return io::parse_mesh<double>(io::read_file("/dev/stdin"), input.options);
+}
+
+} // namespace skelgen::cli

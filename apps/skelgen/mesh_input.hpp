@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/io/read_mesh.hpp>
+
+namespace skelgen::cli {
+
+/// The mesh that a command works on, and how it is read.
+struct MeshInput {
+    std::filesystem::path file; ///< "-": standard input
+    io::ReadMeshOptions options;
+};
+
+/// Adds the positional MESH, with `help` as what it says there, and the options --format, --animation and --time.
+void add_mesh_input(CLI::App& command, MeshInput& input, const std::string& help);
+
+/// \throws Error as `io::read_mesh`, without the file's name.
+[[nodiscard]] TriangleMesh<double> load_mesh(const MeshInput& input);
+
+} // namespace skelgen::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string_view>
+
+#include <skelgen/io/mesh_format.hpp>
+#include <skelgen/io/polygon_mesh.hpp>
+#include <skelgen/io/read_mesh.hpp>
+
+namespace skelgen::io::detail {
+
+/// Whether the bytes begin as FBX does, in text or binary.
+[[nodiscard]] bool is_fbx(std::string_view bytes);
+
+/// Whether they begin as COLLADA (DAE) does.
+[[nodiscard]] bool is_collada(std::string_view bytes);
+
+/// FBX or DAE, by the library assimp: all polygons of the scene, posed by its skins, all else moved by its nodes.
+/// Corners of a mesh at exactly the same position are one vertex. Morph targets are not applied: assimp does not say by
+/// how much.
+///
+/// The library runs in a process of its own, of limited time and memory: some files crash it.
+/// \throws Error bad_input when it cannot read the file, or this build lacks it, which the message then says; usage for
+///         an animation that is not there.
+[[nodiscard]] PolygonMesh import_scene(std::string_view bytes, MeshFormat format, const ReadMeshOptions& options);
+
+} // namespace skelgen::io::detail

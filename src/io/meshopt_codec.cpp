@@ -1,0 +1,96 @@
+#include "meshopt_codec.hpp"
+
+#include <skelgen/core/error.hpp>
+
+#if SKELGEN_WITH_MESHOPTIMIZER
+#include <meshoptimizer.h>
+#endif
+
+namespace skelgen::io::detail {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::bad_input, "glTF: " + message); }
+
+} // namespace
+
+#if SKELGEN_WITH_MESHOPTIMIZER
+
+namespace {
+
+[[noreturn]] void refuse_damaged() {
+    refuse("a part compressed with EXT_meshopt_compression is damaged; export the scene again");
+}
+
+/// What the decoder takes for granted.
+bool is_sound(const MeshoptStream& stream) {
+    // Zeros take two bits of every sixteen bytes, a triangle one byte: nothing shrinks further.
+    constexpr std::size_t best_ratio = 128;
+    if (stream.stride == 0 || stream.stride > 256 || stream.count > best_ratio * stream.bytes.size() / stream.stride)
+        return false;
+    if (stream.mode == MeshoptMode::attributes) return stream.stride % 4 == 0;
+    return (stream.stride == 2 || stream.stride == 4) && (stream.mode == MeshoptMode::indices || stream.count % 3 == 0);
+}
+
+bool is_sound_filter(const MeshoptStream& stream) {
+    switch (stream.filter) {
+    case MeshoptFilter::none:
+        return true;
+    case MeshoptFilter::octahedral:
+        return stream.mode == MeshoptMode::attributes && (stream.stride == 4 || stream.stride == 8);
+    case MeshoptFilter::quaternion:
+        return stream.mode == MeshoptMode::attributes && stream.stride == 8;
+    case MeshoptFilter::exponential:
+        break;
+    }
+    return stream.mode == MeshoptMode::attributes;
+}
+
+int decode(const MeshoptStream& stream, char* rows) {
+    const auto* const bytes = reinterpret_cast<const unsigned char*>(stream.bytes.data());
+    switch (stream.mode) {
+    case MeshoptMode::attributes:
+        return meshopt_decodeVertexBuffer(rows, stream.count, stream.stride, bytes, stream.bytes.size());
+    case MeshoptMode::triangles:
+        return meshopt_decodeIndexBuffer(rows, stream.count, stream.stride, bytes, stream.bytes.size());
+    case MeshoptMode::indices:
+        break;
+    }
+    return meshopt_decodeIndexSequence(rows, stream.count, stream.stride, bytes, stream.bytes.size());
+}
+
+void apply_filter(const MeshoptStream& stream, char* rows) {
+    switch (stream.filter) {
+    case MeshoptFilter::none:
+        return;
+    case MeshoptFilter::octahedral:
+        return meshopt_decodeFilterOct(rows, stream.count, stream.stride);
+    case MeshoptFilter::quaternion:
+        return meshopt_decodeFilterQuat(rows, stream.count, stream.stride);
+    case MeshoptFilter::exponential:
+        return meshopt_decodeFilterExp(rows, stream.count, stream.stride);
+    }
+}
+
+} // namespace
+
+std::string decode_meshopt(const MeshoptStream& stream, std::size_t most_bytes) {
+    if (!is_sound(stream) || !is_sound_filter(stream)) refuse_damaged();
+    if (stream.count * stream.stride > most_bytes)
+        refuse("parts compressed with EXT_meshopt_compression grow beyond all measure; export the scene uncompressed");
+    std::string rows(stream.count * stream.stride, '\0');
+    if (decode(stream, rows.data()) != 0) refuse_damaged();
+    apply_filter(stream, rows.data());
+    return rows;
+}
+
+#else
+
+std::string decode_meshopt(const MeshoptStream&, std::size_t) {
+    refuse(
+        "the scene is compressed with EXT_meshopt_compression, which this build of skelgen cannot read; build it with "
+        "meshoptimizer (Debian: libmeshoptimizer-dev), or export the scene uncompressed");
+}
+
+#endif
+
+} // namespace skelgen::io::detail

@@ -1,0 +1,143 @@
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <string>
+
+#include <skelgen/core/builtin_templates.hpp>
+#include <skelgen/io/atomic_file.hpp>
+#include <skelgen/io/curve_formats.hpp>
+#include <skelgen/io/skeleton_json.hpp>
+#include <skelgen/io/template_json.hpp>
+#include <skelgen/io/write_mesh.hpp>
+
+#include "io/gltf_builder.hpp"
+
+using namespace skelgen;
+using namespace skelgen::io;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Puts small files for one target to begin with into a folder of its name.
+class Corpus {
+public:
+    Corpus(const fs::path& folder, const std::string& target) : folder_(folder / target) {
+        fs::create_directories(folder_);
+    }
+    void add(const std::string& content) {
+        write_file_atomically(folder_ / ("seed" + std::to_string(count_++)), content);
+    }
+
+private:
+    fs::path folder_;
+    int count_ = 0;
+};
+
+TriangleMesh<double> tetrahedron() {
+    TriangleMesh<double> mesh;
+    mesh.vertices.resize(4, 3);
+    mesh.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
+    mesh.faces.resize(4, 3);
+    mesh.faces << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
+    return mesh;
+}
+
+CurveSkeleton<double> fork_curve() {
+    CurveSkeleton<double> curve;
+    curve.nodes.resize(4, 3);
+    curve.nodes << 0, 0, 0, 1, 1e5, 0.25, 2, -1, 0, 1, 1, 1;
+    curve.edges = {{0, 1}, {0, 2}, {0, 3}};
+    curve.radii = {1, 2, 0, 3.5};
+    curve.regions = {{0, 1}, {}, {2}, {3}};
+    return curve;
+}
+
+KinematicSkeleton<double> small_skeleton() {
+    KinematicSkeleton<double> skeleton;
+    skeleton.joints.resize(2);
+    skeleton.joints[0].name = "crotch";
+    skeleton.joints[1].name = "waist";
+    skeleton.joints[1].parent = 0;
+    skeleton.joints[1].position = {0, 0, 0.1};
+    return skeleton;
+}
+
+/// With a skin, a morph target, a sparse accessor and an animation.
+std::string full_scene() {
+    test::GltfBuilder scene;
+    scene.add_tetrahedron();
+    const auto joints = scene.add<std::uint8_t>("VEC4", {0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0});
+    const auto weights = scene.add<float>("VEC4", {1, 0, 0, 0, 1, 0, 0, 0, .5, .5, 0, 0, 1, 0, 0, 0});
+    const auto offsets = scene.add<float>("VEC3", {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 4});
+    scene.primitive()["attributes"]["JOINTS_0"] = joints;
+    scene.primitive()["attributes"]["WEIGHTS_0"] = weights;
+    scene.primitive()["targets"] = {{{"POSITION", offsets}}};
+    const auto indices = scene.add_view(test::GltfBuilder::raw<std::uint8_t>({1}));
+    const auto values = scene.add_view(test::GltfBuilder::raw<float>({5, 0, 0}));
+    scene.json["accessors"][0]["sparse"] = {{"count", 1},
+                                            {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
+                                            {"values", {{"bufferView", values}}}};
+    const auto times = scene.add<float>("SCALAR", {0, 1});
+    const auto turns = scene.add<float>("VEC4", {0, 0, 0, 1, 0, 0, 1, 0});
+    scene.json["nodes"] = {{{"mesh", 0}, {"skin", 0}, {"weights", {0.5}}},
+                           {{"children", {2}}, {"scale", {1, 2, 1}}},
+                           {{"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 2, 3, 1}}}};
+    scene.json["scenes"][0]["nodes"] = {0, 1};
+    scene.json["skins"] = {{{"joints", {1, 2}}}};
+    scene.json["animations"] = {{{"channels", {{{"sampler", 0}, {"target", {{"node", 2}, {"path", "rotation"}}}}}},
+                                 {"samplers", {{{"input", times}, {"output", turns}, {"interpolation", "LINEAR"}}}}}};
+    return scene.glb();
+}
+
+void make_corpus(const fs::path& folder) {
+    const auto mesh = tetrahedron();
+    Corpus off(folder, "off"), obj(folder, "obj"), ply(folder, "ply"), stl(folder, "stl"), gltf(folder, "gltf");
+    off.add(format_mesh(mesh, MeshFormat::off));
+    off.add("COFF 4 1 0\n0 0 0 1 0 0 1\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 # quad\n");
+    off.add("OFF BINARY\n" + std::string("\0\0\0\3\0\0\0\1\0\0\0\0", 12) + std::string(36, '\0') +
+            std::string("\0\0\0\3\0\0\0\0\0\0\0\1\0\0\0\2\0\0\0\0", 20));
+    obj.add(format_mesh(mesh, MeshFormat::obj));
+    obj.add("v 0 0 0\nv 1 0 0\nvt 0 0\nv 1 1 \\\n 0\nv 0 1 0\ng a\nf 1/1 2//3 3/1/1 -1\n");
+    ply.add(format_mesh(mesh, MeshFormat::ply));
+    ply.add("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+            "property list uchar int more\nelement face 1\nproperty list uchar int vertex_index\nend_header\n"
+            "0 0 0 0\n1 0 0 1 7\n0 1 0 0\n3 0 1 2\n");
+    stl.add(format_mesh(mesh, MeshFormat::stl));
+    stl.add("solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+            "endsolid s\n");
+    test::GltfBuilder scene;
+    scene.add_tetrahedron();
+    gltf.add(scene.glb());
+    gltf.add(scene.gltf(scene.data_uri()));
+    gltf.add(full_scene());
+
+    Corpus any(folder, "mesh");
+    for (const MeshFormat format :
+         {MeshFormat::off, MeshFormat::obj, MeshFormat::ply, MeshFormat::stl, MeshFormat::glb})
+        any.add(format_mesh(mesh, format));
+#if SKELGEN_WITH_ZLIB
+    write_mesh(folder / "mesh/compressed.off.gz", mesh);
+#endif
+    Corpus curve(folder, "curve");
+    curve.add('\0' + curve_to_json(fork_curve()));
+    curve.add('\1' + curve_to_obj(fork_curve()));
+    curve.add('\2' + curve_to_ply(fork_curve()));
+    curve.add('\3' + curve_to_swc(fork_curve()));
+    Corpus(folder, "template_json").add(template_to_json(builtin_template("pinocchio18")));
+    Corpus(folder, "skeleton_json").add(skeleton_to_json(small_skeleton()));
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::cerr << "usage: skelgen-fuzz-corpus FOLDER\n";
+        return 2;
+    }
+    try {
+        make_corpus(argv[1]);
+    } catch (const std::exception& error) {
+        std::cerr << "skelgen-fuzz-corpus: " << error.what() << '\n';
+        return 1;
+    }
+}
