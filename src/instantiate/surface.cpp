@@ -2,12 +2,18 @@
 
 #include <skelgen/surface/impl/body.hpp>
 #include <skelgen/surface/impl/canonical_form.hpp>
+#include <skelgen/surface/impl/clean.hpp>
 #include <skelgen/surface/impl/contours.hpp>
 #include <skelgen/surface/impl/cut_surface.hpp>
 #include <skelgen/surface/impl/denoise.hpp>
 #include <skelgen/surface/impl/face_tree.hpp>
+#include <skelgen/surface/impl/fill_holes.hpp>
 #include <skelgen/surface/impl/manifold_parts.hpp>
+#include <skelgen/surface/impl/orientation.hpp>
 #include <skelgen/surface/impl/prepare.hpp>
+#include <skelgen/surface/impl/sound_faces.hpp>
+#include <skelgen/surface/impl/visibility.hpp>
+#include <skelgen/surface/impl/weld.hpp>
 
 namespace skelgen::surface {
 
@@ -23,6 +29,13 @@ namespace skelgen::surface {
     template std::optional<Contour<Scalar>> contour_around(const TriangleMesh<Scalar>&, const Triangles&,              \
                                                            const FaceTree<Scalar>&, const Vector3<Scalar>&,            \
                                                            const Vector3<Scalar>&, Scalar);                            \
+    template Scalar robust_size(const TriangleMesh<Scalar>&);                                                          \
+    template WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>&, Scalar);                                             \
+    template Visibility look_out(const TriangleMesh<Scalar>&, const FaceTree<Scalar>&, const std::vector<int>&, int);  \
+    template SoundFaces sound_faces(const TriangleMesh<Scalar>&);                                                      \
+    template OrientedMesh<Scalar> orient(TriangleMesh<Scalar>);                                                        \
+    template CleanMesh<Scalar> clean(const TriangleMesh<Scalar>&);                                                     \
+    template FilledSurface<Scalar> fill_holes(const TriangleMesh<Scalar>&, double);                                    \
     template Scalar bulge_coherence(const TriangleMesh<Scalar>&);                                                      \
     template DenoisedMesh<Scalar> remove_noise(TriangleMesh<Scalar>, const DenoiseOptions&);                           \
     template CanonicalMesh<Scalar> canonical_form(const TriangleMesh<Scalar>&);                                        \

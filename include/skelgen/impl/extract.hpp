@@ -158,11 +158,11 @@ template <typename Scalar>
 Outcome<Fit<Scalar>> to_fit(const Body<Scalar>& body, Attempt<Scalar> attempt) {
     if (!attempt.outcome) return attempt.outcome.failure();
     Candidate<Scalar>& found = *attempt.outcome;
+    std::vector<std::string>& warnings = found.skeleton.quality.warnings;
+    warnings.insert(warnings.end(), body.repairs.begin(), body.repairs.end());
     if (body.dropped_pieces > 0)
-        found.skeleton.quality.warnings.push_back(std::to_string(body.dropped_pieces) +
-                                                  " pieces not connected to the body were left out");
-    if (!found.curve.converged)
-        found.skeleton.quality.warnings.push_back("the curve skeleton's contraction did not converge");
+        warnings.push_back(std::to_string(body.dropped_pieces) + " pieces not connected to the body were left out");
+    if (!found.curve.converged) warnings.push_back("the curve skeleton's contraction did not converge");
     return Fit<Scalar>{surface::to_input(body, found.skeleton), surface::to_input(body, found.curve.curve),
                        body.similarity.scale * found.geodesic_diameter, attempt.timings};
 }
