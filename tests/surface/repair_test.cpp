@@ -102,11 +102,15 @@ TEST_CASE("vertices that no face uses are left out and do not count for the size
     CHECK(body.repairs[0] == "vertices without a face ignored: 1 vertex");
 }
 
-TEST_CASE("the size is that of most of the surface") {
-    CHECK(robust_size(cube(4)) == Approx(std::sqrt(3)).epsilon(0.02));
+TEST_CASE("the size is that of most of the surface, and faces that reach far beyond go") {
+    const auto size = [](const Mesh& mesh) { return robust_box(mesh).diagonal().norm(); };
+    CHECK(size(cube(4)) == Approx(std::sqrt(3)).epsilon(0.02));
     Mesh far = with_vertex(cube(4), Vec3(1e5, 0, 0));
     far = with_faces(far, {{0, 1, static_cast<int>(far.vertices.rows()) - 1}});
-    CHECK(robust_size(far) == Approx(robust_size(cube(4))).epsilon(0.02));
+    CHECK(size(far) == Approx(size(cube(4))).epsilon(0.02));
+    CHECK(faces_within_reach(far) == cube(4).faces);
+    CHECK(clean(far).mesh.faces == cube(4).faces);
+    CHECK(clean(far).notes.front() == "faces that reach far away left out: 1 face");
 }
 
 TEST_CASE("faces that bound nothing go") {

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include <skelgen/core/mesh.hpp>
 
 namespace skelgen::surface {
@@ -15,10 +17,15 @@ struct WeldedMesh {
     int unused = 0;          ///< vertices that no face uses, left out
 };
 
-/// Diagonal of the box that holds the middle nine tenths of the faces' corners along each axis: what a few strays far
-/// away do not change. Any unit. O(faces).
+/// The box that holds the middle nine tenths of the faces' corners along each axis, which a few strays far away do not
+/// change. Any unit; a mesh without faces has an empty one. O(faces).
 template <typename Scalar>
-[[nodiscard]] Scalar robust_size(const TriangleMesh<Scalar>& mesh);
+[[nodiscard]] Eigen::AlignedBox<Scalar, 3> robust_box(const TriangleMesh<Scalar>& mesh);
+
+/// The faces none of whose corners lies farther from the robust box than twice its diagonal: a body reaches a third of
+/// it beyond. O(faces).
+template <typename Scalar>
+[[nodiscard]] Triangles faces_within_reach(const TriangleMesh<Scalar>& mesh);
 
 /// Makes one vertex of those at equal places, then of those in chains of steps up to `tolerance` (in the mesh's unit),
 /// and leaves out what no face uses; the first of each group stays, and all keep their order. Faces may come to repeat

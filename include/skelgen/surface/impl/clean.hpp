@@ -28,7 +28,8 @@ CleanMesh<Scalar> clean(const TriangleMesh<Scalar>& mesh) {
     const auto note = [&](std::string_view what, int count, std::string_view one, std::string_view several) {
         if (count > 0) out.notes.push_back(std::string(what) + ": " + detail::counted(count, one, several));
     };
-    WeldedMesh<Scalar> welded = weld(mesh, millionth * robust_size(mesh));
+    const TriangleMesh<Scalar> near{mesh.vertices, faces_within_reach(mesh)};
+    WeldedMesh<Scalar> welded = weld(near, millionth * robust_box(near).diagonal().norm());
     if (welded.welded + welded.unused > 0) out.placed = std::move(welded.placed);
     const SoundFaces sound = sound_faces(welded.mesh);
     if (sound.faces.rows() < 4)
@@ -39,6 +40,8 @@ CleanMesh<Scalar> clean(const TriangleMesh<Scalar>& mesh) {
     out.mesh = std::move(oriented.mesh);
 
     note("seams welded", welded.welded, "vertex", "vertices");
+    note("faces that reach far away left out", static_cast<int>(mesh.faces.rows() - near.faces.rows()), "face",
+         "faces");
     note("vertices without a face ignored", welded.unused, "vertex", "vertices");
     note("degenerate faces left out", sound.degenerate, "face", "faces");
     note("duplicate faces left out", sound.duplicate, "face", "faces");

@@ -59,9 +59,9 @@ PointGroups near_points(const Points<Scalar>& points, const std::vector<int>& us
 } // namespace detail
 
 template <typename Scalar>
-Scalar robust_size(const TriangleMesh<Scalar>& mesh) {
-    if (mesh.faces.rows() == 0) return 0;
-    Vector3<Scalar> extent;
+Eigen::AlignedBox<Scalar, 3> robust_box(const TriangleMesh<Scalar>& mesh) {
+    Eigen::AlignedBox<Scalar, 3> box;
+    if (mesh.faces.rows() == 0) return box;
     std::vector<Scalar> along(static_cast<std::size_t>(mesh.faces.size()));
     for (int k = 0; k < 3; ++k) {
         for (Eigen::Index i = 0; i < mesh.faces.size(); ++i)
@@ -69,11 +69,27 @@ Scalar robust_size(const TriangleMesh<Scalar>& mesh) {
         const auto low = along.begin() + static_cast<std::ptrdiff_t>(along.size() / 20);
         const auto high = along.end() - 1 - static_cast<std::ptrdiff_t>(along.size() / 20);
         std::nth_element(along.begin(), low, along.end());
-        const Scalar least = *low;
+        box.min()[k] = *low;
         std::nth_element(along.begin(), high, along.end());
-        extent[k] = *high - least;
+        box.max()[k] = *high;
     }
-    return extent.norm();
+    return box;
+}
+
+template <typename Scalar>
+Triangles faces_within_reach(const TriangleMesh<Scalar>& mesh) {
+    const Eigen::AlignedBox<Scalar, 3> box = robust_box(mesh);
+    const Scalar reach = 2 * box.diagonal().norm();
+    Triangles out(mesh.faces.rows(), 3);
+    Eigen::Index kept = 0;
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+        bool near = true;
+        for (int k = 0; k < 3; ++k)
+            near = near && box.exteriorDistance(core::point(mesh.vertices, mesh.faces(f, k))) <= reach;
+        if (near) out.row(kept++) = mesh.faces.row(f);
+    }
+    out.conservativeResize(kept, 3);
+    return out;
 }
 
 template <typename Scalar>
