@@ -225,6 +225,16 @@ Outcome<Fit<Scalar>> fit(const Body<Scalar>& body, const curve::CurveResult<Scal
 
 namespace detail {
 
+/// A surface that was made of pieces is not what was given: its limbs may have been fused or shortened. So much less
+/// can the skeleton be trusted: of the enveloped bodies of many hands one in seven or so is not usable.
+template <typename Scalar>
+Fit<Scalar> less_certain_for_envelope(Fit<Scalar> fit) {
+    constexpr double often_right = 0.85;
+    fit.skeleton.quality.sides_confidence *= often_right;
+    for (Joint<Scalar>& joint : fit.skeleton.joints) joint.confidence *= often_right;
+    return fit;
+}
+
 /// How sure a skeleton is: of its sides, but less for every joint that looks misplaced.
 template <typename Scalar>
 double sureness(const KinematicSkeleton<Scalar>& skeleton) {
@@ -244,7 +254,7 @@ Outcome<Fit<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh, const
     const surface::BodyMaterial<Scalar> material = surface::gather(mesh, options.prepare);
     if (material.bodies > 1 && options.prepare.component == 0)
         return Failure{FailureReason::no_body,
-                       std::to_string(material.bodies) + " bodies apart; choose one of them by --component"};
+                       std::to_string(material.bodies) + " bodies apart; extract each by its number (--component)"};
     std::optional<Outcome<Fit<Scalar>>> best;
     StageTimings timings;
     for (const surface::Remedy remedy : material.remedies) {
@@ -260,6 +270,7 @@ Outcome<Fit<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh, const
         Outcome<Fit<Scalar>> found = fit_to_body(*body, curve, wanted, options, attempts);
         stage.lap();
         if (found) timings = timings + found->timings;
+        if (found && remedy != surface::Remedy::largest_piece) found = less_certain_for_envelope(*std::move(found));
         const bool better = found && (!best || !*best || sureness(found->skeleton) > sureness((*best)->skeleton));
         if (better || !best) best = std::move(found);
         if (*best && sureness((*best)->skeleton) >= sure) break;

@@ -15,8 +15,8 @@ public:
     /// O(faces log faces).
     explicit WindingTree(const TriangleMesh<Scalar>& mesh);
 
-    /// The generalized winding number around a place, to a few hundredths: nodes seen from farther than twice their radius
-    /// are expanded to first order. 0 without faces. About O(log faces).
+    /// The generalized winding number around a place, to a few hundredths: nodes seen from farther than twice their
+    /// radius are expanded to first order. 0 without faces. About O(log faces).
     [[nodiscard]] Scalar winding_number(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place) const;
 
 private:

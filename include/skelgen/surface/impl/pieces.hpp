@@ -211,8 +211,9 @@ std::vector<FaceSet<Scalar>> things_apart(const TriangleMesh<Scalar>& mesh,
         if (std::all_of(leaders.begin(), leaders.end(),
                         [&](std::size_t j) { return are_apart(mesh, pieces[j], pieces[i]); }))
             leaders.push_back(i);
-    std::vector<bool> placed(pieces.size(), false);
-    for (const std::size_t leader : leaders) placed[leader] = true;
+    std::vector<bool> is_leader(pieces.size(), false);
+    for (const std::size_t leader : leaders) is_leader[leader] = true;
+    std::vector<bool> placed = is_leader;
     std::vector<std::size_t> pending = leaders;
     for (std::size_t next = 0; next <= pending.size(); ++next) {
         if (next == pending.size()) { // what no leader reaches begins another thing
@@ -223,9 +224,11 @@ std::vector<FaceSet<Scalar>> things_apart(const TriangleMesh<Scalar>& mesh,
         }
         const Eigen::AlignedBox<Scalar, 3> box = grown(pending[next]);
         for (std::size_t i = 0; i < count; ++i) {
-            if (placed[i] || !box.intersects(grown(i))) continue;
-            placed[i] = true;
+            if (is_leader[i] && is_leader[pending[next]]) continue; // known to be apart
+            if (!box.intersects(grown(i))) continue;
             joined.unite(pending[next], i);
+            if (placed[i]) continue;
+            placed[i] = true;
             pending.push_back(i);
         }
     }

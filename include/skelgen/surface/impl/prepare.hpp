@@ -67,18 +67,29 @@ ChosenPiece<Scalar> choose_piece(const TriangleMesh<Scalar>& mesh) {
     return out;
 }
 
-/// The surface that encloses most of those that an envelope consists of; empty where there is none.
+/// The surface that encloses most of those that an envelope consists of, none where none does, and how many others
+/// enclose half of that or more.
 template <typename Scalar>
-TriangleMesh<Scalar> most_voluminous(const TriangleMesh<Scalar>& envelope) {
-    TriangleMesh<Scalar> best;
-    Scalar most = 0;
+struct LargestEnvelope {
+    TriangleMesh<Scalar> mesh;
+    int as_large = 0;
+};
+
+template <typename Scalar>
+LargestEnvelope<Scalar> largest_of(const TriangleMesh<Scalar>& envelope) {
+    LargestEnvelope<Scalar> out;
+    std::vector<Scalar> volumes;
     for (ManifoldParts<Scalar>& part : manifold_parts(envelope)) {
-        const Scalar volume = core::enclosed_volume(part.mesh);
-        if (!(volume > most)) continue;
-        most = volume;
-        best = std::move(part.mesh);
+        volumes.push_back(core::enclosed_volume(part.mesh));
+        if (volumes.back() > 0 && volumes.back() >= *std::max_element(volumes.begin(), volumes.end()))
+            out.mesh = std::move(part.mesh);
     }
-    return best;
+    if (volumes.empty()) return out;
+    const Scalar half = *std::max_element(volumes.begin(), volumes.end()) / 2;
+    if (half > 0)
+        out.as_large =
+            static_cast<int>(std::count_if(volumes.begin(), volumes.end(), [&](Scalar v) { return v >= half; })) - 1;
+    return out;
 }
 
 /// For each vertex of `mesh` that a face uses the nearest of the body's vertices where the surface looks to the same
@@ -160,9 +171,13 @@ Outcome<Body<Scalar>> body_of_envelope(Remedy remedy, const BodyMaterial<Scalar>
                                        const PrepareOptions& options) {
     // In canonical form first: the lattice then lies along the body's axes, however the input was turned.
     const CanonicalMesh<Scalar> whole = canonical_form(used_part(material.clean.mesh).mesh);
-    TriangleMesh<Scalar> envelope =
-        most_voluminous(remedy == Remedy::envelope ? winding_envelope(whole.mesh, options.envelope)
-                                                   : rolling_envelope(whole.mesh, options.envelope));
+    LargestEnvelope<Scalar> largest =
+        largest_of(remedy == Remedy::envelope ? winding_envelope(whole.mesh, options.envelope)
+                                              : rolling_envelope(whole.mesh, options.envelope));
+    TriangleMesh<Scalar>& envelope = largest.mesh;
+    if (largest.as_large > 0)
+        return Failure{FailureReason::no_body,
+                       std::to_string(largest.as_large + 1) + " bodies apart, or parts of one: leave all but one away"};
     if (envelope.faces.rows() == 0)
         return Failure{FailureReason::no_body, "no body: its " + overlapping_pieces(material.clean.mesh) +
                                                    " pieces enclose nothing; close its surface"};
@@ -182,7 +197,7 @@ Outcome<Body<Scalar>> body_of_envelope(Remedy remedy, const BodyMaterial<Scalar>
 
 template <typename Scalar>
 BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptions& options) {
-    constexpr Scalar nearly_all = Scalar(0.98), nearly_as_far = Scalar(0.95), much = Scalar(0.4);
+    constexpr Scalar nearly_all = Scalar(0.98), nearly_as_far = Scalar(0.85), much = Scalar(0.4);
     constexpr double wide_open = 0.1;
     require_surface(mesh);
     validate(options);
@@ -207,7 +222,7 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
     const FilledSurface<Scalar> filled = fill_holes(part, detail::small_hole);
     const Scalar share = core::surface_area(part) / core::surface_area(out.clean.mesh);
     const Vector3<Scalar> extent = detail::extent_of(part), whole_extent = detail::extent_of(out.clean.mesh);
-    const bool reaches_as_far = (extent.array() >= nearly_as_far * whole_extent.array()).all();
+    const bool reaches_as_far = extent.maxCoeff() >= nearly_as_far * whole_extent.maxCoeff();
     if (filled.open == 0 && share >= nearly_all)
         out.remedies = {Remedy::largest_piece};
     else if (filled.open_area <= wide_open && reaches_as_far && share >= much)
