@@ -69,13 +69,25 @@ set(skelgen_core_headers
     include/skelgen/refinement/trunk_shape.hpp
     include/skelgen/surface/body.hpp
     include/skelgen/surface/canonical_form.hpp
+    include/skelgen/surface/clean.hpp
     include/skelgen/surface/contours.hpp
     include/skelgen/surface/cut_surface.hpp
     include/skelgen/surface/denoise.hpp
+    include/skelgen/surface/distance_band.hpp
+    include/skelgen/surface/envelope.hpp
     include/skelgen/surface/face_tree.hpp
+    include/skelgen/surface/fill_holes.hpp
+    include/skelgen/surface/lattice.hpp
+    include/skelgen/surface/lattice_surface.hpp
     include/skelgen/surface/manifold_parts.hpp
+    include/skelgen/surface/orientation.hpp
+    include/skelgen/surface/pieces.hpp
     include/skelgen/surface/prepare.hpp
     include/skelgen/surface/similarity.hpp
+    include/skelgen/surface/sound_faces.hpp
+    include/skelgen/surface/visibility.hpp
+    include/skelgen/surface/weld.hpp
+    include/skelgen/surface/winding_tree.hpp
     include/skelgen/symmetry/sides.hpp
     include/skelgen/symmetry/standing_pose.hpp
     include/skelgen/version.hpp
@@ -133,12 +145,23 @@ set(skelgen_core_definitions
     include/skelgen/refinement/impl/trunk_shape.hpp
     include/skelgen/surface/impl/body.hpp
     include/skelgen/surface/impl/canonical_form.hpp
+    include/skelgen/surface/impl/clean.hpp
     include/skelgen/surface/impl/contours.hpp
     include/skelgen/surface/impl/cut_surface.hpp
     include/skelgen/surface/impl/denoise.hpp
+    include/skelgen/surface/impl/distance_band.hpp
+    include/skelgen/surface/impl/envelope.hpp
     include/skelgen/surface/impl/face_tree.hpp
+    include/skelgen/surface/impl/fill_holes.hpp
+    include/skelgen/surface/impl/lattice_surface.hpp
     include/skelgen/surface/impl/manifold_parts.hpp
+    include/skelgen/surface/impl/orientation.hpp
+    include/skelgen/surface/impl/pieces.hpp
     include/skelgen/surface/impl/prepare.hpp
+    include/skelgen/surface/impl/sound_faces.hpp
+    include/skelgen/surface/impl/visibility.hpp
+    include/skelgen/surface/impl/weld.hpp
+    include/skelgen/surface/impl/winding_tree.hpp
     include/skelgen/symmetry/impl/sides.hpp
     include/skelgen/symmetry/impl/standing_pose.hpp
 )

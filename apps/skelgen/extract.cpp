@@ -17,7 +17,8 @@ struct ExtractCommand {
     std::string output = "-";
     std::string skeleton_template = "human21";
     std::string curve;
-    int threads = 1; ///< taken and not used: an extraction runs in one thread
+    int component = 0; ///< 0: the only one
+    int threads = 1;   ///< taken and not used: an extraction runs in one thread
     bool verbose = false;
     bool quiet = false;
 };
@@ -41,6 +42,7 @@ void run(const ExtractCommand& command) {
     require_different_outputs(command.output, "-o", command.curve, "--curve");
     ExtractOptions options;
     options.skeleton_template = in_file("--template", [&] { return load_template(command.skeleton_template); });
+    options.prepare.component = command.component;
     const auto result = in_file(command.mesh.file, [&] {
         try {
             return extract_file(command.mesh, options);
@@ -70,6 +72,8 @@ void add_extract_command(CLI::App& app) {
     sub->add_option("--template", command->skeleton_template, "Built-in template, or a template's file (JSON)")
         ->capture_default_str();
     sub->add_option("--curve", command->curve, "Also write the curve skeleton: .json, .obj, .ply or .swc");
+    sub->add_option("--component", command->component, "Which of several bodies that stand apart; 1 is the largest")
+        ->check(CLI::Range(1, 1000));
     sub->add_option("--threads", command->threads, "Threads to use (not in use yet); the result does not depend on it")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();

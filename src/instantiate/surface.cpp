@@ -2,12 +2,23 @@
 
 #include <skelgen/surface/impl/body.hpp>
 #include <skelgen/surface/impl/canonical_form.hpp>
+#include <skelgen/surface/impl/clean.hpp>
 #include <skelgen/surface/impl/contours.hpp>
 #include <skelgen/surface/impl/cut_surface.hpp>
 #include <skelgen/surface/impl/denoise.hpp>
+#include <skelgen/surface/impl/distance_band.hpp>
+#include <skelgen/surface/impl/envelope.hpp>
 #include <skelgen/surface/impl/face_tree.hpp>
+#include <skelgen/surface/impl/fill_holes.hpp>
+#include <skelgen/surface/impl/lattice_surface.hpp>
 #include <skelgen/surface/impl/manifold_parts.hpp>
+#include <skelgen/surface/impl/orientation.hpp>
+#include <skelgen/surface/impl/pieces.hpp>
 #include <skelgen/surface/impl/prepare.hpp>
+#include <skelgen/surface/impl/sound_faces.hpp>
+#include <skelgen/surface/impl/visibility.hpp>
+#include <skelgen/surface/impl/weld.hpp>
+#include <skelgen/surface/impl/winding_tree.hpp>
 
 namespace skelgen::surface {
 
@@ -23,6 +34,22 @@ namespace skelgen::surface {
     template std::optional<Contour<Scalar>> contour_around(const TriangleMesh<Scalar>&, const Triangles&,              \
                                                            const FaceTree<Scalar>&, const Vector3<Scalar>&,            \
                                                            const Vector3<Scalar>&, Scalar);                            \
+    template Eigen::AlignedBox<Scalar, 3> robust_box(const TriangleMesh<Scalar>&);                                     \
+    template Triangles faces_within_reach(const TriangleMesh<Scalar>&);                                                \
+    template WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>&, Scalar);                                             \
+    template Visibility look_out(const TriangleMesh<Scalar>&, const FaceTree<Scalar>&, const std::vector<int>&, int);  \
+    template SoundFaces sound_faces(const TriangleMesh<Scalar>&);                                                      \
+    template OrientedMesh<Scalar> orient(TriangleMesh<Scalar>);                                                        \
+    template CleanMesh<Scalar> clean(const TriangleMesh<Scalar>&);                                                     \
+    template FilledSurface<Scalar> fill_holes(const TriangleMesh<Scalar>&, double);                                    \
+    template Lattice<Scalar> lattice_around(const TriangleMesh<Scalar>&, Scalar, int);                                 \
+    template SparseGrid<Scalar> distance_band(const TriangleMesh<Scalar>&, const Lattice<Scalar>&, Scalar);            \
+    template class WindingTree<Scalar>;                                                                                \
+    template TriangleMesh<Scalar> lattice_surface(const Lattice<Scalar>&, const std::vector<LatticeNode>&,             \
+                                                  const LatticeShape<Scalar>&);                                        \
+    template TriangleMesh<Scalar> winding_envelope(const TriangleMesh<Scalar>&, const EnvelopeOptions&);               \
+    template TriangleMesh<Scalar> rolling_envelope(const TriangleMesh<Scalar>&, const EnvelopeOptions&);               \
+    template TriangleMesh<Scalar> smoothed(TriangleMesh<Scalar>, int, const DenoiseOptions&);                          \
     template Scalar bulge_coherence(const TriangleMesh<Scalar>&);                                                      \
     template DenoisedMesh<Scalar> remove_noise(TriangleMesh<Scalar>, const DenoiseOptions&);                           \
     template CanonicalMesh<Scalar> canonical_form(const TriangleMesh<Scalar>&);                                        \
@@ -34,6 +61,10 @@ namespace skelgen::surface {
     template CurveSkeleton<Scalar> to_input(const Body<Scalar>&, const CurveSkeleton<Scalar>&);                        \
     template KinematicSkeleton<Scalar> to_input(const Body<Scalar>&, const KinematicSkeleton<Scalar>&);                \
     template void require_surface(const TriangleMesh<Scalar>&);                                                        \
+    template BodyFaces faces_of_body(const TriangleMesh<Scalar>&, int);                                                \
+    template UsedPart<Scalar> used_part(const TriangleMesh<Scalar>&);                                                  \
+    template BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>&, const PrepareOptions&);                          \
+    template Outcome<Body<Scalar>> make_body_by(Remedy, const BodyMaterial<Scalar>&, const PrepareOptions&);           \
     template Body<Scalar> prepare(const TriangleMesh<Scalar>&, const PrepareOptions&);
 
 SKELGEN_INSTANTIATE(float)

@@ -117,11 +117,13 @@ std::pair<int, bool> faults(const Candidate<Scalar>& found) {
     return {found.misplaced, !found.curve.converged};
 }
 
-/// The best of up to three attempts with curves of ever finer proxies; the first one where little looks wrong ends it.
+inline constexpr int most_attempts = 3;
+
+/// The best of some attempts with curves of ever finer proxies, each half as fine again as the last one; the first
+/// where little looks wrong ends it.
 template <typename Scalar>
 Attempt<Scalar> fit_to_finer_curves(const Body<Scalar>& body, const curve::CurveResult<Scalar>& curve,
-                                    const SkeletonTemplate& wanted, const ExtractOptions& options) {
-    constexpr int attempts = 3;   // each half as fine again as the last one
+                                    const SkeletonTemplate& wanted, const ExtractOptions& options, int attempts) {
     constexpr int suspicious = 3; // joints misplaced
     Attempt<Scalar> best = fit_to_curve(body, curve, wanted, options);
     curve::CurveOptions finer = options.curve;
@@ -161,11 +163,11 @@ template <typename Scalar>
 Outcome<Fit<Scalar>> to_fit(const Body<Scalar>& body, Attempt<Scalar> attempt) {
     if (!attempt.outcome) return attempt.outcome.failure();
     Candidate<Scalar>& found = *attempt.outcome;
+    std::vector<std::string>& warnings = found.skeleton.quality.warnings;
+    warnings.insert(warnings.end(), body.repairs.begin(), body.repairs.end());
     if (body.dropped_pieces > 0)
-        found.skeleton.quality.warnings.push_back(std::to_string(body.dropped_pieces) +
-                                                  " pieces not connected to the body were left out");
-    if (!found.curve.converged)
-        found.skeleton.quality.warnings.push_back("the curve skeleton's contraction did not converge");
+        warnings.push_back(std::to_string(body.dropped_pieces) + " pieces not connected to the body were left out");
+    if (!found.curve.converged) warnings.push_back("the curve skeleton's contraction did not converge");
     return Fit<Scalar>{surface::to_input(body, found.skeleton), surface::to_input(body, found.curve.curve),
                        body.similarity.scale * found.geodesic_diameter, attempt.timings};
 }
@@ -173,7 +175,7 @@ Outcome<Fit<Scalar>> to_fit(const Body<Scalar>& body, Attempt<Scalar> attempt) {
 /// Fits the template to a body that touches itself: to its surface cut there, or, where that fails, as it is.
 template <typename Scalar>
 Outcome<Fit<Scalar>> fit_touching_body(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found,
-                                       const SkeletonTemplate& wanted, const ExtractOptions& options) {
+                                       const SkeletonTemplate& wanted, const ExtractOptions& options, int attempts) {
     const CurveSkeleton<Scalar>& curve = found.curve;
     // Two bodies that touch are refused first: cutting them apart would hide that there are two.
     if (const auto embedding = embedding::embed(curve, wanted, options.matching))
@@ -191,11 +193,18 @@ Outcome<Fit<Scalar>> fit_touching_body(const Body<Scalar>& body, const curve::Cu
         return to_fit(fitted_body, std::move(attempt));
     };
     if (parted) {
-        Attempt<Scalar> attempt = fit_to_finer_curves(parted->body, parted->curve, wanted, options);
+        Attempt<Scalar> attempt = fit_to_finer_curves(parted->body, parted->curve, wanted, options, attempts);
         if (attempt.outcome) return finish(parted->body, std::move(attempt), true);
         cutting = cutting + attempt.timings;
     }
-    return finish(body, fit_to_finer_curves(body, found, wanted, options), false);
+    return finish(body, fit_to_finer_curves(body, found, wanted, options, attempts), false);
+}
+
+template <typename Scalar>
+Outcome<Fit<Scalar>> fit_to_body(const Body<Scalar>& body, const curve::CurveResult<Scalar>& curve,
+                                 const SkeletonTemplate& wanted, const ExtractOptions& options, int attempts) {
+    if (core::cycle_count(curve.curve) > 0) return fit_touching_body(body, curve, wanted, options, attempts);
+    return to_fit(body, fit_to_finer_curves(body, curve, wanted, options, attempts));
 }
 
 /// The components that get a curve each.
@@ -241,24 +250,76 @@ Outcome<Fit<Scalar>> fit(const Body<Scalar>& body, const curve::CurveResult<Scal
                          const SkeletonTemplate& skeleton_template, const ExtractOptions& options) {
     validate(options);
     validate_template(skeleton_template);
-    if (core::cycle_count(curve.curve) > 0) return detail::fit_touching_body(body, curve, skeleton_template, options);
-    return detail::to_fit(body, detail::fit_to_finer_curves(body, curve, skeleton_template, options));
+    return detail::fit_to_body(body, curve, skeleton_template, options, detail::most_attempts);
 }
+
+namespace detail {
+
+/// A surface that was made of pieces is not what was given: its limbs may have been fused or shortened. So much less
+/// can the skeleton be trusted: of the enveloped bodies of many hands one in seven or so is not usable.
+template <typename Scalar>
+Fit<Scalar> less_certain_for_envelope(Fit<Scalar> fit) {
+    constexpr double often_right = 0.85;
+    fit.skeleton.quality.sides_confidence *= often_right;
+    for (Joint<Scalar>& joint : fit.skeleton.joints) joint.confidence *= often_right;
+    return fit;
+}
+
+/// How sure a skeleton is: of its sides, but less for every joint that looks misplaced.
+template <typename Scalar>
+double sureness(const KinematicSkeleton<Scalar>& skeleton) {
+    constexpr double unlikely = 0.1; // as anatomy::estimate_confidence has it
+    const auto misplaced = std::count_if(skeleton.joints.begin(), skeleton.joints.end(),
+                                         [](const Joint<Scalar>& joint) { return joint.confidence < unlikely; });
+    return skeleton.quality.sides_confidence / static_cast<double>(1 + misplaced);
+}
+
+/// Makes one surface of a mesh by the gentlest remedy that serves, as what comes out shows: the first skeleton that is
+/// sure, or the surest of all. Of several bodies none is taken unless the caller says which.
+template <typename Scalar>
+Outcome<Fit<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh, const SkeletonTemplate& wanted,
+                                         const ExtractOptions& options) {
+    constexpr double sure = 0.4;
+    Stopwatch stage;
+    const surface::BodyMaterial<Scalar> material = surface::gather(mesh, options.prepare);
+    if (material.bodies > 1 && options.prepare.component == 0)
+        return Failure{FailureReason::no_body,
+                       std::to_string(material.bodies) + " bodies apart; extract each by its number (--component)"};
+    std::optional<Outcome<Fit<Scalar>>> best;
+    StageTimings timings;
+    for (const surface::Remedy remedy : material.remedies) {
+        Outcome<Body<Scalar>> body = surface::make_body_by(remedy, material, options.prepare);
+        if (!body) {
+            if (!best) best = body.failure();
+            continue;
+        }
+        const curve::CurveResult<Scalar> curve = find_curve(*body, options.curve);
+        timings.curve += stage.lap();
+        // What is wrong with one of several surfaces is not the curve's doing: the next surface may serve better.
+        const int attempts = material.remedies.size() == 1 ? most_attempts : 1;
+        Outcome<Fit<Scalar>> found = fit_to_body(*body, curve, wanted, options, attempts);
+        stage.lap();
+        if (found) timings = timings + found->timings;
+        if (found && remedy != surface::Remedy::largest_piece) found = less_certain_for_envelope(*std::move(found));
+        const bool better = found && (!best || !*best || sureness(found->skeleton) > sureness((*best)->skeleton));
+        if (better || !best) best = std::move(found);
+        if (*best && sureness((*best)->skeleton) >= sure) break;
+    }
+    if (*best) (*best)->timings = timings;
+    return *std::move(best);
+}
+
+} // namespace detail
 
 template <typename Scalar>
 Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options) {
-    detail::Stopwatch total, stage;
+    detail::Stopwatch total;
     validate(options);
     const SkeletonTemplate& wanted =
         options.skeleton_template.joints.empty() ? builtin_template("human21") : options.skeleton_template;
 
-    const Body<Scalar> body = prepare(mesh, options.prepare);
-    const curve::CurveResult<Scalar> curve = find_curve(body, options.curve);
-    const double curve_ms = stage.lap();
-    Outcome<Fit<Scalar>> found = fit(body, curve, wanted, options);
-
+    Outcome<Fit<Scalar>> found = detail::fit_to_best_surface(mesh, wanted, options);
     if (!found) throw Error(ErrorCode::no_skeleton, found.failure().what);
-    found->timings.curve += curve_ms;
     found->timings.total = total.lap();
     return *std::move(found);
 }

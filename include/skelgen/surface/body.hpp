@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <skelgen/core/curve_graph.hpp>
@@ -16,12 +17,15 @@ namespace skelgen {
 template <typename Scalar = double>
 struct Body {
     TriangleMesh<Scalar> mesh;
-    Triangles adjacency;            ///< as from core::face_adjacency(mesh.faces)
-    core::CurveGraph<Scalar> graph; ///< as from core::surface_graph(mesh, adjacency)
-    surface::FaceTree<Scalar> tree; ///< of the mesh
-    Similarity<Scalar> similarity;  ///< from the input's coordinates to the mesh's
-    std::vector<int> source;        ///< per vertex that of the input at the same place, -1 for those added
-    int dropped_pieces = 0;         ///< connected pieces smaller than this one, left out
+    Triangles adjacency;              ///< as from core::face_adjacency(mesh.faces)
+    core::CurveGraph<Scalar> graph;   ///< as from core::surface_graph(mesh, adjacency)
+    surface::FaceTree<Scalar> tree;   ///< of the mesh
+    Similarity<Scalar> similarity;    ///< from the input's coordinates to the mesh's
+    std::vector<int> source;          ///< per vertex that of the input at the same place, -1 for those added
+    std::vector<int> nearest;         ///< per vertex of the input the one that stands for it, -1 where it was left out;
+                                      ///< empty where `source` says it all: no two of the input share one
+    int dropped_pieces = 0;           ///< connected pieces smaller than this one, left out
+    std::vector<std::string> repairs; ///< what was done to the input and how much, one sentence each
 };
 
 namespace surface {
@@ -36,6 +40,19 @@ template <typename Scalar>
     for (int& v : source)
         if (v >= 0) v = source_of_source[static_cast<std::size_t>(v)];
     return source;
+}
+
+/// `Body::nearest` for a body whose vertices come from those of another one, -1 for new ones. O(n).
+[[nodiscard]] inline std::vector<int> carried_over(std::vector<int> nearest, const std::vector<int>& source) {
+    std::vector<int> now;
+    for (std::size_t v = 0; v < source.size(); ++v) {
+        if (source[v] < 0) continue;
+        if (static_cast<std::size_t>(source[v]) >= now.size()) now.resize(static_cast<std::size_t>(source[v]) + 1, -1);
+        if (int& first = now[static_cast<std::size_t>(source[v])]; first < 0) first = static_cast<int>(v);
+    }
+    for (int& v : nearest)
+        v = v >= 0 && static_cast<std::size_t>(v) < now.size() ? now[static_cast<std::size_t>(v)] : -1;
+    return nearest;
 }
 
 /// A curve skeleton of the body in the input's coordinates. Its regions index the input's vertices; where fans of faces

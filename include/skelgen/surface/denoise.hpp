@@ -23,6 +23,10 @@ void validate(const DenoiseOptions& options);
 template <typename Scalar>
 [[nodiscard]] Scalar bulge_coherence(const TriangleMesh<Scalar>& mesh);
 
+/// A mesh after some passes of smoothing that keep its volume (Tau95). O(passes n + n log n).
+template <typename Scalar>
+[[nodiscard]] TriangleMesh<Scalar> smoothed(TriangleMesh<Scalar> mesh, int passes, const DenoiseOptions& options = {});
+
 /// A mesh after denoising.
 template <typename Scalar = double>
 struct DenoisedMesh {

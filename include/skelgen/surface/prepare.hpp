@@ -1,14 +1,21 @@
 #pragma once
 
+#include <vector>
+
 #include <skelgen/core/mesh.hpp>
+#include <skelgen/core/outcome.hpp>
 #include <skelgen/surface/body.hpp>
+#include <skelgen/surface/clean.hpp>
 #include <skelgen/surface/denoise.hpp>
+#include <skelgen/surface/envelope.hpp>
 
 namespace skelgen::surface {
 
 /// Constants of every step from mesh to body.
 struct PrepareOptions {
     DenoiseOptions denoise;
+    EnvelopeOptions envelope;
+    int component = 0; ///< which of several bodies that stand apart, from 1 for the largest; 0: there must be one alone
 };
 
 /// \throws Error usage when an option is out of its range.
@@ -19,8 +26,36 @@ void validate(const PrepareOptions& options);
 template <typename Scalar>
 void require_surface(const TriangleMesh<Scalar>& mesh);
 
-/// A mesh made ready for the pipeline: noise smoothed away where there is any, brought into canonical form, and its
-/// largest manifold piece kept. Holes are survived, nothing else is repaired. O(n log n). \throws Error usage when an
+/// A way to make one body of what a mesh consists of.
+enum class Remedy {
+    largest_piece, ///< the piece with the largest area, its small holes closed, its triangles untouched
+    envelope,      ///< winding_envelope around all pieces
+    wrap,          ///< rolling_envelope
+};
+
+/// The faces of one body, put right as far as that goes without moving a vertex, and what may make one surface of them.
+template <typename Scalar = double>
+struct BodyMaterial {
+    CleanMesh<Scalar> clean; ///< only those of its vertices count that its faces use
+    int bodies = 1;          ///< how many stand apart in the input
+    int dropped_pieces = 0;
+    std::vector<Remedy> remedies; ///< that may do, the gentlest first; never empty
+};
+
+/// Cleans a mesh and chooses what belongs to the body. One piece that is closed but for small holes and has nearly all
+/// of the surface is the body; one that reaches as far as all together is tried first; otherwise an envelope comes
+/// first. O(n log n). \throws Error as `prepare`; usage when `options.component` is larger than the number of bodies.
+template <typename Scalar>
+[[nodiscard]] BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptions& options = {});
+
+/// The body that a remedy makes: noise smoothed away where there is any, in canonical form. \returns a failure where
+/// nothing is enclosed. \throws Error bad_input when the surface has no area.
+template <typename Scalar>
+[[nodiscard]] Outcome<Body<Scalar>> make_body_by(Remedy remedy, const BodyMaterial<Scalar>& material,
+                                                 const PrepareOptions& options = {});
+
+/// A mesh made ready for the pipeline without moving more than noise: cleaned, brought into canonical form, and its
+/// largest manifold piece kept, small holes of which are closed. O(n log n). \throws Error usage when an
 /// option is out of its range; bad_input when the mesh is no usable surface: fewer than four vertices or faces,
 /// coordinates that are not finite, faces that refer to no vertex, no area.
 template <typename Scalar>

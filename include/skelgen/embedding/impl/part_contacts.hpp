@@ -50,7 +50,7 @@ template <typename Scalar>
 std::optional<Body<Scalar>> with_cuts(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve,
                                       const std::vector<LoopCut>& cuts) {
     TriangleMesh<Scalar> mesh = body.mesh;
-    std::vector<int> source = body.source;
+    std::vector<int> source = body.source, nearest = body.nearest;
     std::vector<int> node = curve::node_of_vertex(curve, mesh.vertices.rows());
     const auto vertices_of = [&](const std::vector<int>& nodes) {
         return vertices_at(nodes, node, curve.nodes.rows());
@@ -58,6 +58,7 @@ std::optional<Body<Scalar>> with_cuts(const Body<Scalar>& body, const CurveSkele
     for (const LoopCut& cut : cuts) {
         surface::CutSurface<Scalar> parted = surface::cut_surface(mesh, vertices_of(cut.limb), vertices_of(cut.other));
         mesh = std::move(parted.mesh);
+        nearest = surface::carried_over(std::move(nearest), parted.source);
         source = surface::composed(std::move(parted.source), source);
         node = filled_from_neighbours(std::move(node), mesh);
     }
@@ -65,8 +66,12 @@ std::optional<Body<Scalar>> with_cuts(const Body<Scalar>& body, const CurveSkele
     // Of the area: a hand with its forearm is 5.5 % of it (LB44), and the holes' lids add less.
     constexpr auto nearly_all = static_cast<Scalar>(0.95);
     if (core::surface_area(whole.mesh) < nearly_all * core::surface_area(body.mesh)) return std::nullopt;
-    return surface::make_body(std::move(whole.mesh), body.similarity,
-                              surface::composed(std::move(whole.source), source), body.dropped_pieces);
+    nearest = surface::carried_over(std::move(nearest), whole.source);
+    Body<Scalar> out = surface::make_body(std::move(whole.mesh), body.similarity,
+                                          surface::composed(std::move(whole.source), source), body.dropped_pieces);
+    out.nearest = std::move(nearest);
+    out.repairs = body.repairs;
+    return out;
 }
 
 } // namespace detail

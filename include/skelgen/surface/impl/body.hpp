@@ -17,9 +17,33 @@ Body<Scalar> make_body(TriangleMesh<Scalar> mesh, const Similarity<Scalar>& simi
     Triangles adjacency = core::face_adjacency(mesh.faces);
     core::CurveGraph<Scalar> graph = core::surface_graph(mesh, adjacency);
     FaceTree<Scalar> tree(mesh);
-    return {std::move(mesh), std::move(adjacency), std::move(graph), std::move(tree),
-            similarity,      std::move(source),    dropped_pieces};
+    return {std::move(mesh),
+            std::move(adjacency),
+            std::move(graph),
+            std::move(tree),
+            similarity,
+            std::move(source),
+            {},
+            dropped_pieces,
+            {}};
 }
+
+namespace detail {
+
+/// The regions where each vertex of the input has one that stands for it: it goes where that one is.
+template <typename Scalar>
+std::vector<std::vector<int>> regions_of_input(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve) {
+    std::vector<int> region(static_cast<std::size_t>(body.mesh.vertices.rows()), -1);
+    for (std::size_t k = 0; k < curve.regions.size(); ++k)
+        for (const int v : curve.regions[k]) region[static_cast<std::size_t>(v)] = static_cast<int>(k);
+    std::vector<std::vector<int>> out(curve.regions.size());
+    for (std::size_t v = 0; v < body.nearest.size(); ++v)
+        if (const int place = body.nearest[v]; place >= 0 && region[static_cast<std::size_t>(place)] >= 0)
+            out[static_cast<std::size_t>(region[static_cast<std::size_t>(place)])].push_back(static_cast<int>(v));
+    return out;
+}
+
+} // namespace detail
 
 template <typename Scalar>
 CurveSkeleton<Scalar> to_input(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve) {
@@ -27,6 +51,10 @@ CurveSkeleton<Scalar> to_input(const Body<Scalar>& body, const CurveSkeleton<Sca
     for (Eigen::Index v = 0; v < curve.nodes.rows(); ++v)
         out.nodes.row(v) = body.similarity.to_input(core::point(curve.nodes, v)).transpose();
     for (Scalar& radius : out.radii) radius *= body.similarity.scale;
+    if (!body.nearest.empty()) {
+        out.regions = detail::regions_of_input(body, curve);
+        return out;
+    }
     std::unordered_set<int> taken;
     for (std::size_t k = 0; k < curve.regions.size(); ++k) {
         out.regions[k].clear();

@@ -59,6 +59,14 @@ Scalar coherence(const TriangleMesh<Scalar>& mesh, const Edges& edges) {
     return all > 0 ? static_cast<Scalar>(alike / all) : Scalar(1);
 }
 
+/// One pass: there and back again.
+template <typename Scalar>
+Points<Scalar> smoothed_once(Points<Scalar> vertices, const Edges& edges, const DenoiseOptions& options) {
+    for (const double step : {options.shrinking, options.growing})
+        vertices += static_cast<Scalar>(step) * to_neighbours(vertices, edges);
+    return vertices;
+}
+
 } // namespace detail
 
 SKELGEN_INLINE void validate(const DenoiseOptions& options) {
@@ -83,9 +91,17 @@ DenoisedMesh<Scalar> remove_noise(TriangleMesh<Scalar> mesh, const DenoiseOption
     DenoisedMesh<Scalar> out{std::move(mesh), 0};
     if (detail::coherence(out.mesh, edges) >= least) return out;
     for (; out.passes < options.most_passes && detail::coherence(out.mesh, edges) < enough; ++out.passes)
-        for (const double step : {options.shrinking, options.growing})
-            out.mesh.vertices += static_cast<Scalar>(step) * detail::to_neighbours(out.mesh.vertices, edges);
+        out.mesh.vertices = detail::smoothed_once(std::move(out.mesh.vertices), edges, options);
     return out;
+}
+
+template <typename Scalar>
+TriangleMesh<Scalar> smoothed(TriangleMesh<Scalar> mesh, int passes, const DenoiseOptions& options) {
+    validate(options);
+    const detail::Edges edges = detail::edges_of(mesh.faces);
+    for (int pass = 0; pass < passes; ++pass)
+        mesh.vertices = detail::smoothed_once(std::move(mesh.vertices), edges, options);
+    return mesh;
 }
 
 } // namespace skelgen::surface

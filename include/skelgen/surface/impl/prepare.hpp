@@ -2,13 +2,25 @@
 
 #include <skelgen/surface/prepare.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
+
+#include <nanoflann.hpp>
 
 #include <skelgen/core/error.hpp>
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
+#include <skelgen/core/options.hpp>
 #include <skelgen/surface/canonical_form.hpp>
+#include <skelgen/surface/clean.hpp>
+#include <skelgen/surface/fill_holes.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
+#include <skelgen/surface/pieces.hpp>
 
 namespace skelgen::surface {
 template <typename Scalar>
@@ -24,16 +36,215 @@ void require_surface(const TriangleMesh<Scalar>& mesh) {
             throw Error(ErrorCode::bad_input, "a face refers to a vertex that does not exist; repair the mesh");
 }
 
-SKELGEN_INLINE void validate(const PrepareOptions& options) { validate(options.denoise); }
+SKELGEN_INLINE void validate(const PrepareOptions& options) {
+    validate(options.denoise);
+    validate(options.envelope);
+    core::require_in_range("prepare.component", options.component, 0, 1000);
+}
+
+namespace detail {
+
+/// What of a clean mesh becomes the body, before it is brought into canonical form.
+template <typename Scalar>
+struct ChosenPiece {
+    TriangleMesh<Scalar> mesh;
+    std::vector<int> source; ///< per vertex that of the clean mesh, -1 for those added; empty where all stayed
+    int dropped_pieces = 0;
+    std::vector<std::string> notes;
+};
+
+inline constexpr double small_hole = 0.02; // of the surface: a hand, or the soles of both feet (LB44)
+
+/// The largest piece, its small holes closed. A mesh of one closed piece is taken as it is.
+template <typename Scalar>
+ChosenPiece<Scalar> choose_piece(const TriangleMesh<Scalar>& mesh) {
+    ManifoldParts<Scalar> part = largest_manifold_part(mesh);
+    FilledSurface<Scalar> filled = fill_holes(part.mesh, small_hole);
+    if (part.dropped_pieces == 0 && filled.filled == 0) return {mesh, {}, 0, {}};
+    ChosenPiece<Scalar> out{std::move(filled.mesh), std::move(part.source), part.dropped_pieces, {}};
+    out.source.resize(static_cast<std::size_t>(out.mesh.vertices.rows()), -1);
+    if (filled.filled > 0) out.notes.push_back("holes closed: " + std::to_string(filled.filled));
+    return out;
+}
+
+/// The surface that encloses most of those that an envelope consists of, none where none does, and how many others
+/// enclose half of that or more.
+template <typename Scalar>
+struct LargestEnvelope {
+    TriangleMesh<Scalar> mesh;
+    int as_large = 0;
+};
+
+template <typename Scalar>
+LargestEnvelope<Scalar> largest_of(const TriangleMesh<Scalar>& envelope) {
+    LargestEnvelope<Scalar> out;
+    std::vector<Scalar> volumes;
+    for (ManifoldParts<Scalar>& part : manifold_parts(envelope)) {
+        volumes.push_back(core::enclosed_volume(part.mesh));
+        if (volumes.back() > 0 && volumes.back() >= *std::max_element(volumes.begin(), volumes.end()))
+            out.mesh = std::move(part.mesh);
+    }
+    if (volumes.empty()) return out;
+    const Scalar half = *std::max_element(volumes.begin(), volumes.end()) / 2;
+    if (half > 0)
+        out.as_large =
+            static_cast<int>(std::count_if(volumes.begin(), volumes.end(), [&](Scalar v) { return v >= half; })) - 1;
+    return out;
+}
+
+/// For each vertex of `mesh` that a face uses the nearest of the body's vertices where the surface looks to the same
+/// side, if one is near, else the nearest; -1 for the others.
+template <typename Scalar>
+std::vector<int> nearest_on(const Body<Scalar>& body, const TriangleMesh<Scalar>& mesh) {
+    constexpr std::size_t candidates = 8;
+    const nanoflann::KDTreeEigenMatrixAdaptor<Points<Scalar>, 3, nanoflann::metric_L2_Simple> tree(3,
+                                                                                                   body.mesh.vertices);
+    const Points<Scalar> body_normals = core::vertex_normals(body.mesh), normals = core::vertex_normals(mesh);
+    std::vector<bool> is_used(static_cast<std::size_t>(mesh.vertices.rows()), false);
+    for (Eigen::Index i = 0; i < mesh.faces.size(); ++i) is_used[static_cast<std::size_t>(mesh.faces.data()[i])] = true;
+    std::vector<int> out(is_used.size(), -1);
+    for (std::size_t v = 0; v < out.size(); ++v) {
+        if (!is_used[v]) continue;
+        const auto row = static_cast<Eigen::Index>(v);
+        const Vector3<Scalar> place = body.similarity.to_canonical(core::point(mesh.vertices, row));
+        const Vector3<Scalar> normal = body.similarity.rotation * core::point(normals, row);
+        std::array<Eigen::Index, candidates> found{};
+        std::array<Scalar, candidates> squared{};
+        nanoflann::KNNResultSet<Scalar, Eigen::Index> results(candidates);
+        results.init(found.data(), squared.data());
+        tree.index->findNeighbors(results, place.data(), nanoflann::SearchParams());
+        const auto same_side =
+            std::find_if(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(results.size()),
+                         [&](Eigen::Index i) { return core::point(body_normals, i).dot(normal) > 0; });
+        out[v] = static_cast<int>(
+            same_side == found.begin() + static_cast<std::ptrdiff_t>(results.size()) ? found[0] : *same_side);
+    }
+    return out;
+}
+
+/// The body of a chosen piece; `placed` as in CleanMesh.
+template <typename Scalar>
+Body<Scalar> body_of(ChosenPiece<Scalar> piece, const std::vector<int>& placed, const PrepareOptions& options) {
+    const DenoisedMesh<Scalar> smooth = remove_noise(std::move(piece.mesh), options.denoise);
+    const CanonicalMesh<Scalar> canonical = canonical_form(smooth.mesh);
+    ManifoldParts<Scalar> part = largest_manifold_part(canonical.mesh);
+    std::vector<int> source = composed(std::move(part.source), canonical.input_vertex);
+    if (!piece.source.empty()) source = composed(std::move(source), piece.source);
+    Body<Scalar> body =
+        make_body(std::move(part.mesh), canonical.similarity, source, piece.dropped_pieces + part.dropped_pieces);
+    if (!placed.empty()) {
+        body.nearest = carried_over(placed, source);
+        std::vector<int> first(placed.size(), -1); // of the input's vertices at each of the clean mesh's
+        for (std::size_t v = placed.size(); v-- > 0;)
+            if (placed[v] >= 0) first[static_cast<std::size_t>(placed[v])] = static_cast<int>(v);
+        body.source = composed(std::move(source), first);
+    }
+    body.repairs = std::move(piece.notes);
+    return body;
+}
+
+/// Of the box around a mesh's faces.
+template <typename Scalar>
+Vector3<Scalar> extent_of(const TriangleMesh<Scalar>& mesh) {
+    const TriangleMesh<Scalar> used = used_part(mesh).mesh;
+    return (used.vertices.colwise().maxCoeff() - used.vertices.colwise().minCoeff()).transpose();
+}
+
+/// How many pieces a mesh has.
+template <typename Scalar>
+std::string overlapping_pieces(const TriangleMesh<Scalar>& mesh) {
+    return std::to_string(manifold_parts(mesh).size());
+}
+
+/// The largest piece of the material as a body.
+template <typename Scalar>
+Body<Scalar> body_of_piece(const BodyMaterial<Scalar>& material, const PrepareOptions& options) {
+    ChosenPiece<Scalar> piece = choose_piece(material.clean.mesh);
+    piece.notes.insert(piece.notes.begin(), material.clean.notes.begin(), material.clean.notes.end());
+    piece.dropped_pieces += material.dropped_pieces;
+    return body_of(std::move(piece), material.clean.placed, options);
+}
+
+/// An envelope of the material as a body.
+template <typename Scalar>
+Outcome<Body<Scalar>> body_of_envelope(Remedy remedy, const BodyMaterial<Scalar>& material,
+                                       const PrepareOptions& options) {
+    // In canonical form first: the lattice then lies along the body's axes, however the input was turned.
+    const CanonicalMesh<Scalar> whole = canonical_form(used_part(material.clean.mesh).mesh);
+    LargestEnvelope<Scalar> largest =
+        largest_of(remedy == Remedy::envelope ? winding_envelope(whole.mesh, options.envelope)
+                                              : rolling_envelope(whole.mesh, options.envelope));
+    TriangleMesh<Scalar>& envelope = largest.mesh;
+    if (largest.as_large > 0)
+        return Failure{FailureReason::no_body,
+                       std::to_string(largest.as_large + 1) + " bodies apart, or parts of one: leave all but one away"};
+    if (envelope.faces.rows() == 0)
+        return Failure{FailureReason::no_body, "no body: its " + overlapping_pieces(material.clean.mesh) +
+                                                   " pieces enclose nothing; close its surface"};
+    for (Eigen::Index v = 0; v < envelope.vertices.rows(); ++v)
+        core::set_point<Scalar>(envelope.vertices, v, whole.similarity.to_input(core::point(envelope.vertices, v)));
+    ChosenPiece<Scalar> piece{std::move(envelope), {}, material.dropped_pieces, material.clean.notes};
+    piece.source.assign(static_cast<std::size_t>(piece.mesh.vertices.rows()), -1);
+    piece.notes.push_back(overlapping_pieces(material.clean.mesh) + " pieces joined into one surface" +
+                          (remedy == Remedy::envelope ? "" : ", gaps closed"));
+    Body<Scalar> body = body_of(std::move(piece), {}, options);
+    const std::vector<int> nearest = nearest_on(body, material.clean.mesh);
+    body.nearest = material.clean.placed.empty() ? nearest : composed(material.clean.placed, nearest);
+    return body;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptions& options) {
+    constexpr Scalar nearly_all = Scalar(0.98), nearly_as_far = Scalar(0.85), much = Scalar(0.4);
+    constexpr double wide_open = 0.1;
+    require_surface(mesh);
+    validate(options);
+    BodyMaterial<Scalar> out{clean(mesh), 1, 0, {}};
+    BodyFaces chosen = faces_of_body(out.clean.mesh, options.component);
+    if (options.component > chosen.bodies)
+        throw Error(ErrorCode::usage, "there is no body number " + std::to_string(options.component) + ", only " +
+                                          std::to_string(chosen.bodies));
+    out.bodies = chosen.bodies;
+    out.dropped_pieces = chosen.dropped_pieces;
+    out.clean.notes.insert(out.clean.notes.end(), chosen.notes.begin(), chosen.notes.end());
+    if (chosen.faces.rows() < out.clean.mesh.faces.rows()) {
+        UsedPart<Scalar> used = used_part(TriangleMesh<Scalar>{out.clean.mesh.vertices, std::move(chosen.faces)});
+        std::vector<int> now(static_cast<std::size_t>(out.clean.mesh.vertices.rows()), -1);
+        for (std::size_t v = 0; v < used.source.size(); ++v)
+            now[static_cast<std::size_t>(used.source[v])] = static_cast<int>(v);
+        out.clean.placed = out.clean.placed.empty() ? std::move(now) : composed(std::move(out.clean.placed), now);
+        out.clean.mesh = std::move(used.mesh);
+    }
+
+    const TriangleMesh<Scalar> part = largest_manifold_part(out.clean.mesh).mesh;
+    const FilledSurface<Scalar> filled = fill_holes(part, detail::small_hole);
+    const Scalar share = core::surface_area(part) / core::surface_area(out.clean.mesh);
+    const Vector3<Scalar> extent = detail::extent_of(part), whole_extent = detail::extent_of(out.clean.mesh);
+    const bool reaches_as_far = extent.maxCoeff() >= nearly_as_far * whole_extent.maxCoeff();
+    if (filled.open == 0 && share >= nearly_all)
+        out.remedies = {Remedy::largest_piece};
+    else if (filled.open_area <= wide_open && reaches_as_far && share >= much)
+        out.remedies = {Remedy::largest_piece, Remedy::envelope, Remedy::wrap};
+    else
+        out.remedies = {Remedy::envelope, Remedy::wrap, Remedy::largest_piece};
+    return out;
+}
+
+template <typename Scalar>
+Outcome<Body<Scalar>> make_body_by(Remedy remedy, const BodyMaterial<Scalar>& material, const PrepareOptions& options) {
+    if (remedy == Remedy::largest_piece) return detail::body_of_piece(material, options);
+    return detail::body_of_envelope(remedy, material, options);
+}
 
 template <typename Scalar>
 Body<Scalar> prepare(const TriangleMesh<Scalar>& mesh, const PrepareOptions& options) {
     require_surface(mesh);
-    const DenoisedMesh<Scalar> clean = remove_noise(mesh, options.denoise);
-    const CanonicalMesh<Scalar> canonical = canonical_form(clean.mesh);
-    ManifoldParts<Scalar> part = largest_manifold_part(canonical.mesh);
-    return make_body(std::move(part.mesh), canonical.similarity, composed(part.source, canonical.input_vertex),
-                     part.dropped_pieces);
+    const CleanMesh<Scalar> whole = clean(mesh);
+    detail::ChosenPiece<Scalar> piece = detail::choose_piece(whole.mesh);
+    piece.notes.insert(piece.notes.begin(), whole.notes.begin(), whole.notes.end());
+    return detail::body_of(std::move(piece), whole.placed, options);
 }
 
 } // namespace skelgen::surface

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <skelgen/core/mesh.hpp>
+
+namespace skelgen::surface {
+
+/// Constants of envelopes.
+struct EnvelopeOptions {
+    double cells = 200;       ///< along the longest side of what is enveloped; limbs apart by two cells stay apart
+    int smoothing_passes = 4; ///< so that cells do not show (Tau95)
+};
+
+/// \throws Error usage when an option is out of its range.
+void validate(const EnvelopeOptions& options);
+
+/// One closed surface around all that some pieces enclose together: where their winding number is one half (JKS13,
+/// BDSLJ18). Pieces that overlap become one, holes are closed by a skin, what is inside another one is gone; gaps of
+/// two cells and more stay open. The pieces must look outwards. May consist of several closed parts and hollows; empty
+/// when the pieces enclose nothing. Any unit. O(faces log faces + cells^2 log faces). \throws Error usage when an
+/// option is out of its range.
+template <typename Scalar>
+[[nodiscard]] TriangleMesh<Scalar> winding_envelope(const TriangleMesh<Scalar>& mesh,
+                                                    const EnvelopeOptions& options = {});
+
+/// The same of what can be reached from outside only through gaps narrower than four cells, whatever the orientation of
+/// the pieces: what a ball of two cells' radius rolled over them cannot touch. Gaps narrower than the ball are filled.
+/// O(cells^3 + faces). \throws Error usage when an option is out of its range.
+template <typename Scalar>
+[[nodiscard]] TriangleMesh<Scalar> rolling_envelope(const TriangleMesh<Scalar>& mesh,
+                                                    const EnvelopeOptions& options = {});
+
+} // namespace skelgen::surface
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/surface/impl/envelope.hpp>
+#endif

@@ -1,0 +1,163 @@
+#pragma once
+
+#include <skelgen/surface/sound_faces.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/surface/face_tree.hpp>
+#include <skelgen/surface/manifold_parts.hpp>
+#include <skelgen/surface/visibility.hpp>
+
+namespace skelgen::surface {
+namespace detail {
+
+/// The rows of `faces` that are marked.
+inline Triangles marked_faces(const Triangles& faces, const std::vector<bool>& marked) {
+    Triangles out(std::count(marked.begin(), marked.end(), true), 3);
+    Eigen::Index row = 0;
+    for (std::size_t f = 0; f < marked.size(); ++f)
+        if (marked[f]) out.row(row++) = faces.row(static_cast<Eigen::Index>(f));
+    return out;
+}
+
+/// Leaves out faces that repeat a vertex, and the later of those with the same three.
+inline SoundFaces distinct_faces(const Triangles& faces) {
+    struct Key {
+        std::array<int, 3> corners;
+        std::size_t face;
+    };
+    SoundFaces out;
+    std::vector<Key> keys;
+    std::vector<bool> keep(static_cast<std::size_t>(faces.rows()), true);
+    keys.reserve(keep.size());
+    for (std::size_t f = 0; f < keep.size(); ++f) {
+        const auto row = static_cast<Eigen::Index>(f);
+        std::array<int, 3> corners{faces(row, 0), faces(row, 1), faces(row, 2)};
+        std::sort(corners.begin(), corners.end());
+        keep[f] = corners[0] != corners[1] && corners[1] != corners[2];
+        if (keep[f])
+            keys.push_back({corners, f});
+        else
+            ++out.degenerate;
+    }
+    std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
+        return a.corners != b.corners ? a.corners < b.corners : a.face < b.face;
+    });
+    for (std::size_t i = 1; i < keys.size(); ++i)
+        if (keys[i].corners == keys[i - 1].corners) {
+            keep[keys[i].face] = false;
+            ++out.duplicate;
+        }
+    out.faces = out.degenerate + out.duplicate == 0 ? faces : marked_faces(faces, keep);
+    return out;
+}
+
+/// Faces that hang together by edges of two faces, and how the patch ends.
+struct Patch {
+    std::vector<int> faces;
+    std::vector<std::size_t> shared_edges; ///< those with more than two faces, once for each face of the patch there
+    bool has_free_edge = false;
+    core::Accumulator area = 0;
+};
+
+/// A surface's patches, and how many faces each of the edges has that more than two share.
+struct Patches {
+    std::vector<Patch> patches;
+    std::vector<int> faces_at_shared_edge;
+};
+
+template <typename Scalar>
+Patches patches_of(const TriangleMesh<Scalar>& mesh) {
+    const auto m = static_cast<std::size_t>(mesh.faces.rows());
+    const std::vector<DirectedEdge> edges = directed_edges(mesh.faces);
+    DisjointSets joined(m);
+    struct Ending {
+        std::size_t face, edge;
+    };
+    std::vector<Ending> endings; // at shared edges
+    std::vector<std::size_t> free_faces;
+    Patches out;
+    for (std::size_t i = 0; i < edges.size();) {
+        std::size_t end = i;
+        while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) ++end;
+        if (end - i == 1) free_faces.push_back(edges[i].corner / 3);
+        if (end - i == 2) joined.unite(edges[i].corner / 3, edges[i + 1].corner / 3);
+        if (end - i > 2) {
+            for (std::size_t k = i; k < end; ++k)
+                endings.push_back({edges[k].corner / 3, out.faces_at_shared_edge.size()});
+            out.faces_at_shared_edge.push_back(static_cast<int>(end - i));
+        }
+        i = end;
+    }
+    if (endings.empty()) return out;
+    std::vector<std::size_t> number(m, m);
+    for (std::size_t f = 0; f < m; ++f) {
+        std::size_t& patch = number[joined.find(f)];
+        if (patch == m) {
+            patch = out.patches.size();
+            out.patches.emplace_back();
+        }
+        out.patches[patch].faces.push_back(static_cast<int>(f));
+        out.patches[patch].area += core::face_area_vector(mesh, static_cast<Eigen::Index>(f)).norm();
+    }
+    for (const Ending& ending : endings)
+        out.patches[number[joined.find(ending.face)]].shared_edges.push_back(ending.edge);
+    for (const std::size_t f : free_faces) out.patches[number[joined.find(f)]].has_free_edge = true;
+    return out;
+}
+
+/// Can a patch go without tearing the surface open: do two faces stay at each of its shared edges?
+inline bool is_spare(const Patch& patch, const std::vector<int>& faces_at_shared_edge) {
+    return !patch.shared_edges.empty() && std::all_of(patch.shared_edges.begin(), patch.shared_edges.end(),
+                                                      [&](std::size_t edge) { return faces_at_shared_edge[edge] > 2; });
+}
+
+/// Marks what stays of a surface where more than two faces share an edge: small patches go first, hidden ones before.
+template <typename Scalar>
+SoundFaces without_fins_and_walls(TriangleMesh<Scalar> mesh, SoundFaces counted) {
+    constexpr double most_of_area = 0.01; // of a fin: a hand is 2.5 % (LB44)
+    constexpr double hidden = 0.02;       // part of the rays: some slip out through holes
+    constexpr int samples = 32;
+    Patches found = patches_of(mesh);
+    counted.faces = mesh.faces;
+    if (found.patches.empty()) return counted;
+    const FaceTree<Scalar> tree(mesh);
+    core::Accumulator area = 0;
+    for (const Patch& patch : found.patches) area += patch.area;
+    std::stable_sort(found.patches.begin(), found.patches.end(),
+                     [](const Patch& a, const Patch& b) { return a.area < b.area; });
+    std::vector<bool> keep(static_cast<std::size_t>(mesh.faces.rows()), true);
+    const auto leave_out = [&](Patch& patch) {
+        for (const int f : patch.faces) keep[static_cast<std::size_t>(f)] = false;
+        for (const std::size_t edge : patch.shared_edges) --found.faces_at_shared_edge[edge];
+        patch.shared_edges.clear();
+        return static_cast<int>(patch.faces.size());
+    };
+    for (Patch& patch : found.patches) {
+        if (!is_spare(patch, found.faces_at_shared_edge)) continue;
+        const Visibility seen = look_out(mesh, tree, patch.faces, samples);
+        if (seen.rays > 0 && seen.front <= hidden && seen.back <= hidden) counted.walls += leave_out(patch);
+    }
+    for (Patch& patch : found.patches)
+        if (patch.has_free_edge && patch.area <= most_of_area * area && is_spare(patch, found.faces_at_shared_edge))
+            counted.fins += leave_out(patch);
+    counted.faces = marked_faces(mesh.faces, keep);
+    return counted;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+SoundFaces sound_faces(const TriangleMesh<Scalar>& mesh) {
+    SoundFaces distinct = detail::distinct_faces(mesh.faces);
+    TriangleMesh<Scalar> rest{mesh.vertices, distinct.faces};
+    return detail::without_fins_and_walls(std::move(rest), std::move(distinct));
+}
+
+} // namespace skelgen::surface

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <skelgen/surface/weld.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+#include <skelgen/core/geometry.hpp>
+
+namespace skelgen::surface {
+namespace detail {
+
+/// Groups of points, each told by its lowest member.
+class PointGroups {
+public:
+    explicit PointGroups(std::size_t n) : lowest_(n) { std::iota(lowest_.begin(), lowest_.end(), 0); }
+
+    int find(int i) {
+        while (at(i) != i) i = at(i) = at(at(i));
+        return i;
+    }
+    void unite(int a, int b) {
+        a = find(a);
+        b = find(b);
+        at(std::max(a, b)) = std::min(a, b);
+    }
+
+private:
+    int& at(int i) { return lowest_[static_cast<std::size_t>(i)]; }
+    std::vector<int> lowest_;
+};
+
+/// Joins points no farther apart than `tolerance` (0: at equal places): a sweep along the first axis.
+template <typename Scalar>
+PointGroups near_points(const Points<Scalar>& points, const std::vector<int>& used, Scalar tolerance) {
+    std::vector<int> order = used;
+    std::sort(order.begin(), order.end(), [&](int a, int b) {
+        for (int k = 0; k < 3; ++k)
+            if (points(a, k) != points(b, k)) return points(a, k) < points(b, k);
+        return a < b;
+    });
+    PointGroups groups(static_cast<std::size_t>(points.rows()));
+    std::vector<int> places; // one point of each place
+    for (const int v : order) {
+        if (!places.empty() && points.row(places.back()) == points.row(v))
+            groups.unite(places.back(), v);
+        else
+            places.push_back(v);
+    }
+    if (!(tolerance > 0)) return groups;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        for (std::size_t j = i + 1; j < places.size() && points(places[j], 0) - points(places[i], 0) <= tolerance; ++j)
+            if ((core::point(points, places[i]) - core::point(points, places[j])).norm() <= tolerance)
+                groups.unite(places[i], places[j]);
+    return groups;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+Eigen::AlignedBox<Scalar, 3> robust_box(const TriangleMesh<Scalar>& mesh) {
+    Eigen::AlignedBox<Scalar, 3> box;
+    if (mesh.faces.rows() == 0) return box;
+    std::vector<Scalar> along(static_cast<std::size_t>(mesh.faces.size()));
+    for (int k = 0; k < 3; ++k) {
+        for (Eigen::Index i = 0; i < mesh.faces.size(); ++i)
+            along[static_cast<std::size_t>(i)] = mesh.vertices(mesh.faces.data()[i], k);
+        const auto low = along.begin() + static_cast<std::ptrdiff_t>(along.size() / 20);
+        const auto high = along.end() - 1 - static_cast<std::ptrdiff_t>(along.size() / 20);
+        std::nth_element(along.begin(), low, along.end());
+        box.min()[k] = *low;
+        std::nth_element(along.begin(), high, along.end());
+        box.max()[k] = *high;
+    }
+    return box;
+}
+
+template <typename Scalar>
+Triangles faces_within_reach(const TriangleMesh<Scalar>& mesh) {
+    const Eigen::AlignedBox<Scalar, 3> box = robust_box(mesh);
+    const Scalar reach = 2 * box.diagonal().norm();
+    Triangles out(mesh.faces.rows(), 3);
+    Eigen::Index kept = 0;
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+        bool near = true;
+        for (int k = 0; k < 3; ++k)
+            near = near && box.exteriorDistance(core::point(mesh.vertices, mesh.faces(f, k))) <= reach;
+        if (near) out.row(kept++) = mesh.faces.row(f);
+    }
+    out.conservativeResize(kept, 3);
+    return out;
+}
+
+template <typename Scalar>
+WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>& mesh, Scalar tolerance) {
+    const auto n = static_cast<std::size_t>(mesh.vertices.rows());
+    std::vector<bool> is_used(n, false);
+    for (Eigen::Index i = 0; i < mesh.faces.size(); ++i) is_used[static_cast<std::size_t>(mesh.faces.data()[i])] = true;
+    std::vector<int> used;
+    for (std::size_t v = 0; v < n; ++v)
+        if (is_used[v]) used.push_back(static_cast<int>(v));
+    detail::PointGroups groups = detail::near_points(mesh.vertices, used, tolerance);
+
+    WeldedMesh<Scalar> out;
+    out.placed.assign(n, -1);
+    out.unused = static_cast<int>(n - used.size());
+    int kept = 0;
+    for (const int v : used) {
+        const int first = groups.find(v);
+        out.placed[static_cast<std::size_t>(v)] = first == v ? kept++ : out.placed[static_cast<std::size_t>(first)];
+    }
+    out.welded = static_cast<int>(used.size()) - kept;
+    out.mesh.vertices.resize(kept, 3);
+    for (const int v : used)
+        if (groups.find(v) == v) out.mesh.vertices.row(out.placed[static_cast<std::size_t>(v)]) = mesh.vertices.row(v);
+    out.mesh.faces = mesh.faces;
+    for (Eigen::Index i = 0; i < mesh.faces.size(); ++i)
+        out.mesh.faces.data()[i] = out.placed[static_cast<std::size_t>(mesh.faces.data()[i])];
+    return out;
+}
+
+} // namespace skelgen::surface

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <skelgen/core/mesh.hpp>
+
+namespace skelgen::surface {
+
+/// A mesh whose vertices are at different places, and where those of the original went.
+template <typename Scalar = double>
+struct WeldedMesh {
+    TriangleMesh<Scalar> mesh;
+    std::vector<int> placed; ///< per vertex of the original its index here, -1 where no face uses it
+    int welded = 0;          ///< vertices that went into others
+    int unused = 0;          ///< vertices that no face uses, left out
+};
+
+/// The box that holds the middle nine tenths of the faces' corners along each axis, which a few strays far away do not
+/// change. Any unit; a mesh without faces has an empty one. O(faces).
+template <typename Scalar>
+[[nodiscard]] Eigen::AlignedBox<Scalar, 3> robust_box(const TriangleMesh<Scalar>& mesh);
+
+/// The faces none of whose corners lies farther from the robust box than twice its diagonal: a body reaches a third of
+/// it beyond. O(faces).
+template <typename Scalar>
+[[nodiscard]] Triangles faces_within_reach(const TriangleMesh<Scalar>& mesh);
+
+/// Makes one vertex of those at equal places, then of those in chains of steps up to `tolerance` (in the mesh's unit),
+/// and leaves out what no face uses; the first of each group stays, and all keep their order. Faces may come to repeat
+/// a vertex. A mesh without any of this comes back with the same vertices and faces. O(n log n) where few lie as near.
+template <typename Scalar>
+[[nodiscard]] WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>& mesh, Scalar tolerance);
+
+} // namespace skelgen::surface
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/surface/impl/weld.hpp>
+#endif

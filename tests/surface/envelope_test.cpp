@@ -1,0 +1,161 @@
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <skelgen/core/error.hpp>
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/surface/distance_band.hpp>
+#include <skelgen/surface/envelope.hpp>
+#include <skelgen/surface/face_tree.hpp>
+#include <skelgen/surface/lattice_surface.hpp>
+#include <skelgen/surface/manifold_parts.hpp>
+#include <skelgen/surface/winding_tree.hpp>
+
+#include "catch.hpp"
+#include "mesh_changes.hpp"
+#include "shapes.hpp"
+
+using namespace skelgen;
+using namespace skelgen::core;
+using namespace skelgen::surface;
+using namespace skelgen::test;
+
+namespace {
+
+/// Edge- and vertex-manifold without a border.
+bool is_closed_manifold(const Mesh& mesh) {
+    Eigen::Index vertices = 0;
+    for (const auto& part : manifold_parts(mesh)) vertices += part.mesh.vertices.rows();
+    return is_closed(mesh.faces) && vertices == mesh.vertices.rows();
+}
+
+Mesh moved_by(const Mesh& mesh, const Vec3& way) { return moved(mesh, {Eigen::Matrix3d::Identity(), 1, way}); }
+
+/// Without the faces around the highest vertex, up to `depth` below it.
+Mesh without_top(const Mesh& mesh, double depth) {
+    const double top = mesh.vertices.col(2).maxCoeff();
+    Mesh out = mesh;
+    Eigen::Index row = 0;
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+        double lowest = top;
+        for (int k = 0; k < 3; ++k) lowest = std::min(lowest, mesh.vertices(mesh.faces(f, k), 2));
+        if (lowest < top - depth) out.faces.row(row++) = mesh.faces.row(f);
+    }
+    out.faces.conservativeResize(row, 3);
+    return out;
+}
+
+EnvelopeOptions with_cells(double cells) {
+    EnvelopeOptions options;
+    options.cells = cells;
+    return options;
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("the tree's winding number is that of the sum over all faces", "", float, double) {
+    const Mesh exact = without_top(sphere(1, 4), 0.5);
+    const TriangleMesh<TestType> mesh{exact.vertices.cast<TestType>(), exact.faces};
+    const WindingTree<TestType> tree(mesh);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<TestType> place(-2, 2);
+    for (int i = 0; i < 200; ++i) {
+        const Vector3<TestType> p(place(random), place(random), place(random));
+        REQUIRE(std::abs(tree.winding_number(mesh, p) - winding_number(mesh, p)) < TestType(0.08));
+    }
+    CHECK(WindingTree<TestType>(TriangleMesh<TestType>{}).winding_number({}, Vector3<TestType>::Zero()) == 0);
+}
+
+TEST_CASE("the band has the distances near the surface") {
+    const Mesh mesh = box(Vec3(4, 1, 1)); // faces much larger than cells
+    const FaceTree<double> tree(mesh);
+    const Lattice<double> lattice = lattice_around(mesh, 0.1, 4);
+    const SparseGrid<double> band = distance_band(mesh, lattice, 0.25);
+    for (int z = 0; z < lattice.nodes[2]; ++z)
+        for (int y = 0; y < lattice.nodes[1]; ++y)
+            for (int x = 0; x < lattice.nodes[0]; x += 3) {
+                const double expected = tree.distance(mesh, lattice.place({x, y, z})), found = band.get({x, y, z});
+                if (expected < 0.2499) REQUIRE(std::abs(found - expected) < 1e-12);
+                if (expected > 0.2501) REQUIRE(std::isinf(found));
+            }
+}
+
+TEST_CASE("whatever nodes are inside, the surface around them is closed and manifold") {
+    std::mt19937 random(7);
+    Lattice<double> lattice;
+    lattice.nodes = {24, 24, 24};
+    std::vector<LatticeNode> all;
+    SparseGrid<double> noise(lattice.nodes, 0);
+    for (int z = 0; z < 24; ++z)
+        for (int y = 0; y < 24; ++y)
+            for (int x = 0; x < 24; ++x) {
+                all.push_back({x, y, z});
+                noise.at({x, y, z}) = std::ldexp(static_cast<double>(random()), -32) - 0.4;
+            }
+    LatticeShape<double> shape;
+    shape.depth = [&](const LatticeNode& node) { return noise.get(node); };
+    shape.crossing = [](const LatticeNode&, const LatticeNode&, double in, double out) { return in / (in - out); };
+    const Mesh mesh = lattice_surface(lattice, all, shape);
+    REQUIRE(mesh.faces.rows() > 1000);
+    CHECK(is_closed_manifold(mesh));
+    CHECK(enclosed_volume(mesh) > 0);
+}
+
+TEMPLATE_TEST_CASE("the envelope of a ball is the ball", "", float, double) {
+    const Mesh exact = sphere(3, 4);
+    const TriangleMesh<TestType> ball{exact.vertices.cast<TestType>(), exact.faces};
+    for (const auto& envelope : {winding_envelope(ball, with_cells(60)), rolling_envelope(ball, with_cells(60))}) {
+        CHECK(is_closed(envelope.faces));
+        CHECK(euler_characteristic(envelope.faces) == 2);
+        CHECK(enclosed_volume(envelope) == Approx(enclosed_volume(ball)).epsilon(0.01));
+        CHECK(surface_area(envelope) == Approx(surface_area(ball)).epsilon(0.01));
+    }
+}
+
+TEST_CASE("overlapping boxes become one with the volume of their union") {
+    const Mesh both = side_by_side(box(Vec3(2, 1, 1)), moved_by(box(Vec3(1, 1, 3)), Vec3(0.5, 0.25, -1.25)));
+    const auto volume = [](double width, double depth, double height) { return width * depth * height; };
+    const auto [low, high] = std::pair<Vec3, Vec3>{both.vertices.topRows(8).colwise().minCoeff().transpose(),
+                                                   both.vertices.topRows(8).colwise().maxCoeff().transpose()};
+    const Vec3 second_low = both.vertices.bottomRows(8).colwise().minCoeff().transpose(),
+               second_high = both.vertices.bottomRows(8).colwise().maxCoeff().transpose();
+    const Vec3 shared = high.cwiseMin(second_high) - low.cwiseMax(second_low);
+    REQUIRE(shared.minCoeff() > 0.1);
+    const double expected = volume(2, 1, 1) + volume(1, 1, 3) - volume(shared[0], shared[1], shared[2]);
+    for (const auto& envelope : {winding_envelope(both, with_cells(100)), rolling_envelope(both, with_cells(100))}) {
+        CHECK(is_closed_manifold(envelope));
+        CHECK(manifold_parts(envelope).size() == 1);
+        CHECK(enclosed_volume(envelope) == Approx(expected).epsilon(0.02));
+    }
+}
+
+TEST_CASE("an envelope closes holes") {
+    const Mesh open = without_top(sphere(1, 4), 0.05);
+    REQUIRE_FALSE(is_closed(open.faces));
+    const Mesh envelope = winding_envelope(open, with_cells(80));
+    CHECK(is_closed_manifold(envelope));
+    CHECK(enclosed_volume(envelope) == Approx(4 * pi / 3).epsilon(0.03));
+}
+
+TEST_CASE("a narrow gap stays open to the winding number") {
+    const double gap = 0.04; // three cells
+    const Mesh both = side_by_side(cube(2), moved_by(cube(2), Vec3(1 + gap, 0, 0)));
+    CHECK(manifold_parts(winding_envelope(both, with_cells(150))).size() == 2);
+    CHECK(manifold_parts(rolling_envelope(both, with_cells(150))).size() == 1); // narrower than the ball
+}
+
+TEST_CASE("a rolled envelope needs no orientation") {
+    Mesh ball = sphere(1, 4);
+    for (Eigen::Index f = 0; f < ball.faces.rows(); f += 2) std::swap(ball.faces(f, 0), ball.faces(f, 1));
+    CHECK(enclosed_volume(rolling_envelope(ball, with_cells(60))) == Approx(4 * pi / 3).epsilon(0.02));
+}
+
+TEST_CASE("what encloses nothing has no envelope") {
+    const Mesh sheet = make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}});
+    CHECK(winding_envelope(sheet, with_cells(50)).faces.rows() == 0);
+}
+
+TEST_CASE("options of envelopes have ranges") {
+    REQUIRE_THROWS_AS(winding_envelope(cube(), with_cells(5)), Error);
+    REQUIRE_THROWS_AS(rolling_envelope(cube(), with_cells(1e6)), Error);
+}

@@ -1,0 +1,88 @@
+#include <skelgen/core/error.hpp>
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/surface/pieces.hpp>
+#include <skelgen/surface/prepare.hpp>
+
+#include "catch.hpp"
+#include "mesh_changes.hpp"
+#include "shapes.hpp"
+
+using namespace skelgen;
+using namespace skelgen::core;
+using namespace skelgen::surface;
+using namespace skelgen::test;
+
+namespace {
+
+Mesh moved_by(const Mesh& mesh, const Vec3& way) { return moved(mesh, {Eigen::Matrix3d::Identity(), 1, way}); }
+
+} // namespace
+
+TEST_CASE("one piece without flat sides keeps all its faces") {
+    const Mesh tube = capsule(0.3, 4);
+    const BodyFaces body = faces_of_body(tube);
+    CHECK(body.faces == tube.faces);
+    CHECK(body.bodies == 1);
+    CHECK(body.dropped_pieces == 0);
+    CHECK(body.notes.empty());
+}
+
+TEST_CASE("a plate beside a body is left out, and so is what floats far away") {
+    const Mesh tube = capsule(0.3, 4);
+    const Mesh plate = moved_by(box(Vec3(2, 2, 0.05)), Vec3(-1, -1, -0.5)),
+               speck = moved_by(sphere(0.05, 2), Vec3(3, 0, 2));
+    const BodyFaces body = faces_of_body(side_by_side(side_by_side(tube, plate), speck));
+    CHECK(body.faces == tube.faces);
+    CHECK(body.dropped_pieces == 1);
+    REQUIRE(body.notes.size() == 1);
+    CHECK(body.notes[0] == "a plate left out");
+}
+
+TEST_CASE("bodies apart are counted, and each can be had") {
+    const Mesh tube = capsule(0.3, 4), other = moved_by(capsule(0.28, 4), Vec3(1, 0, 0));
+    const Mesh both = side_by_side(tube, other);
+    CHECK(faces_of_body(both).bodies == 2);
+    CHECK(faces_of_body(both, 1).faces == tube.faces);
+    CHECK(faces_of_body(both, 2).faces == both.faces.bottomRows(other.faces.rows()));
+    PrepareOptions options;
+    options.component = 2;
+    CHECK(gather(both, options).clean.mesh.vertices == other.vertices);
+    options.component = 3;
+    REQUIRE_THROWS_WITH(gather(both, options), "there is no body number 3, only 2");
+}
+
+TEST_CASE("pieces that overlap or lie in each other are one body") {
+    const Mesh tube = capsule(0.3, 4);
+    CHECK(faces_of_body(side_by_side(tube, moved_by(tube, Vec3(0.3, 0, 0)))).bodies == 1);
+    CHECK(faces_of_body(side_by_side(tube, capsule(0.25, 4))).bodies == 1);
+}
+
+TEST_CASE("a sound body has one remedy, pieces have an envelope first") {
+    const Mesh tube = capsule(0.3, 4);
+    CHECK(gather(tube).remedies == std::vector<Remedy>{Remedy::largest_piece});
+    const Mesh halves = side_by_side(tube, moved_by(tube, Vec3(0.02, 0.03, 3.01)));
+    const BodyMaterial<double> material = gather(halves);
+    REQUIRE(material.remedies.front() == Remedy::envelope);
+    const Outcome<Body<double>> body = make_body_by(Remedy::envelope, material);
+    REQUIRE(body);
+    CHECK(is_closed(body->mesh.faces));
+    CHECK(body->repairs.back() == "2 pieces joined into one surface");
+    const double volume = pi * 0.3 * 0.3 * 7.01 + 4 * pi / 3 * 0.3 * 0.3 * 0.3;
+    CHECK(std::pow(body->similarity.scale, 3) * enclosed_volume(body->mesh) == Approx(volume).epsilon(0.03));
+    REQUIRE(body->nearest.size() == static_cast<std::size_t>(halves.vertices.rows()));
+    // Only those inside the other half are far from the envelope, and by no more than the radius.
+    for (Eigen::Index v = 0; v < halves.vertices.rows(); ++v) {
+        const int place = body->nearest[static_cast<std::size_t>(v)];
+        REQUIRE(place >= 0);
+        const Vec3 there = body->similarity.to_input(point(body->mesh.vertices, place));
+        REQUIRE((there - point(halves.vertices, v)).norm() < 0.35);
+    }
+}
+
+TEST_CASE("material that encloses nothing makes no body") {
+    const Mesh sheet = make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}},
+                                 {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
+    const Outcome<Body<double>> body = make_body_by(Remedy::envelope, gather(sheet));
+    REQUIRE_FALSE(body);
+    CHECK(body.failure().what == "no body: its 1 pieces enclose nothing; close its surface");
+}
