@@ -47,7 +47,7 @@ namespace {
 class NoFiles : public Assimp::IOSystem {
 public:
     bool Exists(const char* /*file*/) const override { return false; }
-    char getOsSeparator() const override { return '/'; }
+    [[nodiscard]] char getOsSeparator() const override { return '/'; }
     Assimp::IOStream* Open(const char* /*file*/, const char* /*mode*/) override { return nullptr; }
     void Close(Assimp::IOStream* /*file*/) override {}
 };

@@ -10,8 +10,9 @@
 namespace skelgen::io::detail {
 namespace {
 
-template <typename Enum, std::size_t n>
-std::optional<Enum> find_name(const std::array<std::pair<std::string_view, Enum>, n>& names, std::string_view wanted) {
+template <typename Enum, std::size_t Count>
+std::optional<Enum> find_name(const std::array<std::pair<std::string_view, Enum>, Count>& names,
+                              std::string_view wanted) {
     for (const auto& [name, value] : names)
         if (name == wanted) return value;
     return std::nullopt;

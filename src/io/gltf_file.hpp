@@ -8,7 +8,7 @@
 namespace skelgen::io::detail {
 
 /// A glTF 2.0 file (Khr21), which is JSON, or GLB's container around it and the bytes of its first buffer.
-struct GltfFile {
+struct GltfFile { // NOLINT(bugprone-exception-escape): the JSON library asserts in its move, and never throws there
     GltfValue::Json json;
     std::optional<std::string_view> binary; ///< GLB's second chunk: a part of the bytes given
 

@@ -22,9 +22,7 @@ namespace {
 constexpr int gzip_window = 15 + 16; // the largest, with gzip's header
 
 /// zlib does not change its input, but its type says so only where a macro asks for it.
-Bytef* input_bytes(std::string_view bytes) {
-    return const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes.data())); // NOLINT(*-const-cast)
-}
+Bytef* input_bytes(std::string_view bytes) { return const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes.data())); }
 
 /// The next part of the input: zlib counts by int.
 std::string_view next_part(std::string_view bytes) {

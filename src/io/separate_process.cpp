@@ -35,17 +35,6 @@ std::size_t address_space_in_use() {
     return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/// The address sanitizer takes up terabytes of addresses: no limit on them can be set then.
-constexpr bool has_address_sanitizer() {
-#if defined(__SANITIZE_ADDRESS__)
-    return true;
-#elif defined(__has_feature)
-    return __has_feature(address_sanitizer);
-#else
-    return false;
-#endif
-}
-
 void set_limit(decltype(RLIMIT_AS) resource, std::size_t value) {
     const ::rlimit limit{static_cast<::rlim_t>(value), static_cast<::rlim_t>(value)};
     ::setrlimit(resource, &limit); // where it cannot be set there is a stricter one
@@ -55,7 +44,7 @@ void set_limits(const ProcessLimits& limits) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     set_limit(RLIMIT_CORE, 0);
     set_limit(RLIMIT_CPU, static_cast<std::size_t>(std::ceil(limits.seconds)) + 1);
-    if (!has_address_sanitizer()) set_limit(RLIMIT_AS, address_space_in_use() + limits.bytes);
+    if (has_memory_limit()) set_limit(RLIMIT_AS, address_space_in_use() + limits.bytes);
     const int null = ::open("/dev/null", O_WRONLY | O_CLOEXEC); // what a library prints would spoil the output
     if (null < 0) return;
     ::dup2(null, STDOUT_FILENO);
