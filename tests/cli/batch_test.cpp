@@ -208,6 +208,17 @@ TEST_CASE("shards share the meshes out, each to exactly one") {
     CHECK(read_summary(folder / "together").size() == 7);
 }
 
+TEST_CASE("on a terminal, a bar shows how much is done, how fast, and how long the rest will take") {
+    const TemporaryFolder folder;
+    for (const char* file : {"in/a.off", "in/b.off", "in/c.off"}) write_file(folder / file, "");
+    const CliResult result =
+        run_shell(folder.path(), "export skelgen; exec script -qec '\"$skelgen\" batch in -o out --jobs 1' /dev/null");
+    if (result.status == 126 || result.status == 127) SKELGEN_SKIP("needs the command script, which is a terminal");
+    CHECK(std::regex_search(result.out, std::regex("\\[#+-+\\] 2/3, 2 failed, [0-9.]+/s, 0:0[0-9] left")));
+    write_file(folder / "in/a.off", "");
+    CHECK(run_cli(folder.path(), {"batch", "in", "-o", "out"}).err.find("/s, ") == std::string::npos); // no terminal
+}
+
 TEST_CASE("a mesh that takes too long is given up, alone") {
     const TemporaryFolder folder;
     const EndlessMesh endless(folder / "endless.off");

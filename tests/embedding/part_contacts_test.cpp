@@ -123,3 +123,11 @@ TEST_CASE("a ring is not cut: the template does not fit what would be left") {
     REQUIRE(core::cycle_count(found.curve) == 1);
     CHECK_FALSE(part_contacts(body, found.curve, builtin_template("human21")));
 }
+
+TEST_CASE("more loops than a body can have contacts are not cut one after the other") {
+    const Body<double> body = surface::prepare(limbs(false));
+    CurveSkeleton<double> ladder = curve::find_curve(body).curve;
+    const auto node = [&](int i) { return i % static_cast<int>(ladder.nodes.rows()); };
+    for (int i = 0; core::cycle_count(ladder) <= most_contacts; ++i) ladder.edges.push_back({node(i), node(i + 7)});
+    CHECK_FALSE(part_contacts(body, ladder, builtin_template("human21")));
+}

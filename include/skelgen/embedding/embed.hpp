@@ -31,8 +31,8 @@ inline constexpr int most_reduced_nodes = 100;
 /// Embeds the template in a pruned curve skeleton (LF20 section 3.1): reduced graphs, spectral matching, merging of
 /// unmatched junctions into the matched neighbour with the most branches. Which of two like limbs is the left one is
 /// not known yet. O(k^2 log k) for k nodes of the curve; the matching is cheap beside that. \returns failure no_match
-/// when the curve has too few ends and junctions for the reduced template or more than a body's, or is in several
-/// pieces. \throws Error usage when an option is out of its range.
+/// when the curve has too few ends and junctions for the reduced template or is in several pieces, no_body when it
+/// has more than `most_reduced_nodes`. \throws Error usage when an option is out of its range.
 template <typename Scalar>
 [[nodiscard]] Outcome<Embedding> embed(const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template,
                                        const MatchingOptions& options = {});

@@ -17,11 +17,15 @@ struct PartedBody {
     curve::CurveResult<Scalar> curve; ///< a tree
 };
 
+/// Most places in which a body may touch itself: head, trunk, arms and legs, each two of them once. Torn surfaces have
+/// dozens of loops.
+inline constexpr int most_contacts = 15;
+
 /// Parts a body where it touches itself: the loops of its `curve` are opened where the template then fits best (see
 /// find_loop_cuts), the surface is cut there, and the curve is found again, until it has no loops. `curve` is connected
-/// and its regions index the body's vertices. \returns none when `curve` has no loop, when no way to cut it lets the
-/// template in, or when a cut opens no loop or takes off a limb. Each round takes as long as find_curve, and there is
-/// at most one for each loop. \throws Error usage when an option is out of its range.
+/// and its regions index the body's vertices. \returns none when `curve` has no loop or more than `most_contacts`, when
+/// no way to cut it lets the template in, or when a cut opens no loop or takes off a limb. Each round takes as long as
+/// find_curve, and there is at most one for each loop. \throws Error usage when an option is out of its range.
 template <typename Scalar>
 [[nodiscard]] std::optional<PartedBody<Scalar>>
 part_contacts(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template,

@@ -83,10 +83,10 @@ Outcome<Embedding> embed(const CurveSkeleton<Scalar>& curve, const SkeletonTempl
                                                     std::to_string(wanted) +
                                                     "; check that head, hands and feet are there and stand free"};
     if (found > most_reduced_nodes)
-        return Failure{FailureReason::no_match, "no human body: its curve skeleton has " + std::to_string(found) +
-                                                    " ends and junctions, a body's has fewer than " +
-                                                    std::to_string(most_reduced_nodes) +
-                                                    "; the surface may be torn or inside out in places: repair it"};
+        return Failure{FailureReason::no_body, "no human body: its curve skeleton has " + std::to_string(found) +
+                                                   " ends and junctions, a body's has fewer than " +
+                                                   std::to_string(most_reduced_nodes) +
+                                                   "; the surface may be torn or inside out in places: repair it"};
     if (!reduced_curve.distances.allFinite()) return detail::in_several_pieces();
     const std::vector<int> rounded =
         spectral_assignment(affinity_matrix(reduced_curve, reduced_template, options), wanted);

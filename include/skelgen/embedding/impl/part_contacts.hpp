@@ -80,6 +80,7 @@ template <typename Scalar>
 std::optional<PartedBody<Scalar>>
 part_contacts(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template,
               const MatchingOptions& matching, const curve::CurveOptions& curve_options) {
+    if (core::cycle_count(curve) > most_contacts) return std::nullopt;
     std::optional<PartedBody<Scalar>> parted;
     while (true) {
         const Body<Scalar>& uncut = parted ? parted->body : body;
