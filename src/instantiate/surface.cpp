@@ -40,6 +40,7 @@ namespace skelgen::surface {
     template Visibility look_out(const TriangleMesh<Scalar>&, const FaceTree<Scalar>&, const std::vector<int>&, int);  \
     template SoundFaces sound_faces(const TriangleMesh<Scalar>&);                                                      \
     template OrientedMesh<Scalar> orient(TriangleMesh<Scalar>);                                                        \
+    template bool is_sound(const TriangleMesh<Scalar>&);                                                               \
     template CleanMesh<Scalar> clean(const TriangleMesh<Scalar>&);                                                     \
     template FilledSurface<Scalar> fill_holes(const TriangleMesh<Scalar>&, double);                                    \
     template Lattice<Scalar> lattice_around(const TriangleMesh<Scalar>&, Scalar, int);                                 \

@@ -81,6 +81,24 @@ TEST_CASE("a sound mesh is left as it is, to the last bit") {
     CHECK(prepare(mesh).repairs.empty());
 }
 
+TEST_CASE("one closed piece that looks outwards is sound, anything else is not") {
+    const Mesh ring = torus(1, 0.3);
+    CHECK(is_sound(ring));
+    CHECK(is_sound(shuffled(ring, 9)));
+    Mesh pinched = sphere(1, 3);
+    pinched.faces = (pinched.faces.array() == 3).select(0, pinched.faces);
+    CHECK(is_sound(pinched));
+    Mesh inside_out = ring;
+    inside_out.faces.col(0).swap(inside_out.faces.col(1));
+    CHECK_FALSE(is_sound(inside_out));
+    CHECK_FALSE(is_sound(partly_turned(ring)));
+    CHECK_FALSE(is_sound(without_faces(ring, 3, 1)));
+    CHECK_FALSE(is_sound(side_by_side(ring, sphere(0.1, 2))));
+    CHECK_FALSE(is_sound(as_soup(ring)));
+    CHECK_FALSE(is_sound(with_faces(ring, {{0, 0, 1}})));
+    CHECK_FALSE(is_sound(with_faces(ring, {{0, 1, 5}})));
+}
+
 TEST_CASE("vertices up to the tolerance apart become one, others do not") {
     Mesh soup = as_soup(cube(1));
     for (Eigen::Index v = 0; v < soup.vertices.rows(); ++v)

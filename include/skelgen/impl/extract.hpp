@@ -256,10 +256,10 @@ Outcome<Fit<Scalar>> fit(const Body<Scalar>& body, const curve::CurveResult<Scal
 namespace detail {
 
 /// A surface that was made of pieces is not what was given: its limbs may have been fused or shortened. So much less
-/// can the skeleton be trusted: of the enveloped bodies of many hands one in seven or so is not usable.
+/// can the skeleton be trusted: a working value, that of bodies which were cut.
 template <typename Scalar>
 Fit<Scalar> less_certain_for_envelope(Fit<Scalar> fit) {
-    constexpr double often_right = 0.85;
+    constexpr double often_right = 0.75;
     fit.skeleton.quality.sides_confidence *= often_right;
     for (Joint<Scalar>& joint : fit.skeleton.joints) joint.confidence *= often_right;
     return fit;

@@ -14,6 +14,7 @@ struct CleanMesh {
     std::vector<int> placed;        ///< per vertex of the input its index here, -1 where it is left out; empty where
                                     ///< the vertices are the input's
     std::vector<std::string> notes; ///< what was done and how much, one sentence each
+    bool is_sound = false;          ///< it was one closed piece that looks outwards from the beginning
 };
 
 /// Puts a mesh's connectivity right: vertices at equal places welded (then those nearer than a millionth of the size),

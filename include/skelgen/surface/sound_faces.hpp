@@ -4,6 +4,11 @@
 
 namespace skelgen::surface {
 
+/// Is a mesh one piece, each edge of which two faces share that run along it in opposite senses, with the inside behind
+/// them? Vertices where fans of faces touch are allowed. O(n).
+template <typename Scalar>
+[[nodiscard]] bool is_sound(const TriangleMesh<Scalar>& mesh);
+
 /// Faces without those that bound nothing, and how many of each kind went.
 struct SoundFaces {
     Triangles faces;    ///< those that stay, in their order

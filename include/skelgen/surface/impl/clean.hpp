@@ -31,6 +31,11 @@ CleanMesh<Scalar> clean(const TriangleMesh<Scalar>& mesh) {
     const TriangleMesh<Scalar> near{mesh.vertices, faces_within_reach(mesh)};
     WeldedMesh<Scalar> welded = weld(near, millionth * robust_box(near).diagonal().norm());
     if (welded.welded + welded.unused > 0) out.placed = std::move(welded.placed);
+    if (welded.welded + welded.unused == 0 && near.faces.rows() == mesh.faces.rows() && is_sound(mesh)) {
+        out.mesh = mesh;
+        out.is_sound = true;
+        return out;
+    }
     const SoundFaces sound = sound_faces(welded.mesh);
     if (sound.faces.rows() < 4)
         throw Error(ErrorCode::bad_input,

@@ -91,9 +91,30 @@ struct FlatSide {
     core::Accumulator area = 0;
 };
 
+/// Can there be a flat side with `least` of the area or more: do so many normals point the same way? Counted on a
+/// cube's sides; a side of one direction lies in four of its squares at most.
+template <typename Scalar>
+bool may_have_flat_side(const TriangleMesh<Scalar>& mesh, core::Accumulator least) {
+    constexpr int squares = 63; // along an edge of the cube: a degree and a half each
+    std::vector<core::Accumulator> area(static_cast<std::size_t>(6 * squares * squares), 0);
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+        const Vector3<Scalar> normal = core::face_area_vector(mesh, f);
+        int axis = 0;
+        const Scalar most = normal.cwiseAbs().maxCoeff(&axis);
+        if (!(most > 0)) continue;
+        const auto square = [&](int k) {
+            return std::min(squares - 1, static_cast<int>((normal[(axis + k) % 3] / most + 1) / 2 * squares));
+        };
+        const int side = 2 * axis + (normal[axis] > 0 ? 1 : 0);
+        area[static_cast<std::size_t>((side * squares + square(1)) * squares + square(2))] += normal.norm();
+    }
+    return *std::max_element(area.begin(), area.end()) >= least / 4;
+}
+
 /// Those that have `least` of the area or more.
 template <typename Scalar>
 std::vector<FlatSide<Scalar>> flat_sides(const TriangleMesh<Scalar>& mesh, core::Accumulator least) {
+    if (!may_have_flat_side(mesh, least)) return {};
     constexpr Scalar straight = Scalar(0.9998); // cosine: a degree
     std::vector<Vector3<Scalar>> normals(static_cast<std::size_t>(mesh.faces.rows()));
     for (std::size_t f = 0; f < normals.size(); ++f)

@@ -57,7 +57,9 @@ inline constexpr double small_hole = 0.02; // of the surface: a hand, or the sol
 
 /// The largest piece, its small holes closed. A mesh of one closed piece is taken as it is.
 template <typename Scalar>
-ChosenPiece<Scalar> choose_piece(const TriangleMesh<Scalar>& mesh) {
+ChosenPiece<Scalar> choose_piece(const CleanMesh<Scalar>& clean) {
+    const TriangleMesh<Scalar>& mesh = clean.mesh;
+    if (clean.is_sound) return {mesh, {}, 0, {}};
     ManifoldParts<Scalar> part = largest_manifold_part(mesh);
     FilledSurface<Scalar> filled = fill_holes(part.mesh, small_hole);
     if (part.dropped_pieces == 0 && filled.filled == 0) return {mesh, {}, 0, {}};
@@ -159,7 +161,7 @@ std::string overlapping_pieces(const TriangleMesh<Scalar>& mesh) {
 /// The largest piece of the material as a body.
 template <typename Scalar>
 Body<Scalar> body_of_piece(const BodyMaterial<Scalar>& material, const PrepareOptions& options) {
-    ChosenPiece<Scalar> piece = choose_piece(material.clean.mesh);
+    ChosenPiece<Scalar> piece = choose_piece(material.clean);
     piece.notes.insert(piece.notes.begin(), material.clean.notes.begin(), material.clean.notes.end());
     piece.dropped_pieces += material.dropped_pieces;
     return body_of(std::move(piece), material.clean.placed, options);
@@ -216,8 +218,13 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
             now[static_cast<std::size_t>(used.source[v])] = static_cast<int>(v);
         out.clean.placed = out.clean.placed.empty() ? std::move(now) : composed(std::move(out.clean.placed), now);
         out.clean.mesh = std::move(used.mesh);
+        out.clean.is_sound = false;
     }
 
+    if (out.clean.is_sound) {
+        out.remedies = {Remedy::largest_piece};
+        return out;
+    }
     const TriangleMesh<Scalar> part = largest_manifold_part(out.clean.mesh).mesh;
     const FilledSurface<Scalar> filled = fill_holes(part, detail::small_hole);
     const Scalar share = core::surface_area(part) / core::surface_area(out.clean.mesh);
@@ -242,7 +249,7 @@ template <typename Scalar>
 Body<Scalar> prepare(const TriangleMesh<Scalar>& mesh, const PrepareOptions& options) {
     require_surface(mesh);
     const CleanMesh<Scalar> whole = clean(mesh);
-    detail::ChosenPiece<Scalar> piece = detail::choose_piece(whole.mesh);
+    detail::ChosenPiece<Scalar> piece = detail::choose_piece(whole);
     piece.notes.insert(piece.notes.begin(), whole.notes.begin(), whole.notes.end());
     return detail::body_of(std::move(piece), whole.placed, options);
 }

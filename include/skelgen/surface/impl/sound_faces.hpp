@@ -154,6 +154,45 @@ SoundFaces without_fins_and_walls(TriangleMesh<Scalar> mesh, SoundFaces counted)
 } // namespace detail
 
 template <typename Scalar>
+bool is_sound(const TriangleMesh<Scalar>& mesh) {
+    // Each vertex's edges to higher ones: how often each is run through upwards, less how often downwards.
+    struct Edge {
+        int high, upwards, downwards;
+        std::size_t face;
+    };
+    const auto n = static_cast<std::size_t>(mesh.vertices.rows()), m = static_cast<std::size_t>(mesh.faces.rows());
+    std::vector<std::size_t> first(n + 1, 0);
+    const auto vertex = [&](std::size_t f, int k) { return mesh.faces(static_cast<Eigen::Index>(f), k % 3); };
+    for (std::size_t f = 0; f < m; ++f)
+        for (int k = 0; k < 3; ++k) ++first[static_cast<std::size_t>(std::min(vertex(f, k), vertex(f, k + 1))) + 1];
+    for (std::size_t v = 0; v < n; ++v) first[v + 1] += first[v];
+    std::vector<Edge> edges(3 * m);
+    std::vector<std::size_t> end(first.begin(), first.end() - 1);
+    detail::DisjointSets joined(m);
+    for (std::size_t f = 0; f < m; ++f)
+        for (int k = 0; k < 3; ++k) {
+            const int a = vertex(f, k), b = vertex(f, k + 1), low = std::min(a, b), high = std::max(a, b);
+            if (a == b) return false;
+            const auto here = edges.begin() + static_cast<std::ptrdiff_t>(first[static_cast<std::size_t>(low)]);
+            std::size_t& stop = end[static_cast<std::size_t>(low)];
+            const auto last = edges.begin() + static_cast<std::ptrdiff_t>(stop);
+            auto edge = std::find_if(here, last, [&](const Edge& e) { return e.high == high; });
+            if (edge == last) {
+                *edge = {high, 0, 0, f};
+                ++stop;
+            }
+            if (++(a < b ? edge->upwards : edge->downwards) > 1) return false;
+            joined.unite(edge->face, f);
+        }
+    for (std::size_t v = 0; v < n; ++v)
+        for (std::size_t i = first[v]; i < end[v]; ++i)
+            if (edges[i].upwards + edges[i].downwards != 2) return false;
+    for (std::size_t f = 1; f < m; ++f)
+        if (joined.find(f) != joined.find(0)) return false;
+    return core::enclosed_volume(mesh) > 0;
+}
+
+template <typename Scalar>
 SoundFaces sound_faces(const TriangleMesh<Scalar>& mesh) {
     SoundFaces distinct = detail::distinct_faces(mesh.faces);
     TriangleMesh<Scalar> rest{mesh.vertices, distinct.faces};

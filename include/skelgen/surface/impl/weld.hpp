@@ -62,10 +62,13 @@ template <typename Scalar>
 Eigen::AlignedBox<Scalar, 3> robust_box(const TriangleMesh<Scalar>& mesh) {
     Eigen::AlignedBox<Scalar, 3> box;
     if (mesh.faces.rows() == 0) return box;
-    std::vector<Scalar> along(static_cast<std::size_t>(mesh.faces.size()));
+    constexpr Eigen::Index samples = 5000; // faces, evenly spread over the list
+    const Eigen::Index stride = std::max<Eigen::Index>(1, mesh.faces.rows() / samples);
+    std::vector<Scalar> along;
     for (int k = 0; k < 3; ++k) {
-        for (Eigen::Index i = 0; i < mesh.faces.size(); ++i)
-            along[static_cast<std::size_t>(i)] = mesh.vertices(mesh.faces.data()[i], k);
+        along.clear();
+        for (Eigen::Index f = 0; f < mesh.faces.rows(); f += stride)
+            for (int c = 0; c < 3; ++c) along.push_back(mesh.vertices(mesh.faces(f, c), k));
         const auto low = along.begin() + static_cast<std::ptrdiff_t>(along.size() / 20);
         const auto high = along.end() - 1 - static_cast<std::ptrdiff_t>(along.size() / 20);
         std::nth_element(along.begin(), low, along.end());
