@@ -56,7 +56,9 @@ double confidence(const fs::path& skeleton) {
     return Json::parse(io::read_file(skeleton)).at("quality").at("sides_confidence").get<double>();
 }
 
-bool says_two(const std::string& text) { return std::regex_search(text, std::regex("\\b(2|two)\\b")); }
+bool says_two(const std::string& text) {
+    return std::regex_search(text, std::regex("\\b(2|two)( [a-z]+)? (bodies|people)\\b"));
+}
 
 /// The sum over solved meshes, until all are in.
 struct Sum {
