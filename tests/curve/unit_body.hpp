@@ -17,7 +17,8 @@ Body<Scalar> body_of(const TriangleMesh<Scalar>& mesh) {
     const Triangles adjacency = core::face_adjacency(mesh.faces);
     std::vector<int> source(static_cast<std::size_t>(mesh.vertices.rows()));
     std::iota(source.begin(), source.end(), 0);
-    return {mesh, adjacency, core::surface_graph(mesh, adjacency), surface::FaceTree<Scalar>(mesh), {}, source, 0};
+    return {mesh, adjacency, core::surface_graph(mesh, adjacency), surface::FaceTree<Scalar>(mesh), {}, source, {},
+            0,    {}};
 }
 
 /// A body of that mesh scaled to unit area, as the pipeline does, in the precision asked for.

@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include <skelgen/core/adjacency.hpp>
+#include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/surface/face_tree.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
@@ -41,7 +42,7 @@ struct FaceSet {
 /// Sets of faces that hang together by vertices, the largest first.
 template <typename Scalar>
 std::vector<FaceSet<Scalar>> connected_sets(const TriangleMesh<Scalar>& mesh) {
-    DisjointSets joined(static_cast<std::size_t>(mesh.vertices.rows()));
+    core::DisjointSets joined(static_cast<std::size_t>(mesh.vertices.rows()));
     const auto vertex = [&](Eigen::Index f, int k) { return static_cast<std::size_t>(mesh.faces(f, k)); };
     for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
         for (int k = 1; k < 3; ++k) joined.unite(vertex(f, 0), vertex(f, k));
@@ -119,7 +120,7 @@ std::vector<FlatSide<Scalar>> flat_sides(const TriangleMesh<Scalar>& mesh, core:
     std::vector<Vector3<Scalar>> normals(static_cast<std::size_t>(mesh.faces.rows()));
     for (std::size_t f = 0; f < normals.size(); ++f)
         normals[f] = core::face_area_vector(mesh, static_cast<Eigen::Index>(f)).stableNormalized();
-    DisjointSets joined(normals.size());
+    core::DisjointSets joined(normals.size());
     const Triangles adjacency = core::face_adjacency(mesh.faces);
     for (std::size_t f = 0; f < normals.size(); ++f)
         for (int k = 0; k < 3; ++k)
@@ -226,7 +227,7 @@ std::vector<FaceSet<Scalar>> things_apart(const TriangleMesh<Scalar>& mesh,
         const Vector3<Scalar> margin = Vector3<Scalar>::Constant(reach);
         return Eigen::AlignedBox<Scalar, 3>(pieces[i].box.min() - margin, pieces[i].box.max() + margin);
     };
-    DisjointSets joined(pieces.size());
+    core::DisjointSets joined(pieces.size());
     std::vector<std::size_t> leaders{0}; // large pieces, apart from one another
     for (std::size_t i = 1; i < count && pieces[i].area >= as_large * pieces[0].area; ++i)
         if (std::all_of(leaders.begin(), leaders.end(),

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/surface/face_tree.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
@@ -76,7 +77,7 @@ template <typename Scalar>
 Patches patches_of(const TriangleMesh<Scalar>& mesh) {
     const auto m = static_cast<std::size_t>(mesh.faces.rows());
     const std::vector<DirectedEdge> edges = directed_edges(mesh.faces);
-    DisjointSets joined(m);
+    core::DisjointSets joined(m);
     struct Ending {
         std::size_t face, edge;
     };
@@ -168,7 +169,7 @@ bool is_sound(const TriangleMesh<Scalar>& mesh) {
     for (std::size_t v = 0; v < n; ++v) first[v + 1] += first[v];
     std::vector<Edge> edges(3 * m);
     std::vector<std::size_t> end(first.begin(), first.end() - 1);
-    detail::DisjointSets joined(m);
+    core::DisjointSets joined(m);
     for (std::size_t f = 0; f < m; ++f)
         for (int k = 0; k < 3; ++k) {
             const int a = vertex(f, k), b = vertex(f, k + 1), low = std::min(a, b), high = std::max(a, b);

@@ -4,47 +4,28 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 
+#include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
 
 namespace skelgen::surface {
 namespace detail {
 
-/// Groups of points, each told by its lowest member.
-class PointGroups {
-public:
-    explicit PointGroups(std::size_t n) : lowest_(n) { std::iota(lowest_.begin(), lowest_.end(), 0); }
-
-    int find(int i) {
-        while (at(i) != i) i = at(i) = at(at(i));
-        return i;
-    }
-    void unite(int a, int b) {
-        a = find(a);
-        b = find(b);
-        at(std::max(a, b)) = std::min(a, b);
-    }
-
-private:
-    int& at(int i) { return lowest_[static_cast<std::size_t>(i)]; }
-    std::vector<int> lowest_;
-};
-
 /// Joins points no farther apart than `tolerance` (0: at equal places): a sweep along the first axis.
 template <typename Scalar>
-PointGroups near_points(const Points<Scalar>& points, const std::vector<int>& used, Scalar tolerance) {
+core::DisjointSets near_points(const Points<Scalar>& points, const std::vector<int>& used, Scalar tolerance) {
     std::vector<int> order = used;
     std::sort(order.begin(), order.end(), [&](int a, int b) {
         for (int k = 0; k < 3; ++k)
             if (points(a, k) != points(b, k)) return points(a, k) < points(b, k);
         return a < b;
     });
-    PointGroups groups(static_cast<std::size_t>(points.rows()));
+    core::DisjointSets groups(static_cast<std::size_t>(points.rows()));
+    const auto unite = [&](int a, int b) { groups.unite(static_cast<std::size_t>(a), static_cast<std::size_t>(b)); };
     std::vector<int> places; // one point of each place
     for (const int v : order) {
         if (!places.empty() && points.row(places.back()) == points.row(v))
-            groups.unite(places.back(), v);
+            unite(places.back(), v);
         else
             places.push_back(v);
     }
@@ -52,7 +33,7 @@ PointGroups near_points(const Points<Scalar>& points, const std::vector<int>& us
     for (std::size_t i = 0; i < places.size(); ++i)
         for (std::size_t j = i + 1; j < places.size() && points(places[j], 0) - points(places[i], 0) <= tolerance; ++j)
             if ((core::point(points, places[i]) - core::point(points, places[j])).norm() <= tolerance)
-                groups.unite(places[i], places[j]);
+                unite(places[i], places[j]);
     return groups;
 }
 
@@ -103,20 +84,21 @@ WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>& mesh, Scalar tolerance) {
     std::vector<int> used;
     for (std::size_t v = 0; v < n; ++v)
         if (is_used[v]) used.push_back(static_cast<int>(v));
-    detail::PointGroups groups = detail::near_points(mesh.vertices, used, tolerance);
+    core::DisjointSets groups = detail::near_points(mesh.vertices, used, tolerance);
+    const auto first_of = [&](int v) { return static_cast<int>(groups.find(static_cast<std::size_t>(v))); };
 
     WeldedMesh<Scalar> out;
     out.placed.assign(n, -1);
     out.unused = static_cast<int>(n - used.size());
     int kept = 0;
     for (const int v : used) {
-        const int first = groups.find(v);
+        const int first = first_of(v);
         out.placed[static_cast<std::size_t>(v)] = first == v ? kept++ : out.placed[static_cast<std::size_t>(first)];
     }
     out.welded = static_cast<int>(used.size()) - kept;
     out.mesh.vertices.resize(kept, 3);
     for (const int v : used)
-        if (groups.find(v) == v) out.mesh.vertices.row(out.placed[static_cast<std::size_t>(v)]) = mesh.vertices.row(v);
+        if (first_of(v) == v) out.mesh.vertices.row(out.placed[static_cast<std::size_t>(v)]) = mesh.vertices.row(v);
     out.mesh.faces = mesh.faces;
     for (Eigen::Index i = 0; i < mesh.faces.size(); ++i)
         out.mesh.faces.data()[i] = out.placed[static_cast<std::size_t>(mesh.faces.data()[i])];
