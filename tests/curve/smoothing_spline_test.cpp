@@ -54,7 +54,7 @@ double straightness(const BranchedCurve<double>& tee) {
 
 TEST_CASE("a junction near which no section counts comes to where the axes of its branches meet") {
     BranchedCurve<double> tee = bent_tee();
-    for (int round = 0; round < 10; ++round) {
+    for (int round = 0; round < 30; ++round) {
         const Sections sections = sections_of(tee, 0.3);
         tee = smoothing_spline(std::move(tee), sections, {}, 0.4);
     }

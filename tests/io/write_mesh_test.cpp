@@ -114,7 +114,7 @@ TEST_CASE("write_mesh: meshes that no reader would take are refused, and nothing
     CHECK_THAT(writing_error(folder / "a.ply", bad), Contains("not a number"));
     bad.vertices(3, 2) = 1e39;
     CHECK_THAT(writing_error(folder / "a.stl", bad), Contains("too large for STL"));
-    CHECK_THAT(writing_error(folder / "missing/a.off", tetrahedron()), Contains("No such file"));
+    CHECK_THAT(writing_error(folder / "missing/a.off", tetrahedron()), Contains("its folder does not exist"));
     CHECK(fs::is_empty(folder.path()));
 }
 
