@@ -42,7 +42,7 @@ namespace skelgen::curve {
     template BranchedCurve<Scalar> merge_parallel_branches(BranchedCurve<Scalar>, const Body<Scalar>&);                \
     template BranchedCurve<Scalar> smoothing_spline(BranchedCurve<Scalar>,                                             \
                                                     const std::vector<std::vector<BranchSection<Scalar>>>&,            \
-                                                    const std::vector<Vector3<Scalar>>&, double);                      \
+                                                    const std::vector<Vector3<Scalar>>&, double, double);              \
     template CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar>, const Body<Scalar>&,                       \
                                                      const BranchCentringOptions&);                                    \
     template CurveSkeleton<Scalar> curve_with_regions(const CentredBranches<Scalar>&, const Body<Scalar>&,             \

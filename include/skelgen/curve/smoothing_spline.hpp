@@ -13,9 +13,9 @@ namespace skelgen::curve {
 /// branched with lines of evenly spaced points. \param sections per branch and point of its line. \param tips per knot,
 /// a place that holds it weakly where it is an end. O(k).
 template <typename Scalar>
-[[nodiscard]] BranchedCurve<Scalar> smoothing_spline(BranchedCurve<Scalar> branched,
-                                                     const std::vector<std::vector<BranchSection<Scalar>>>& sections,
-                                                     const std::vector<Vector3<Scalar>>& tips, double stiffness);
+[[nodiscard]] BranchedCurve<Scalar>
+smoothing_spline(BranchedCurve<Scalar> branched, const std::vector<std::vector<BranchSection<Scalar>>>& sections,
+                 const std::vector<Vector3<Scalar>>& tips, double stiffness, double along);
 
 } // namespace skelgen::curve
 

@@ -47,6 +47,10 @@ bool is_tight(const Branch<Scalar>& branch, const std::vector<BranchSection<Scal
     return meets_tightly<Scalar>(branch.line.colwise().reverse(), {sections.rbegin(), sections.rend()}, body);
 }
 
+/// Points are drawn along the curve by this part of what draws them across: they slide, so that junctions come to their
+/// places in few rounds; calibrated.
+inline constexpr double slide = 0.2;
+
 /// Per knot, whether it is a junction.
 template <typename Scalar>
 std::vector<bool> all_junctions(const BranchedCurve<Scalar>& branched) {
@@ -67,6 +71,14 @@ std::vector<bool> tight_junctions(const BranchedCurve<Scalar>& branched, const S
             if (out[k]) out[k] = is_tight(branch, sections[b], at_end, body);
         }
     return out;
+}
+
+/// Has a connected curve loops?
+template <typename Scalar>
+bool has_cycles(const BranchedCurve<Scalar>& branched) {
+    const std::vector<int> degrees = branched.degrees();
+    const auto knots = std::count_if(degrees.begin(), degrees.end(), [](int degree) { return degree > 0; });
+    return static_cast<std::ptrdiff_t>(branched.branches.size()) >= knots;
 }
 
 /// Sections that count as little as they are the branch's own near these junctions.
@@ -181,16 +193,21 @@ CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Bo
     const Scalar spacing = std::max(static_cast<Scalar>(options.spacing) * core::bounding_diagonal(body.mesh.vertices),
                                     detail::total_length(branched) / detail::most_points);
     const std::vector<Vector3<Scalar>> tips = branched.knots; // of those knots that are ends, and stay the same knots
+    // Loops are mostly contacts: parts that touch have no axes that meet there.
+    const bool has_loops = detail::has_cycles(branched);
     for (int round = 0; round < options.rounds; ++round) {
         const bool coarse = 3 * round < 2 * options.rounds;
         branched = resampled(std::move(branched), coarse ? 2 * spacing : spacing);
         const auto sections = detail::all_sections(branched, body, spacing);
-        // Axes meet first; then, where parts run into each other more widely than tubes, sections show the middle
-        // there.
-        const auto junctions =
-            coarse ? detail::all_junctions(branched) : detail::tight_junctions(branched, sections, body);
-        const auto own = detail::beyond_junctions(sections, branched, body, junctions);
-        branched = smoothing_spline(std::move(branched), own, tips, options.stiffness);
+        if (has_loops) {
+            branched = smoothing_spline(std::move(branched), sections, tips, options.stiffness, 1);
+        } else {
+            // Axes meet first; then, where parts run into each other more widely than tubes, sections show the middle.
+            const auto junctions =
+                coarse ? detail::all_junctions(branched) : detail::tight_junctions(branched, sections, body);
+            const auto own = detail::beyond_junctions(sections, branched, body, junctions);
+            branched = smoothing_spline(std::move(branched), own, tips, options.stiffness, detail::slide);
+        }
         branched = ends_on_axes(std::move(branched), sections, body);
         if (3 * round >= options.rounds) branched = merge_parallel_branches(std::move(branched), body);
     }

@@ -72,12 +72,10 @@ private:
     Vector right_; ///< x, y, z of one point after the other
 };
 
-/// A point of the line is drawn to its section's centre, along the line less than across it: it may slide, so that
-/// junctions come to their places in few rounds.
+/// How a point is drawn to its section's centre, `along` the curve less than across it.
 template <typename Scalar>
-Eigen::Matrix<core::Accumulator, 3, 3> attraction(const BranchSection<Scalar>& section) {
+Eigen::Matrix<core::Accumulator, 3, 3> attraction(const BranchSection<Scalar>& section, core::Accumulator along) {
     using Number = core::Accumulator;
-    constexpr Number along = 0.2;
     const Vector3<Number> t = section.normal.template cast<Number>();
     return static_cast<Number>(section.weight) *
            (Eigen::Matrix<Number, 3, 3>::Identity() - (1 - along) * t * t.transpose());
@@ -102,7 +100,7 @@ std::vector<Scalar> thickness_along(const std::vector<BranchSection<Scalar>>& se
 template <typename Scalar>
 BranchedCurve<Scalar> smoothing_spline(BranchedCurve<Scalar> branched,
                                        const std::vector<std::vector<BranchSection<Scalar>>>& sections,
-                                       const std::vector<Vector3<Scalar>>& tips, double stiffness) {
+                                       const std::vector<Vector3<Scalar>>& tips, double stiffness, double along) {
     using core::Accumulator;
     constexpr Accumulator inertia = 1e-3;    // holds to its place what nothing else does
     constexpr Accumulator tip_weight = 0.03; // a short limb must not be drawn into the trunk by the sections there
@@ -130,7 +128,7 @@ BranchedCurve<Scalar> smoothing_spline(BranchedCurve<Scalar> branched,
             system.attract(at[i], place, is_handle ? 1 : inertia);
             if (is_handle) continue;
             if (section.weight > 0)
-                system.attract(at[i], section.centre.template cast<Accumulator>(), detail::attraction(section));
+                system.attract(at[i], section.centre.template cast<Accumulator>(), detail::attraction(section, along));
             if (!(spacing > 0)) continue;
             const Accumulator ratio = stiffness * static_cast<Accumulator>(thickness[i] / spacing);
             system.straighten({at[i - 1], at[i], at[i + 1]}, ratio * ratio * ratio * ratio);
