@@ -38,6 +38,7 @@ set(skelgen_core_headers
     include/skelgen/curve/find_curve.hpp
     include/skelgen/curve/laplacian.hpp
     include/skelgen/curve/leaf_extension.hpp
+    include/skelgen/curve/meeting_axes.hpp
     include/skelgen/curve/medial_balls.hpp
     include/skelgen/curve/parallel_branches.hpp
     include/skelgen/curve/proxy.hpp
@@ -114,6 +115,7 @@ set(skelgen_core_definitions
     include/skelgen/curve/impl/find_curve.hpp
     include/skelgen/curve/impl/laplacian.hpp
     include/skelgen/curve/impl/leaf_extension.hpp
+    include/skelgen/curve/impl/meeting_axes.hpp
     include/skelgen/curve/impl/medial_balls.hpp
     include/skelgen/curve/impl/parallel_branches.hpp
     include/skelgen/curve/impl/proxy.hpp

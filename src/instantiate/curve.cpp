@@ -11,6 +11,7 @@
 #include <skelgen/curve/impl/laplacian.hpp>
 #include <skelgen/curve/impl/leaf_extension.hpp>
 #include <skelgen/curve/impl/medial_balls.hpp>
+#include <skelgen/curve/impl/meeting_axes.hpp>
 #include <skelgen/curve/impl/parallel_branches.hpp>
 #include <skelgen/curve/impl/proxy.hpp>
 #include <skelgen/curve/impl/pruning.hpp>
@@ -36,13 +37,16 @@ namespace skelgen::curve {
     template BranchedCurve<Scalar> ends_on_axes(                                                                       \
         BranchedCurve<Scalar>, const std::vector<std::vector<BranchSection<Scalar>>>&, const Body<Scalar>&);           \
     template BranchedCurve<Scalar> prune_twigs(BranchedCurve<Scalar>, const Body<Scalar>&, double);                    \
-    template bool meets_tightly(const Points<Scalar>&, const std::vector<BranchSection<Scalar>>&,                      \
-                                const Body<Scalar>&);                                                                  \
-    template BranchedCurve<Scalar> reattach_branches(BranchedCurve<Scalar>, const Body<Scalar>&, Scalar);              \
+    template Scalar own_distance(const BranchedCurve<Scalar>&, std::size_t, bool, Scalar);                             \
+    template PlacesOfKnots<Scalar> meeting_axes(const BranchedCurve<Scalar>&,                                          \
+                                                const std::vector<std::vector<BranchSection<Scalar>>>&,                \
+                                                const Body<Scalar>&, double);                                          \
+    template BranchedCurve<Scalar> reattach_branches(BranchedCurve<Scalar>, const PlacesOfKnots<Scalar>&,              \
+                                                     const Body<Scalar>&, Scalar);                                     \
     template BranchedCurve<Scalar> merge_parallel_branches(BranchedCurve<Scalar>, const Body<Scalar>&);                \
-    template BranchedCurve<Scalar> smoothing_spline(BranchedCurve<Scalar>,                                             \
-                                                    const std::vector<std::vector<BranchSection<Scalar>>>&,            \
-                                                    const std::vector<Vector3<Scalar>>&, double, double);              \
+    template BranchedCurve<Scalar> smoothing_spline(                                                                   \
+        BranchedCurve<Scalar>, const std::vector<std::vector<BranchSection<Scalar>>>&,                                 \
+        const std::vector<Vector3<Scalar>>&, const PlacesOfKnots<Scalar>&, double);                                    \
     template CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar>, const Body<Scalar>&,                       \
                                                      const BranchCentringOptions&);                                    \
     template CurveSkeleton<Scalar> curve_with_regions(const CentredBranches<Scalar>&, const Body<Scalar>&,             \

@@ -49,7 +49,7 @@ void check_same_shape(const BranchedCurve<double>& before, const BranchedCurve<d
 TEST_CASE("a branch that leaves another one too far down comes to leave it where its tube does") {
     const Body<double> body = body_of(three_tubes());
     for (const double down : {0.2, 0.3}) {
-        const BranchedCurve<double> before = axes_joined(down), after = reattach_branches(before, body, spacing);
+        const BranchedCurve<double> before = axes_joined(down), after = reattach_branches(before, {}, body, spacing);
         check_same_shape(before, after);
         const std::vector<Vec3> junctions = knots_of_degree(after, 3);
         REQUIRE(junctions.size() == 1);
@@ -61,11 +61,19 @@ TEST_CASE("a branch that leaves another one too far down comes to leave it where
 
 TEST_CASE("branches that meet where their axes do keep their ends and their junction") {
     const Body<double> body = body_of(three_tubes());
-    const BranchedCurve<double> before = axes_joined(0), after = reattach_branches(before, body, spacing);
+    const BranchedCurve<double> before = axes_joined(0), after = reattach_branches(before, {}, body, spacing);
     check_same_shape(before, after);
     const std::vector<Vec3> junctions = knots_of_degree(after, 3);
     REQUIRE(junctions.size() == 1);
     CHECK(junctions[0].norm() < 0.12);
+}
+
+TEST_CASE("a branch at a junction where axes are known to meet is left there") {
+    const Body<double> body = body_of(three_tubes());
+    const BranchedCurve<double> before = axes_joined(0.3);
+    const BranchedCurve<double> after = reattach_branches(before, {Vec3(Vec3::Zero())}, body, spacing);
+    REQUIRE(after.branches.size() == before.branches.size());
+    for (std::size_t b = 0; b < after.branches.size(); ++b) CHECK(after.branches[b].line == before.branches[b].line);
 }
 
 TEST_CASE("a cycle stays one when a branch at it is joined anew") {
@@ -82,13 +90,13 @@ TEST_CASE("a cycle stays one when a branch at it is joined anew") {
             {first, first + 1, line_through({low, (low + high) / 2 + sign * side, high}, spacing), {2, 5}});
     before.branches.push_back({first + 1, 2, line_through({high, ends[1]}, spacing), {2, 5}});
     REQUIRE(cycles(join_branches(before).curve) == 1);
-    check_same_shape(before, reattach_branches(before, body, spacing));
+    check_same_shape(before, reattach_branches(before, {}, body, spacing));
 }
 
 TEST_CASE("a curve without junctions stays as it is") {
     const Body<double> body = body_of(capsule(0.2, 4));
     const BranchedCurve<double> line = straight_branches({{0, 0, 0}, {0.1, 0, 4}}, {{0, 1}}, 0.1);
-    const BranchedCurve<double> after = reattach_branches(line, body, 0.1);
+    const BranchedCurve<double> after = reattach_branches(line, {}, body, 0.1);
     REQUIRE(after.branches.size() == 1);
     CHECK(after.branches[0].line == line.branches[0].line);
     CHECK(after.knots == line.knots);
@@ -102,5 +110,5 @@ TEST_CASE("a branch is not joined to the end of another one, which would be an e
     BranchedCurve<double> before = straight_branches({joint, ends[0], Vec3::Zero()}, {{2, 0}, {0, 1}}, spacing);
     before.knots.push_back(ends[2]);
     before.branches.push_back({0, 3, line_through({joint, 0.3 * ends[2], ends[2]}, spacing), {0, 3, 6}});
-    check_same_shape(before, reattach_branches(before, body, spacing));
+    check_same_shape(before, reattach_branches(before, {}, body, spacing));
 }

@@ -31,8 +31,9 @@ struct CentredBranches {
 };
 
 /// Moves branches to where the surface's cross-sections have their centres, in rounds: points evenly spaced, a section
-/// across each, a smoothing spline through the sections' centres as far as these are the branch's own. Where they are
-/// not, as near a junction, it goes on straight, so that junctions come to lie where the axes of their branches meet.
+/// across each, a smoothing spline through the sections' centres as far as these are the branch's own. Where straight
+/// axes of branches meet, as those of tubes do, the branches go straight on to that place from where their own sections
+/// begin.
 /// An end lies where the axis of its branch leaves the surface, and branches that have come to run along each other
 /// become one up to where they part. Then each branch that runs far inside others is joined to them where the way is
 /// best centred, twigs go, and points outside the surface are moved into their sections. O(rounds k) sections.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -34,6 +35,10 @@ struct BranchedCurve {
         return out;
     }
 };
+
+/// Per knot of a curve a place, for those that have one.
+template <typename Scalar = double>
+using PlacesOfKnots = std::vector<std::optional<Vector3<Scalar>>>;
 
 /// A curve taken apart, and what becomes of its nodes: the number of their knot, or that of their branch and the number
 /// of knots added. A branch's origins are these numbers of its inner nodes and its knots.

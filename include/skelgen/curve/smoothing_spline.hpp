@@ -15,7 +15,7 @@ namespace skelgen::curve {
 template <typename Scalar>
 [[nodiscard]] BranchedCurve<Scalar>
 smoothing_spline(BranchedCurve<Scalar> branched, const std::vector<std::vector<BranchSection<Scalar>>>& sections,
-                 const std::vector<Vector3<Scalar>>& tips, double stiffness, double along);
+                 const std::vector<Vector3<Scalar>>& tips, const PlacesOfKnots<Scalar>& junctions, double stiffness);
 
 } // namespace skelgen::curve
 

@@ -83,23 +83,6 @@ Eigen::Index own_from(const Points<Scalar>& line, const std::vector<BranchSectio
     return line.rows() - 1;
 }
 
-/// A branch whose own sections begin within so many radii of the ball at its knot runs into a tight junction: its axis
-/// meets the others' there. In tubes they begin at one and a bit, in shoulders at two and more.
-template <typename Scalar>
-inline constexpr Scalar tight_junction = Scalar(1.5);
-
-} // namespace detail
-
-template <typename Scalar>
-bool meets_tightly(const Points<Scalar>& line, const std::vector<BranchSection<Scalar>>& sections,
-                   const Body<Scalar>& body) {
-    const Eigen::Index own = detail::own_from(line, sections);
-    const Scalar ball = body.tree.distance(body.mesh, core::point(line, 0));
-    return core::arc_lengths(line)[own] < detail::tight_junction<Scalar> * ball;
-}
-
-namespace detail {
-
 /// Of the other branches' points every second one is tried, or so many in all where there are more.
 inline constexpr Eigen::Index stride = 2, most_tries = 200;
 
@@ -183,7 +166,7 @@ BranchedCurve<Scalar> reattached(BranchedCurve<Scalar> curve, std::size_t index,
     const Points<Scalar>& line = branch.line;
     const auto sections = sections_across(body, line, reach_in_spacings * spacing);
     const Eigen::Index own = own_from(line, sections);
-    if (own < 2 || own + 1 >= line.rows() || meets_tightly(line, sections, body)) return curve;
+    if (own < 2 || own + 1 >= line.rows()) return curve;
     const Scalar away = core::arc_lengths(line)[own];
 
     const Scalar reach = furthest_move<Scalar> * away + 2 * spacing;
@@ -200,13 +183,17 @@ BranchedCurve<Scalar> reattached(BranchedCurve<Scalar> curve, std::size_t index,
 } // namespace detail
 
 template <typename Scalar>
-BranchedCurve<Scalar> reattach_branches(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
-                                        std::type_identity_t<Scalar> spacing) {
+BranchedCurve<Scalar> reattach_branches(BranchedCurve<Scalar> branched, const PlacesOfKnots<Scalar>& meetings,
+                                        const Body<Scalar>& body, std::type_identity_t<Scalar> spacing) {
+    const auto stays = [&](int knot) { // at a junction that was not there at first, nothing is known to meet
+        const auto k = static_cast<std::size_t>(knot);
+        return branched.degrees()[k] < 3 || (k < meetings.size() && meetings[k]);
+    };
     for (std::size_t b = 0; b < branched.branches.size(); ++b)
         for (const bool at_end : {false, true}) {
             if (b >= branched.branches.size()) break;
             const Branch<Scalar>& branch = branched.branches[b];
-            if (branched.degrees()[static_cast<std::size_t>(at_end ? branch.to : branch.from)] < 3) continue;
+            if (stays(at_end ? branch.to : branch.from)) continue;
             branched = detail::reattached(std::move(branched), b, at_end, body, spacing);
         }
     return branched;

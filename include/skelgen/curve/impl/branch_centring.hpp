@@ -3,6 +3,7 @@
 #include <skelgen/curve/branch_centring.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <skelgen/core/geometry.hpp>
@@ -12,6 +13,7 @@
 #include <skelgen/core/precision.hpp>
 #include <skelgen/curve/attachment.hpp>
 #include <skelgen/curve/axis_ends.hpp>
+#include <skelgen/curve/meeting_axes.hpp>
 #include <skelgen/curve/parallel_branches.hpp>
 #include <skelgen/curve/pruning.hpp>
 #include <skelgen/curve/smoothing_spline.hpp>
@@ -31,75 +33,32 @@ SectionsOfBranches<Scalar> all_sections(const BranchedCurve<Scalar>& branched, c
     return out;
 }
 
-/// Around a junction, sections are of all its branches and lie to the side of each. Their weight grows from nothing at
-/// the first of these distances from the knot to the whole at the second one, in radii of the ball at the knot: the
-/// sections of two tubes that meet at right angles are their own from 1 on. Calibrated on generated tubes and bodies.
+/// Sections count nothing from a junction where axes meet on to this part of the way to where they are the branch's
+/// own.
 template <typename Scalar>
-inline constexpr Scalar shared_within = Scalar(0.7);
-template <typename Scalar>
-inline constexpr Scalar own_beyond = Scalar(1.2);
+inline constexpr Scalar shared_part = Scalar(0.6);
 
-/// Do the branch's own sections begin close by the knot at one of its ends?
-template <typename Scalar>
-bool is_tight(const Branch<Scalar>& branch, const std::vector<BranchSection<Scalar>>& sections, bool at_end,
-              const Body<Scalar>& body) {
-    if (!at_end) return meets_tightly(branch.line, sections, body);
-    return meets_tightly<Scalar>(branch.line.colwise().reverse(), {sections.rbegin(), sections.rend()}, body);
-}
+/// By how much the sections' centres may be off an axis that is taken to be straight, in radii of the junction's ball,
+/// in the rounds in which points come to their places and in the last ones; calibrated on generated tubes.
+inline constexpr double straight_at_first = 0.04, straight_at_last = 0.01;
 
-/// Points are drawn along the curve by this part of what draws them across: they slide, so that junctions come to their
-/// places in few rounds; calibrated.
-inline constexpr double slide = 0.2;
-
-/// Per knot, whether it is a junction.
+/// Sections that count as little as they are the branch's own near the junctions where axes meet.
 template <typename Scalar>
-std::vector<bool> all_junctions(const BranchedCurve<Scalar>& branched) {
-    std::vector<bool> out;
-    for (const int degree : branched.degrees()) out.push_back(degree > 2);
-    return out;
-}
-
-/// Per knot, whether it is a junction that all its branches meet tightly.
-template <typename Scalar>
-std::vector<bool> tight_junctions(const BranchedCurve<Scalar>& branched, const SectionsOfBranches<Scalar>& sections,
-                                  const Body<Scalar>& body) {
-    std::vector<bool> out = all_junctions(branched);
+SectionsOfBranches<Scalar> beyond_junctions(SectionsOfBranches<Scalar> sections, const BranchedCurve<Scalar>& branched,
+                                            const Body<Scalar>& body, const PlacesOfKnots<Scalar>& junctions) {
     for (std::size_t b = 0; b < sections.size(); ++b)
         for (const bool at_end : {false, true}) {
             const Branch<Scalar>& branch = branched.branches[b];
             const auto k = static_cast<std::size_t>(at_end ? branch.to : branch.from);
-            if (out[k]) out[k] = is_tight(branch, sections[b], at_end, body);
-        }
-    return out;
-}
-
-/// Has a connected curve loops?
-template <typename Scalar>
-bool has_cycles(const BranchedCurve<Scalar>& branched) {
-    const std::vector<int> degrees = branched.degrees();
-    const auto knots = std::count_if(degrees.begin(), degrees.end(), [](int degree) { return degree > 0; });
-    return static_cast<std::ptrdiff_t>(branched.branches.size()) >= knots;
-}
-
-/// Sections that count as little as they are the branch's own near these junctions.
-template <typename Scalar>
-SectionsOfBranches<Scalar> beyond_junctions(SectionsOfBranches<Scalar> sections, const BranchedCurve<Scalar>& branched,
-                                            const Body<Scalar>& body, const std::vector<bool>& junctions) {
-    for (std::size_t b = 0; b < sections.size(); ++b) {
-        const Branch<Scalar>& branch = branched.branches[b];
-        for (const int knot : {branch.from, branch.to}) {
-            const auto k = static_cast<std::size_t>(knot);
             if (!junctions[k]) continue;
-            const Scalar ball = body.tree.distance(body.mesh, branched.knots[k]);
+            const Scalar own = own_distance(branched, b, at_end, body.tree.distance(body.mesh, branched.knots[k]));
             for (std::size_t i = 0; i < sections[b].size(); ++i) {
                 const Vector3<Scalar> place = core::point(branch.line, static_cast<Eigen::Index>(i));
-                const Scalar away = (place - branched.knots[k]).norm() / std::max(ball, core::rounding<Scalar>());
+                const Scalar away = (place - branched.knots[k]).norm() / std::max(own, core::rounding<Scalar>());
                 sections[b][i].weight *=
-                    std::clamp((away - shared_within<Scalar>) / (own_beyond<Scalar> - shared_within<Scalar>), Scalar(0),
-                               Scalar(1));
+                    std::clamp((away - shared_part<Scalar>) / (1 - shared_part<Scalar>), Scalar(0), Scalar(1));
             }
         }
-    }
     return sections;
 }
 
@@ -127,9 +86,10 @@ BranchedCurve<Scalar> smoothed(BranchedCurve<Scalar> branched) {
     return branched;
 }
 
-/// A place inside a contour near one outside: the middle of the chord through the contour's nearest point.
+/// A place inside a contour near one outside: on the chord through the contour's nearest point, `depth` along it or in
+/// its middle.
 template <typename Scalar>
-Vector3<Scalar> place_within(const surface::Contour<Scalar>& contour, const Vector3<Scalar>& place) {
+Vector3<Scalar> place_within(const surface::Contour<Scalar>& contour, const Vector3<Scalar>& place, Scalar depth) {
     const auto nearer = [&](const Vector3<Scalar>& a, const Vector3<Scalar>& b) {
         return (a - place).squaredNorm() < (b - place).squaredNorm();
     };
@@ -144,7 +104,9 @@ Vector3<Scalar> place_within(const surface::Contour<Scalar>& contour, const Vect
         straightest = cosine;
         exit = p;
     }
-    return (entry + exit) / 2;
+    const Vector3<Scalar> middle = (entry + exit) / 2;
+    const Scalar half = (middle - entry).norm();
+    return half > depth ? Vector3<Scalar>(entry + depth / half * (middle - entry)) : middle;
 }
 
 /// Moving a point in turns the sections of its neighbours: some rounds.
@@ -163,16 +125,18 @@ bool any_outside(const SectionsOfBranches<Scalar>& sections) {
     return false;
 }
 
-/// Points that lie outside their sections moved into them.
+/// Points that lie outside their sections moved into them, no deeper than a spacing, so that they stay beside each
+/// other.
 template <typename Scalar>
-BranchedCurve<Scalar> pulled_inside(BranchedCurve<Scalar> branched, const SectionsOfBranches<Scalar>& sections) {
+BranchedCurve<Scalar> pulled_inside(BranchedCurve<Scalar> branched, const SectionsOfBranches<Scalar>& sections,
+                                    Scalar spacing) {
     for (std::size_t b = 0; b < sections.size(); ++b)
         for (std::size_t i = 0; i < sections[b].size(); ++i) {
             const BranchSection<Scalar>& section = sections[b][i];
             if (!is_outside(section)) continue;
             const auto row = static_cast<Eigen::Index>(i);
             Points<Scalar>& line = branched.branches[b].line;
-            core::set_point(line, row, place_within(section.contour, core::point(line, row)));
+            core::set_point(line, row, place_within(section.contour, core::point(line, row), spacing));
         }
     return branched;
 }
@@ -193,30 +157,26 @@ CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Bo
     const Scalar spacing = std::max(static_cast<Scalar>(options.spacing) * core::bounding_diagonal(body.mesh.vertices),
                                     detail::total_length(branched) / detail::most_points);
     const std::vector<Vector3<Scalar>> tips = branched.knots; // of those knots that are ends, and stay the same knots
-    // Loops are mostly contacts: parts that touch have no axes that meet there.
-    const bool has_loops = detail::has_cycles(branched);
     for (int round = 0; round < options.rounds; ++round) {
         const bool coarse = 3 * round < 2 * options.rounds;
         branched = resampled(std::move(branched), coarse ? 2 * spacing : spacing);
         const auto sections = detail::all_sections(branched, body, spacing);
-        if (has_loops) {
-            branched = smoothing_spline(std::move(branched), sections, tips, options.stiffness, 1);
-        } else {
-            // Axes meet first; then, where parts run into each other more widely than tubes, sections show the middle.
-            const auto junctions =
-                coarse ? detail::all_junctions(branched) : detail::tight_junctions(branched, sections, body);
-            const auto own = detail::beyond_junctions(sections, branched, body, junctions);
-            branched = smoothing_spline(std::move(branched), own, tips, options.stiffness, detail::slide);
-        }
+        const auto junctions =
+            meeting_axes(branched, sections, body, coarse ? detail::straight_at_first : detail::straight_at_last);
+        branched = smoothing_spline(std::move(branched), detail::beyond_junctions(sections, branched, body, junctions),
+                                    tips, junctions, options.stiffness);
         branched = ends_on_axes(std::move(branched), sections, body);
         if (3 * round >= options.rounds) branched = merge_parallel_branches(std::move(branched), body);
     }
-    branched = reattach_branches(resampled(std::move(branched), spacing), body, spacing);
+    branched = resampled(std::move(branched), spacing);
+    const auto junctions =
+        meeting_axes(branched, detail::all_sections(branched, body, spacing), body, detail::straight_at_last);
+    branched = reattach_branches(std::move(branched), junctions, body, spacing);
     branched = prune_twigs(std::move(branched), body, options.least_relief);
     branched = detail::smoothed(resampled(std::move(branched), spacing));
     auto sections = detail::all_sections(branched, body, spacing);
     for (int round = 0; round < detail::pulls && detail::any_outside(sections); ++round) {
-        branched = detail::pulled_inside(std::move(branched), sections);
+        branched = detail::pulled_inside(std::move(branched), sections, spacing);
         sections = detail::all_sections(branched, body, spacing);
     }
     return {std::move(branched), std::move(sections)};

@@ -27,21 +27,16 @@ std::vector<std::vector<int>> unknowns_of(const BranchedCurve<Scalar>& branched)
     return out;
 }
 
-/// The energy of the spline, a quadratic form in the points' coordinates: its matrix and its right side.
+/// The energy of the spline, a quadratic form in each of the points' coordinates: its matrix and its right sides.
 class SplineSystem {
 public:
     using Number = core::Accumulator;
-    using Matrix3 = Eigen::Matrix<Number, 3, 3>;
 
-    explicit SplineSystem(int points) : right_(Vector::Zero(3 * static_cast<Eigen::Index>(points))) {}
-
-    void attract(int point, const Vector3<Number>& target, const Matrix3& weight) {
-        add(point, point, weight);
-        right_.segment<3>(3 * static_cast<Eigen::Index>(point)) += weight * target;
-    }
+    explicit SplineSystem(int points) : right_(Points<Number>::Zero(points, 3)) {}
 
     void attract(int point, const Vector3<Number>& target, Number weight) {
-        attract(point, target, Matrix3(weight * Matrix3::Identity()));
+        entries_.emplace_back(point, point, weight);
+        right_.row(point) += weight * target.transpose();
     }
 
     /// Second difference of three points in a row.
@@ -49,37 +44,22 @@ public:
         constexpr Number factors[3] = {1, -2, 1};
         for (std::size_t a = 0; a < 3; ++a)
             for (std::size_t b = 0; b < 3; ++b)
-                add(points[a], points[b], weight * factors[a] * factors[b] * Matrix3::Identity());
+                entries_.emplace_back(points[a], points[b], weight * factors[a] * factors[b]);
     }
 
     [[nodiscard]] Points<Number> solve() const {
-        Eigen::SparseMatrix<Number> matrix(right_.size(), right_.size());
+        Eigen::SparseMatrix<Number> matrix(right_.rows(), right_.rows());
         matrix.setFromTriplets(entries_.begin(), entries_.end());
-        const Vector solution = Eigen::SimplicialLDLT<Eigen::SparseMatrix<Number>>(matrix).solve(right_);
-        return Eigen::Map<const Points<Number>>(solution.data(), right_.size() / 3, 3);
+        const Eigen::SimplicialLDLT<Eigen::SparseMatrix<Number>> factors(matrix);
+        Points<Number> out(right_.rows(), 3);
+        for (int axis = 0; axis < 3; ++axis) out.col(axis) = factors.solve(right_.col(axis));
+        return out;
     }
 
 private:
-    using Vector = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
-
-    void add(int row, int column, const Matrix3& block) {
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j)
-                if (block(i, j) != 0) entries_.emplace_back(3 * row + i, 3 * column + j, block(i, j));
-    }
-
     std::vector<Eigen::Triplet<Number>> entries_;
-    Vector right_; ///< x, y, z of one point after the other
+    Points<Number> right_;
 };
-
-/// How a point is drawn to its section's centre, `along` the curve less than across it.
-template <typename Scalar>
-Eigen::Matrix<core::Accumulator, 3, 3> attraction(const BranchSection<Scalar>& section, core::Accumulator along) {
-    using Number = core::Accumulator;
-    const Vector3<Number> t = section.normal.template cast<Number>();
-    return static_cast<Number>(section.weight) *
-           (Eigen::Matrix<Number, 3, 3>::Identity() - (1 - along) * t * t.transpose());
-}
 
 /// The thickness by which each point of a branch is stiff: its section's, or that of the next one before that is sure.
 template <typename Scalar>
@@ -98,9 +78,9 @@ std::vector<Scalar> thickness_along(const std::vector<BranchSection<Scalar>>& se
 } // namespace detail
 
 template <typename Scalar>
-BranchedCurve<Scalar> smoothing_spline(BranchedCurve<Scalar> branched,
-                                       const std::vector<std::vector<BranchSection<Scalar>>>& sections,
-                                       const std::vector<Vector3<Scalar>>& tips, double stiffness, double along) {
+BranchedCurve<Scalar>
+smoothing_spline(BranchedCurve<Scalar> branched, const std::vector<std::vector<BranchSection<Scalar>>>& sections,
+                 const std::vector<Vector3<Scalar>>& tips, const PlacesOfKnots<Scalar>& junctions, double stiffness) {
     using core::Accumulator;
     constexpr Accumulator inertia = 1e-3;    // holds to its place what nothing else does
     constexpr Accumulator tip_weight = 0.03; // a short limb must not be drawn into the trunk by the sections there
@@ -113,6 +93,8 @@ BranchedCurve<Scalar> smoothing_spline(BranchedCurve<Scalar> branched,
     const std::vector<int> degrees = branched.degrees();
     for (std::size_t k = 0; k < tips.size(); ++k)
         if (degrees[k] == 1) system.attract(static_cast<int>(k), tips[k].template cast<Accumulator>(), tip_weight);
+    for (std::size_t k = 0; k < junctions.size(); ++k)
+        if (junctions[k]) system.attract(static_cast<int>(k), junctions[k]->template cast<Accumulator>(), 1);
     for (std::size_t b = 0; b < unknowns.size(); ++b) {
         const Points<Scalar>& line = branched.branches[b].line;
         const std::vector<int>& at = unknowns[b];
@@ -127,8 +109,7 @@ BranchedCurve<Scalar> smoothing_spline(BranchedCurve<Scalar> branched,
                 core::point(line, static_cast<Eigen::Index>(i)).template cast<Accumulator>();
             system.attract(at[i], place, is_handle ? 1 : inertia);
             if (is_handle) continue;
-            if (section.weight > 0)
-                system.attract(at[i], section.centre.template cast<Accumulator>(), detail::attraction(section, along));
+            if (section.weight > 0) system.attract(at[i], section.centre.template cast<Accumulator>(), section.weight);
             if (!(spacing > 0)) continue;
             const Accumulator ratio = stiffness * static_cast<Accumulator>(thickness[i] / spacing);
             system.straighten({at[i - 1], at[i], at[i + 1]}, ratio * ratio * ratio * ratio);
