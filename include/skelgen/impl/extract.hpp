@@ -11,6 +11,7 @@
 
 #include <skelgen/anatomy/complete.hpp>
 #include <skelgen/core/error.hpp>
+#include <skelgen/core/geodesics.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/template_rules.hpp>
@@ -52,6 +53,15 @@ std::optional<Failure> not_slender(Scalar diameter) {
     if (diameter > most)
         return Failure{FailureReason::no_body, "no single human body: too thin and long a shape for one"};
     return std::nullopt;
+}
+
+/// A heavy body whose hands lie on it still reaches from head to toe, 1.05 times the square root of its area: what does
+/// not is known to be none before its curve is looked for, which takes much longer.
+template <typename Scalar>
+std::optional<Failure> too_compact(const Body<Scalar>& body) {
+    constexpr Scalar least = Scalar(1.05), estimated = Scalar(0.95); // the latter of the diameter, at least
+    const Scalar most = core::geodesic_diameter(body.graph) / estimated;
+    return most < least ? not_slender(most) : std::nullopt;
 }
 
 /// What goes on as far as a person's arm (a sixth of the curve) and belongs to no limb is another body's.
@@ -293,6 +303,11 @@ Outcome<Fit<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh, const
             if (!best) best = body.failure();
             continue;
         }
+        if (remedy != surface::Remedy::largest_piece)
+            if (const auto failure = too_compact(*body)) {
+                if (!best) best = *failure;
+                continue;
+            }
         const curve::CurveResult<Scalar> curve = find_curve(*body, options.curve);
         timings.curve += stage.lap();
         // What is wrong with one of several surfaces is not the curve's doing: the next surface may serve better.
