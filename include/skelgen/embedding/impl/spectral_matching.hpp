@@ -109,8 +109,8 @@ public:
     }
 
 private:
-    /// Calibrated: the curves of registered bodies need up to 30 trials for each of their nodes.
-    static constexpr std::ptrdiff_t most_trials_per_node = 2'000;
+    /// Calibrated: the curves of registered bodies need up to a dozen trials for each of their nodes.
+    static constexpr std::ptrdiff_t most_trials_per_node = 500;
 
     /// The least that the template nodes from `depth` on add.
     [[nodiscard]] Scalar least_to_come(std::size_t depth) const {
