@@ -74,6 +74,23 @@ std::optional<Failure> not_single(const CurveSkeleton<Scalar>& curve, const embe
     return std::nullopt;
 }
 
+/// Elbows and knees as near to those of the other side as only one limb's own can be: the other limb has been lost on
+/// the way to the curve. Upper arms pressed together keep twice their radius, a twentieth of the diameter, apart.
+template <typename Scalar>
+std::optional<Failure> not_apart(const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& wanted,
+                                 Scalar diameter) {
+    constexpr Scalar least = Scalar(0.015);
+    for (const JointRole role : {JointRole::elbow, JointRole::knee}) {
+        const int left = find_joint(wanted, role, Side::left), right = find_joint(wanted, role, Side::right);
+        if (left < 0 || right < 0) continue;
+        const auto place = [&](int joint) { return skeleton.joints[static_cast<std::size_t>(joint)].position; };
+        if ((place(left) - place(right)).norm() < least * diameter)
+            return Failure{FailureReason::no_match,
+                           "no human body: two limbs lie along one; check that all stand free"};
+    }
+    return std::nullopt;
+}
+
 /// A skeleton in the body's coordinates, and how good it is.
 template <typename Scalar>
 struct Candidate {
@@ -114,6 +131,7 @@ Attempt<Scalar> fit_to_curve(const Body<Scalar>& body, const curve::CurveResult<
     auto completed = anatomy::complete_skeleton(symmetry::assemble(joints, wanted, *sides), body, curve, wanted);
     timings.sides = stage.lap();
     if (!completed) return failed(completed.failure());
+    if (const auto failure = not_apart(completed->skeleton, wanted, diameter)) return failed(*failure);
     completed->skeleton.quality.matched_nodes = embedding->matched_nodes;
     if (!embedding->is_least)
         completed->skeleton.quality.warnings.push_back(
