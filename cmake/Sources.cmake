@@ -85,6 +85,7 @@ set(skelgen_core_headers
     include/skelgen/surface/pieces.hpp
     include/skelgen/surface/prepare.hpp
     include/skelgen/surface/similarity.hpp
+    include/skelgen/surface/small_parts.hpp
     include/skelgen/surface/sound_faces.hpp
     include/skelgen/surface/visibility.hpp
     include/skelgen/surface/weld.hpp

@@ -13,7 +13,7 @@ namespace skelgen::core {
     template Scalar winding_number(const TriangleMesh<Scalar>&, const Vector3<Scalar>&);                               \
     template int nearest_point(const Points<Scalar>&, const Vector3<Scalar>&);                                         \
     template int nearest_vertex(const TriangleMesh<Scalar>&, const Vector3<Scalar>&);                                  \
-    template ShortestPaths<Scalar> shortest_paths(const CurveGraph<Scalar>&, int);                                     \
+    template ShortestPaths<Scalar> shortest_paths(const CurveGraph<Scalar>&, int, Scalar);                             \
     template std::vector<int> nearest_source(const CurveGraph<Scalar>&, const std::vector<Source<Scalar>>&);           \
     template Scalar curve_diameter(const CurveGraph<Scalar>&);                                                         \
     template CurveGraph<Scalar> surface_graph(const TriangleMesh<Scalar>&, const Triangles&);                          \

@@ -48,6 +48,14 @@ TEST_CASE("shortest paths go the short way round and do not reach what is not co
     CHECK(paths.path_to(4) == std::vector<int>{4});
 }
 
+TEST_CASE("a search for shortest paths ends where it is told to") {
+    const auto paths = shortest_paths(curve_graph(square_with_tail()), 4, 3.0);
+    CHECK(paths.distance[0] == 2);
+    CHECK(paths.distance[1] == 3);
+    CHECK(std::isinf(paths.distance[2]));
+    CHECK(paths.predecessor[2] == -1);
+}
+
 TEST_CASE("the diameter of a curve is its longest shortest path") {
     CHECK(curve_diameter(curve_graph(square_with_tail())) == Approx(4));
     CHECK(curve_diameter(CurveGraph<double>{}) == 0);

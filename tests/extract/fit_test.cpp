@@ -5,6 +5,7 @@
 
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/template_rules.hpp>
+#include <skelgen/embedding/embed.hpp>
 #include <skelgen/extract.hpp>
 
 #include "catch.hpp"
@@ -71,6 +72,31 @@ TEST_CASE("extract_skeleton is prepare, find_curve and fit") {
     CHECK(whole.timings.refine > 0);
     CHECK(whole.timings.curve + whole.timings.embed + whole.timings.refine + whole.timings.sides <=
           whole.timings.total);
+}
+
+TEST_CASE("where the curve has lost an arm to the other one, another curve is looked for") {
+    const Body<double> body = prepare(load_fixture_body("walking-woman").mesh);
+    const SkeletonTemplate& human = builtin_template("human21");
+    curve::CurveResult<double> curve = find_curve(body);
+    const auto whole = fit(body, curve, human);
+    REQUIRE(whole);
+
+    const auto embedding = embedding::embed(curve.curve, human);
+    REQUIRE(embedding);
+    const auto arm_of = [&](Side side) {
+        for (const embedding::Chain& chain : embedding->chains)
+            if (chain.joints.back() == find_joint(human, JointRole::hand, side)) return chain.nodes;
+        return std::vector<int>{};
+    };
+    const std::vector<int> lost = arm_of(Side::left), kept = arm_of(Side::right);
+    for (std::size_t i = 1; i < lost.size(); ++i)
+        curve.curve.nodes.row(lost[i]) = curve.curve.nodes.row(kept[i * (kept.size() - 1) / (lost.size() - 1)]);
+    const auto found = fit(body, curve, human);
+    REQUIRE(found);
+    for (const char* joint : {"left_elbow", "right_elbow", "left_hand", "right_hand"}) {
+        INFO(joint);
+        CHECK(distance(found->skeleton, whole->skeleton, joint) < 0.02 * whole->geodesic_diameter);
+    }
 }
 
 TEST_CASE("another template takes the same body and curve") {

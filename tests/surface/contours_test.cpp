@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <set>
 
 #include <skelgen/core/adjacency.hpp>
@@ -172,6 +173,45 @@ TEST_CASE("where none encloses a point, the contour nearest to it is its own, wi
     const auto inside = ring.around(Vec3(1.1, 0.01, 0.1), Vec3::UnitY(), 0.0);
     REQUIRE(inside);
     CHECK(from_lowest(*inside) == from_lowest(*right));
+}
+
+TEST_CASE("the contour around a point is that one which a look at all of them finds") {
+    // Tubes beside and in each other, one of them with a hole.
+    Mesh mesh = torus(2, 0.7, 32, 12);
+    mesh = side_by_side(mesh, torus(2, 0.3, 32, 12));
+    mesh.faces.conservativeResize(mesh.faces.rows() - 25, 3);
+    mesh = side_by_side(mesh, sphere(0.5, 2));
+    const Surface surface(mesh);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> coordinate(-1, 1);
+    const auto any = [&] { return Vec3(coordinate(random), coordinate(random), coordinate(random)); };
+    int enclosing = 0, beside = 0;
+    for (int i = 0; i < 400; ++i) {
+        const Vec3 place = 2.8 * any(), normal = any().normalized();
+        const double reach = 0.6;
+        std::optional<Contour<double>> expected;
+        double least = std::numeric_limits<double>::infinity();
+        bool encloses = false;
+        for (const Contour<double>& contour : surface.cut(normal, normal.dot(place))) {
+            if (contour.points.size() < 3) continue;
+            const PlanarRelation<double> relation = relate(contour, place, normal);
+            const double size = relation.encloses ? std::abs(relation.area) : relation.distance;
+            if (relation.encloses < encloses || (!relation.encloses && relation.distance > reach)) continue;
+            if (relation.encloses == encloses && !(size < least)) continue;
+            expected = contour;
+            least = size;
+            encloses = relation.encloses;
+        }
+        const auto found = surface.around(place, normal, reach);
+        INFO(i);
+        REQUIRE(found.has_value() == expected.has_value());
+        if (!found) continue;
+        ++(encloses ? enclosing : beside);
+        CHECK(std::set<int>(found->faces.begin(), found->faces.end()) ==
+              std::set<int>(expected->faces.begin(), expected->faces.end()));
+    }
+    CHECK(enclosing > 30);
+    CHECK(beside > 50);
 }
 
 TEST_CASE("a contour broken by a hole is closed straight") {

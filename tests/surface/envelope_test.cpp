@@ -9,6 +9,7 @@
 #include <skelgen/surface/face_tree.hpp>
 #include <skelgen/surface/lattice_surface.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
+#include <skelgen/surface/small_parts.hpp>
 #include <skelgen/surface/winding_tree.hpp>
 
 #include "catch.hpp"
@@ -64,6 +65,54 @@ TEMPLATE_TEST_CASE("the tree's winding number is that of the sum over all faces"
         REQUIRE(std::abs(tree.winding_number(mesh, p) - winding_number(mesh, p)) < TestType(0.08));
     }
     CHECK(WindingTree<TestType>(TriangleMesh<TestType>{}).winding_number({}, Vector3<TestType>::Zero()) == 0);
+}
+
+TEST_CASE("solid angles add up over whole turns: around surfaces in each other, and turned inside out") {
+    const Mesh ball = sphere(1, 2);
+    const Mesh inside_out{ball.vertices, ball.faces.rowwise().reverse()};
+    for (const int copies : {1, 2, 5})
+        for (const Mesh& one : {ball, inside_out}) {
+            Mesh mesh = one;
+            for (int i = 1; i < copies; ++i) mesh = side_by_side(mesh, one);
+            const WindingTree<double> tree(mesh);
+            const double expected = (one.faces == ball.faces ? 1 : -1) * copies;
+            CHECK(tree.winding_number(mesh, Vec3(0.1, 0.2, 0.3)) == Approx(expected).margin(0.08 * copies));
+            CHECK(tree.winding_number(mesh, Vec3(3, 2, 1)) == Approx(0).margin(0.08 * copies));
+        }
+    // In the tree's only leaf, from near by, nothing is expanded: the sum is exact.
+    const Mesh corner{(Points<double>(4, 3) << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1).finished(),
+                      (Triangles(4, 3) << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3).finished()};
+    const WindingTree<double> tree(corner);
+    const Vec3 middle = corner.vertices.colwise().mean().transpose();
+    CHECK(tree.winding_number(corner, middle) == Approx(1).epsilon(1e-12));
+    CHECK(tree.winding_number(corner, middle + Vec3(9, 0, 0)) == Approx(0).margin(1e-4));
+}
+
+TEST_CASE("small parts cover the faces they are of, and have no long edges") {
+    const Mesh mesh = box(Vec3(4, 1, 0.1));
+    double area = 0, longest = 0;
+    for_each_small_part(mesh, 0.3, [&](const Corners<double>& t) {
+        area += (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2;
+        for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, (t[(k + 1) % 3] - t[k]).norm());
+    });
+    CHECK(area == Approx(surface_area(mesh)));
+    CHECK(longest <= 0.3);
+    int parts = 0;
+    for_each_small_part(mesh, 5.0, [&](const Corners<double>&) { ++parts; });
+    CHECK(parts == mesh.faces.rows());
+}
+
+TEST_CASE("an envelope has no more faces than wanted, about, and is as large as with more") {
+    const Mesh ball = sphere(1, 3);
+    EnvelopeOptions options = with_cells(150);
+    const auto many = winding_envelope(ball, options);
+    REQUIRE(many.faces.rows() > 20'000);
+    options.most_faces = 4000;
+    for (const auto& few : {winding_envelope(ball, options), rolling_envelope(ball, options)}) {
+        CHECK(few.faces.rows() < 5000);
+        CHECK(few.faces.rows() > 3000);
+        CHECK(enclosed_volume(few) == Approx(enclosed_volume(many)).epsilon(0.03));
+    }
 }
 
 TEST_CASE("the band has the distances near the surface") {
@@ -158,4 +207,7 @@ TEST_CASE("what encloses nothing has no envelope") {
 TEST_CASE("options of envelopes have ranges") {
     REQUIRE_THROWS_AS(winding_envelope(cube(), with_cells(5)), Error);
     REQUIRE_THROWS_AS(rolling_envelope(cube(), with_cells(1e6)), Error);
+    EnvelopeOptions no_faces;
+    no_faces.most_faces = 0;
+    REQUIRE_THROWS_AS(winding_envelope(cube(), no_faces), Error);
 }

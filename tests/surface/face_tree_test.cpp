@@ -92,6 +92,38 @@ TEST_CASE("the faces across a plane are those that a look at every face finds") 
     }
 }
 
+TEST_CASE("near a place, the faces across a plane are those of all that come so near") {
+    const Mesh mesh = torus(2, 0.7, 40, 16);
+    const FaceTree<double> tree(mesh);
+    Uniform random(8);
+    for (int i = 0; i < 100; ++i) {
+        const Vec3 normal = random.place().normalized(), place = 3 * random.place();
+        const double offset = normal.dot(place), reach = 0.4;
+        const std::vector<int> all = tree.faces_across(mesh, normal, offset);
+        const std::vector<int> near = tree.faces_across(mesh, normal, offset, place, reach);
+        CHECK(std::includes(all.begin(), all.end(), near.begin(), near.end()));
+        for (const int f : all)
+            if (distance_to_triangle<double>(place, corner(mesh, f, 0), corner(mesh, f, 1), corner(mesh, f, 2)) < reach)
+                REQUIRE(std::binary_search(near.begin(), near.end(), f));
+    }
+    CHECK(tree.faces_across(mesh, Vec3::UnitZ(), 0, Vec3(9, 0, 0), 1).empty());
+}
+
+TEST_CASE("a ray meets all faces in its way, the first one among them") {
+    const Mesh mesh = torus(2, 0.7, 40, 16);
+    const FaceTree<double> tree(mesh);
+    Uniform random(9);
+    for (int i = 0; i < 100; ++i) {
+        const Vec3 place = 3 * random.place(), direction = random.place().normalized();
+        const std::vector<int> met = tree.faces_along(mesh, place, direction);
+        const int first = tree.first_along(mesh, place, direction).face;
+        REQUIRE((first < 0) == met.empty());
+        if (first >= 0) CHECK(std::binary_search(met.begin(), met.end(), first));
+        CHECK(met.size() <= 4);
+        CHECK(met.size() % 2 == (winding_number(mesh, place) > 0.5 ? 1 : 0)); // in and out again
+    }
+}
+
 TEST_CASE("a plane through vertices has them above it") {
     const Mesh mesh = cube();
     const FaceTree<double> tree(mesh);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -128,9 +130,11 @@ struct ShortestPaths {
     }
 };
 
-/// Dijkstra on the curve. O((k + edges) log k).
+/// Dijkstra on the curve, no farther than `farthest`. O((k + edges) log k) for the k nodes within.
 template <typename Scalar>
-[[nodiscard]] ShortestPaths<Scalar> shortest_paths(const CurveGraph<Scalar>& graph, int source);
+[[nodiscard]] ShortestPaths<Scalar>
+shortest_paths(const CurveGraph<Scalar>& graph, int source,
+               std::type_identity_t<Scalar> farthest = std::numeric_limits<Scalar>::infinity());
 
 /// Where a search for the nearest begins.
 template <typename Scalar = double>
@@ -147,7 +151,7 @@ template <typename Scalar>
                                               const std::vector<Source<Scalar>>& sources);
 
 /// Largest distance along the curve between any two of its nodes that are connected. O(k log k) for each component that
-/// is a tree; each of the j nodes of one with cycles costs as much as a tree of j nodes.
+/// is a tree; some of the j nodes of one with cycles, all of them at worst, cost as much as a tree of j nodes.
 template <typename Scalar>
 [[nodiscard]] Scalar curve_diameter(const CurveGraph<Scalar>& graph);
 

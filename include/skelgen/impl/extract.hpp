@@ -11,6 +11,7 @@
 
 #include <skelgen/anatomy/complete.hpp>
 #include <skelgen/core/error.hpp>
+#include <skelgen/core/geodesics.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/template_rules.hpp>
@@ -54,6 +55,15 @@ std::optional<Failure> not_slender(Scalar diameter) {
     return std::nullopt;
 }
 
+/// A heavy body whose hands lie on it still reaches from head to toe, 1.05 times the square root of its area: what does
+/// not is known to be none before its curve is looked for, which takes much longer.
+template <typename Scalar>
+std::optional<Failure> too_compact(const Body<Scalar>& body) {
+    constexpr Scalar least = Scalar(1.05), estimated = Scalar(0.95); // the latter of the diameter, at least
+    const Scalar most = core::geodesic_diameter(body.graph) / estimated;
+    return most < least ? not_slender(most) : std::nullopt;
+}
+
 /// What goes on as far as a person's arm (a sixth of the curve) and belongs to no limb is another body's.
 template <typename Scalar>
 std::optional<Failure> not_single(const CurveSkeleton<Scalar>& curve, const embedding::Embedding& embedding) {
@@ -61,6 +71,23 @@ std::optional<Failure> not_single(const CurveSkeleton<Scalar>& curve, const embe
     if (embedding::unmatched_reach(curve, embedding) > arm)
         return Failure{FailureReason::no_body,
                        "no single human body: a limb is left over; separate bodies that are joined to others"};
+    return std::nullopt;
+}
+
+/// Elbows and knees as near to those of the other side as only one limb's own can be: the other limb has been lost on
+/// the way to the curve. Upper arms pressed together keep twice their radius, a twentieth of the diameter, apart.
+template <typename Scalar>
+std::optional<Failure> not_apart(const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& wanted,
+                                 Scalar diameter) {
+    constexpr Scalar least = Scalar(0.015);
+    for (const JointRole role : {JointRole::elbow, JointRole::knee}) {
+        const int left = find_joint(wanted, role, Side::left), right = find_joint(wanted, role, Side::right);
+        if (left < 0 || right < 0) continue;
+        const auto place = [&](int joint) { return skeleton.joints[static_cast<std::size_t>(joint)].position; };
+        if ((place(left) - place(right)).norm() < least * diameter)
+            return Failure{FailureReason::no_match,
+                           "no human body: two limbs lie along one; check that all stand free"};
+    }
     return std::nullopt;
 }
 
@@ -104,6 +131,7 @@ Attempt<Scalar> fit_to_curve(const Body<Scalar>& body, const curve::CurveResult<
     auto completed = anatomy::complete_skeleton(symmetry::assemble(joints, wanted, *sides), body, curve, wanted);
     timings.sides = stage.lap();
     if (!completed) return failed(completed.failure());
+    if (const auto failure = not_apart(completed->skeleton, wanted, diameter)) return failed(*failure);
     completed->skeleton.quality.matched_nodes = embedding->matched_nodes;
     if (!embedding->is_least)
         completed->skeleton.quality.warnings.push_back(
@@ -293,6 +321,11 @@ Outcome<Fit<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh, const
             if (!best) best = body.failure();
             continue;
         }
+        if (remedy != surface::Remedy::largest_piece)
+            if (const auto failure = too_compact(*body)) {
+                if (!best) best = *failure;
+                continue;
+            }
         const curve::CurveResult<Scalar> curve = find_curve(*body, options.curve);
         timings.curve += stage.lap();
         // What is wrong with one of several surfaces is not the curve's doing: the next surface may serve better.

@@ -50,7 +50,7 @@ template <typename Scalar>
 /// The contour around a point in the plane through it with that unit `normal`: the smallest one that encloses the
 /// point, else the one nearest to it, but no farther than `reach`; none when there is no such contour. `adjacency` and
 /// `tree` as above. O(log faces) for each face of the contour where it encloses the point and is closed, else for each
-/// face that is cut.
+/// of those that are in one direction from it or within reach.
 template <typename Scalar>
 [[nodiscard]] std::optional<Contour<Scalar>>
 contour_around(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency, const FaceTree<Scalar>& tree,

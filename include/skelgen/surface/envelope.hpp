@@ -7,6 +7,7 @@ namespace skelgen::surface {
 /// Constants of envelopes.
 struct EnvelopeOptions {
     double cells = 200;       ///< along the longest side of what is enveloped; limbs apart by two cells stay apart
+    int most_faces = 80'000;  ///< about; where there would be more, cells are larger: a person has 50 to 70 thousand
     int smoothing_passes = 4; ///< so that cells do not show (Tau95)
 };
 

@@ -24,6 +24,10 @@ public:
     [[nodiscard]] std::vector<int> faces_across(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& normal,
                                                 Scalar offset) const;
 
+    /// Those of them that have a point within `reach` of a place, and perhaps others near it. O(log faces) for each.
+    [[nodiscard]] std::vector<int> faces_across(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& normal,
+                                                Scalar offset, const Vector3<Scalar>& place, Scalar reach) const;
+
     /// Distance from a place to the surface; infinite when there is no face. O(log faces) where faces are no longer
     /// than the distance.
     [[nodiscard]] Scalar distance(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place) const;
@@ -36,6 +40,10 @@ public:
     };
     [[nodiscard]] Hit first_along(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place,
                                   const Vector3<Scalar>& direction) const;
+
+    /// All faces that such a ray meets, in ascending order. As above.
+    [[nodiscard]] std::vector<int> faces_along(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place,
+                                               const Vector3<Scalar>& direction) const;
 
 private:
     Eigen::KdBVH<Scalar, 3, int> tree_;

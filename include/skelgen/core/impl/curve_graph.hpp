@@ -6,11 +6,15 @@
 #include <limits>
 #include <queue>
 #include <tuple>
+#include <type_traits>
+
+#include <skelgen/core/precision.hpp>
 
 namespace skelgen::core {
 
 template <typename Scalar>
-ShortestPaths<Scalar> shortest_paths(const CurveGraph<Scalar>& graph, int source) {
+ShortestPaths<Scalar> shortest_paths(const CurveGraph<Scalar>& graph, int source,
+                                     std::type_identity_t<Scalar> farthest) {
     ShortestPaths<Scalar> out;
     out.distance.assign(graph.neighbours.size(), std::numeric_limits<Scalar>::infinity());
     out.predecessor.assign(graph.neighbours.size(), -1);
@@ -23,7 +27,7 @@ ShortestPaths<Scalar> shortest_paths(const CurveGraph<Scalar>& graph, int source
         if (distance > out.distance[static_cast<std::size_t>(v)]) continue;
         for (const auto& [w, length] : graph.neighbours[static_cast<std::size_t>(v)]) {
             const Scalar candidate = distance + length;
-            if (!(candidate < out.distance[static_cast<std::size_t>(w)])) continue;
+            if (!(candidate < out.distance[static_cast<std::size_t>(w)]) || candidate > farthest) continue;
             out.distance[static_cast<std::size_t>(w)] = candidate;
             out.predecessor[static_cast<std::size_t>(w)] = v;
             queue.emplace(candidate, w);
@@ -82,20 +86,36 @@ std::vector<int> component_of(const CurveGraph<Scalar>& graph, int start) {
     return nodes;
 }
 
+/// Of a component that is no tree. No node is farther from a third one than from another plus the other's farthest:
+/// only those that may by that have the diameter are looked from.
+template <typename Scalar>
+Scalar diameter_by_bounds(const CurveGraph<Scalar>& graph, const std::vector<int>& component) {
+    Scalar diameter = 0;
+    std::vector<std::pair<Scalar, int>> open; // how far from a node the farthest may be, the node
+    for (const int v : component) open.emplace_back(std::numeric_limits<Scalar>::infinity(), v);
+    while (!open.empty()) {
+        const int v = std::max_element(open.begin(), open.end())->second;
+        const std::vector<Scalar> distance = shortest_paths(graph, v).distance;
+        Scalar farthest = 0;
+        for (const int w : component) farthest = std::max(farthest, distance[static_cast<std::size_t>(w)]);
+        diameter = std::max(diameter, farthest);
+        for (auto& [most, w] : open) most = std::min(most, distance[static_cast<std::size_t>(w)] + farthest);
+        const Scalar too_little = diameter * (1 - rounding<Scalar>());
+        std::erase_if(open, [&](const auto& other) { return other.second == v || other.first < too_little; });
+    }
+    return diameter;
+}
+
 /// The diameter of that component. In a tree, the node farthest from any other is an end of a longest path, so that no
 /// more than its two ends are to be looked from: from both, as sums in opposite orders round differently.
 template <typename Scalar>
 Scalar component_diameter(const CurveGraph<Scalar>& graph, const std::vector<int>& component) {
     std::size_t degrees = 0;
     for (const int v : component) degrees += graph.neighbours[static_cast<std::size_t>(v)].size();
-    if (degrees == 2 * (component.size() - 1)) {
-        const int end = farthest(graph, component.front()).second;
-        const auto [length, other_end] = farthest(graph, end);
-        return std::max(length, farthest(graph, other_end).first);
-    }
-    Scalar diameter = 0;
-    for (const int v : component) diameter = std::max(diameter, farthest(graph, v).first);
-    return diameter;
+    if (degrees != 2 * (component.size() - 1)) return diameter_by_bounds(graph, component);
+    const int end = farthest(graph, component.front()).second;
+    const auto [length, other_end] = farthest(graph, end);
+    return std::max(length, farthest(graph, other_end).first);
 }
 
 } // namespace detail

@@ -10,20 +10,45 @@
 namespace skelgen::embedding {
 namespace detail {
 
+/// The branches as edges between the nodes that are not of degree 2; `place` as among those.
+template <typename Scalar>
+core::CurveGraph<Scalar> graph_of_branches(const core::CurveGraph<Scalar>& graph, const std::vector<int>& place,
+                                           std::size_t count) {
+    core::CurveGraph<Scalar> out;
+    out.neighbours.resize(count);
+    for (int v = 0; v < graph.size(); ++v) {
+        if (place[at(v)] < 0) continue;
+        for (auto [next, length] : graph.neighbours[at(v)]) {
+            for (int before = v; graph.degree(next) == 2;) {
+                const auto& [first, second] = std::pair(graph.neighbours[at(next)][0], graph.neighbours[at(next)][1]);
+                const auto& onward = first.first == before ? second : first;
+                before = next;
+                next = onward.first;
+                length += onward.second;
+            }
+            out.neighbours[at(place[at(v)])].emplace_back(place[at(next)], length);
+        }
+    }
+    return out;
+}
+
 /// The nodes that are not of degree 2, with the distances between them; no radii yet.
 template <typename Scalar>
 ReducedGraph<Scalar> without_chains(const core::CurveGraph<Scalar>& graph) {
     ReducedGraph<Scalar> out;
+    std::vector<int> place(graph.neighbours.size(), -1);
     for (int v = 0; v < graph.size(); ++v)
         if (graph.degree(v) != 2) {
+            place[at(v)] = static_cast<int>(out.origin.size());
             out.origin.push_back(v);
             out.degree.push_back(graph.degree(v));
         }
     const auto n = static_cast<int>(out.origin.size());
+    const core::CurveGraph<Scalar> branches = graph_of_branches(graph, place, out.origin.size());
     out.distances.resize(n, n);
     for (int i = 0; i < n; ++i) {
-        const core::ShortestPaths<Scalar> paths = core::shortest_paths(graph, out.origin[at(i)]);
-        for (int k = 0; k < n; ++k) out.distances(i, k) = paths.distance[at(out.origin[at(k)])];
+        const core::ShortestPaths<Scalar> paths = core::shortest_paths(branches, i);
+        for (int k = 0; k < n; ++k) out.distances(i, k) = paths.distance[at(k)];
     }
     out.radius.assign(out.origin.size(), Scalar(0));
     return out;
@@ -32,7 +57,7 @@ ReducedGraph<Scalar> without_chains(const core::CurveGraph<Scalar>& graph) {
 /// Largest radius of the curve within `reach` of an end, along the curve.
 template <typename Scalar>
 Scalar end_thickness(const CurveSkeleton<Scalar>& curve, const core::CurveGraph<Scalar>& graph, int end, Scalar reach) {
-    const std::vector<Scalar> distance = core::shortest_paths(graph, end).distance;
+    const std::vector<Scalar> distance = core::shortest_paths(graph, end, reach).distance;
     Scalar thickness = 0;
     for (std::size_t v = 0; v < curve.radii.size(); ++v)
         if (distance[v] <= reach) thickness = std::max(thickness, curve.radii[v]);

@@ -83,20 +83,24 @@ Scalar least_gain() {
     return core::rounding<Scalar>();
 }
 
-/// Depth-first search through all assignments, leaving out what is already more distorted than the best one known.
+/// Depth-first search through all assignments, leaving out what cannot become less distorted than the best one known:
+/// what is assigned already and, for each template node that is not, the partner that adds least to it.
 template <typename Scalar>
 class BranchAndBound {
 public:
     BranchAndBound(const ReducedGraph<Scalar>& curve, const ReducedGraph<Scalar>& skeleton_template,
                    std::vector<int> start, const MatchingOptions& options)
-        : curve_(curve), template_(skeleton_template), options_(options), partner_(start.size(), -1),
-          taken_(curve.degree.size(), false), order_(start.size()),
-          left_(most_trials_per_node * static_cast<std::ptrdiff_t>(curve.degree.size())),
+        : curve_(curve), template_(skeleton_template), partner_(start.size(), -1), taken_(curve.degree.size(), false),
+          order_(start.size()), left_(most_trials_per_node * static_cast<std::ptrdiff_t>(curve.degree.size())),
           least_(distortion(curve, skeleton_template, start, options)), best_(std::move(start)) {
         std::iota(order_.begin(), order_.end(), 0);
         std::stable_sort(order_.begin(), order_.end(), [&](int a, int b) {
             return skeleton_template.degree[at(a)] > skeleton_template.degree[at(b)];
         });
+        const auto n = static_cast<int>(order_.size()), m = static_cast<int>(taken_.size());
+        added_.assign(order_.size() + 1, DenseMatrix<Scalar>::Zero(m, n));
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < m; ++i) added_[0](i, j) = node_distortion(curve, skeleton_template, i, j, options);
     }
 
     Assignment run() {
@@ -105,8 +109,20 @@ public:
     }
 
 private:
-    /// Calibrated: the curves of registered bodies need up to 400 trials for each of their nodes.
-    static constexpr std::ptrdiff_t most_trials_per_node = 20'000;
+    /// Calibrated: the curves of registered bodies need up to a dozen trials for each of their nodes.
+    static constexpr std::ptrdiff_t most_trials_per_node = 500;
+
+    /// The least that the template nodes from `depth` on add.
+    [[nodiscard]] Scalar least_to_come(std::size_t depth) const {
+        Scalar sum = 0;
+        for (std::size_t d = depth; d < order_.size(); ++d) {
+            Scalar least = std::numeric_limits<Scalar>::infinity();
+            for (std::size_t i = 0; i < taken_.size(); ++i)
+                if (!taken_[i]) least = std::min(least, added_[depth](static_cast<Eigen::Index>(i), order_[d]));
+            sum += least;
+        }
+        return sum;
+    }
 
     void extend(std::size_t depth, Scalar total) {
         if (total > least_ - least_gain<Scalar>()) return;
@@ -115,31 +131,42 @@ private:
             best_ = partner_;
             return;
         }
+        if (total + least_to_come(depth) > least_) return; // by more than rounding
         const int j = order_[depth];
         for (int i = 0; i < static_cast<int>(taken_.size()); ++i) {
             if (taken_[at(i)]) continue;
             if (left_ == 0) break;
             --left_;
-            Scalar longer = total + node_distortion(curve_, template_, i, j, options_);
-            for (std::size_t d = 0; d < depth; ++d)
-                longer += pair_distortion(curve_, template_, i, j, partner_[at(order_[d])], order_[d]);
-            taken_[at(i)] = true;
-            partner_[at(j)] = i;
+            const Scalar longer = total + added_[depth](i, j);
+            if (longer > least_) continue;
+            assign(depth, i);
             extend(depth + 1, longer);
             taken_[at(i)] = false;
         }
         partner_[at(j)] = -1;
     }
 
+    /// The template node at this depth gets a partner, which adds to what all later ones would add.
+    void assign(std::size_t depth, int i) {
+        const int j = order_[depth];
+        taken_[at(i)] = true;
+        partner_[at(j)] = i;
+        for (std::size_t d = depth + 1; d < order_.size(); ++d)
+            for (int k = 0; k < static_cast<int>(taken_.size()); ++k)
+                added_[depth + 1](k, order_[d]) =
+                    added_[depth](k, order_[d]) + pair_distortion(curve_, template_, k, order_[d], i, j);
+    }
+
     const ReducedGraph<Scalar>& curve_;
     const ReducedGraph<Scalar>& template_;
-    const MatchingOptions& options_;
     std::vector<int> partner_;
     std::vector<bool> taken_;
     std::vector<int> order_; ///< template nodes, junctions first
     std::ptrdiff_t left_;    ///< partners that may still be tried
     Scalar least_;
     std::vector<int> best_;
+    std::vector<DenseMatrix<Scalar>>
+        added_; ///< per depth what curve node i for template node j adds to those assigned; m x n
 };
 
 /// All assignments one exchange away from `partner`; `candidates` curve nodes in all.

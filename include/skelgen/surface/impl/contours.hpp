@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <unordered_set>
 #include <utility>
 
 #include <skelgen/core/geometry.hpp>
@@ -49,53 +51,61 @@ private:
     Height height_;
 };
 
-/// All contours that cut these faces, given in ascending order.
+/// The contour through a face that is cut, from the next face on or, where it is broken by a hole, from the hole on.
 template <typename Scalar, typename Height>
-class ContourTracer {
-public:
-    ContourTracer(const FaceCutter<Scalar, Height>& cutter, const Triangles& adjacency, std::vector<int> cut)
-        : cutter_(cutter), adjacency_(adjacency), cut_(std::move(cut)), visited_(cut_.size(), false) {}
+Contour<Scalar> contour_through(const FaceCutter<Scalar, Height>& cutter, const Triangles& adjacency, int start) {
+    int f = start;
+    for (int next = f; (next = adjacency(f, cutter.entry_edge(f))) >= 0 && next != start;) f = next;
+    const int first = f;
+    Contour<Scalar> contour;
+    contour.points.push_back(cutter.crossing(f, cutter.entry_edge(f)));
+    do {
+        contour.faces.push_back(f);
+        const int edge = cutter.exit_edge(f);
+        contour.points.push_back(cutter.crossing(f, edge));
+        f = adjacency(f, edge);
+    } while (f >= 0 && f != first);
+    if (f >= 0)
+        contour.points.pop_back(); // back at the first point
+    else
+        contour.faces.push_back(contour.faces.back()); // the straight closure borrows its neighbour's normal
+    return contour;
+}
 
-    std::vector<Contour<Scalar>> contours() {
-        std::vector<Contour<Scalar>> out;
-        for (std::size_t i = 0; i < cut_.size(); ++i)
-            if (!visited_[i]) out.push_back(trace(cut_[i]));
-        return out;
+/// All contours that cut these faces, which are all that are cut, in ascending order.
+template <typename Scalar, typename Height>
+std::vector<Contour<Scalar>> all_contours(const FaceCutter<Scalar, Height>& cutter, const Triangles& adjacency,
+                                          const std::vector<int>& cut) {
+    std::vector<Contour<Scalar>> out;
+    std::vector<bool> visited(cut.size(), false);
+    for (std::size_t i = 0; i < cut.size(); ++i) {
+        if (visited[i]) continue;
+        out.push_back(contour_through(cutter, adjacency, cut[i]));
+        for (const int f : out.back().faces)
+            visited[static_cast<std::size_t>(std::lower_bound(cut.begin(), cut.end(), f) - cut.begin())] = true;
     }
+    return out;
+}
 
-private:
-    /// Marks a face as visited; was it before?
-    bool visit(int f) {
-        const auto place = static_cast<std::size_t>(std::lower_bound(cut_.begin(), cut_.end(), f) - cut_.begin());
-        const bool before = visited_[place];
-        visited_[place] = true;
-        return before;
+/// Those of all contours that cut one of these faces, in the order they have among all.
+template <typename Scalar, typename Height>
+std::vector<Contour<Scalar>> contours_through(const FaceCutter<Scalar, Height>& cutter, const Triangles& adjacency,
+                                              const std::vector<int>& faces) {
+    std::vector<std::pair<int, Contour<Scalar>>> found; // by the lowest face
+    std::unordered_set<int> visited;
+    for (const int f : faces) {
+        if (!cutter.is_cut(f) || visited.contains(f)) continue;
+        Contour<Scalar> contour = contour_through(cutter, adjacency, f);
+        const int lowest = *std::min_element(contour.faces.begin(), contour.faces.end());
+        if (lowest != f) contour = contour_through(cutter, adjacency, lowest);
+        visited.insert(contour.faces.begin(), contour.faces.end());
+        found.emplace_back(lowest, std::move(contour));
     }
-
-    Contour<Scalar> trace(int start) {
-        int f = start;
-        for (int next = f; (next = adjacency_(f, cutter_.entry_edge(f))) >= 0 && next != start;)
-            f = next; // to a hole's rim, if any
-        Contour<Scalar> contour;
-        contour.points.push_back(cutter_.crossing(f, cutter_.entry_edge(f)));
-        while (f >= 0 && !visit(f)) {
-            contour.faces.push_back(f);
-            const int edge = cutter_.exit_edge(f);
-            contour.points.push_back(cutter_.crossing(f, edge));
-            f = adjacency_(f, edge);
-        }
-        if (f >= 0)
-            contour.points.pop_back(); // closed: back at the first point
-        else
-            contour.faces.push_back(contour.faces.back()); // the straight closure borrows its neighbour's normal
-        return contour;
-    }
-
-    const FaceCutter<Scalar, Height>& cutter_;
-    const Triangles& adjacency_;
-    std::vector<int> cut_;
-    std::vector<bool> visited_;
-};
+    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Contour<Scalar>> out;
+    for (auto& [lowest, contour] : found) out.push_back(std::move(contour));
+    return out;
+}
 
 /// The contour through one face; none when it is not closed.
 template <typename Scalar, typename Height>
@@ -131,7 +141,7 @@ std::vector<Contour<Scalar>> plane_contours(const TriangleMesh<Scalar>& mesh, co
                                             Scalar offset) {
     const auto height = [&](int v) { return normal.dot(core::point(mesh.vertices, v)) - offset; };
     const detail::FaceCutter<Scalar, decltype(height)> cutter(mesh, height);
-    return detail::ContourTracer(cutter, adjacency, tree.faces_across(mesh, normal, offset)).contours();
+    return detail::all_contours(cutter, adjacency, tree.faces_across(mesh, normal, offset));
 }
 
 template <typename Scalar>
@@ -142,7 +152,7 @@ std::vector<Contour<Scalar>> level_contours(const TriangleMesh<Scalar>& mesh, co
     std::vector<int> cut;
     for (int f = 0; f < mesh.faces.rows(); ++f)
         if (cutter.is_cut(f)) cut.push_back(f);
-    return detail::ContourTracer(cutter, adjacency, std::move(cut)).contours();
+    return detail::all_contours(cutter, adjacency, cut);
 }
 
 template <typename Scalar>
@@ -176,25 +186,34 @@ std::optional<Contour<Scalar>> contour_around(const TriangleMesh<Scalar>& mesh, 
     const detail::FaceCutter<Scalar, decltype(height)> cutter(mesh, height);
     // Looking around in the plane, the first face to be seen is on the contour that bounds what is around the point,
     // unless something hollow is seen first.
-    const int seen = tree.first_along(mesh, point, normal.unitOrthogonal()).face;
+    const Vector3<Scalar> direction = normal.unitOrthogonal();
+    const int seen = tree.first_along(mesh, point, direction).face;
     if (seen >= 0 && cutter.is_cut(seen))
         if (auto contour = detail::closed_contour(cutter, adjacency, seen); contour && contour->points.size() >= 3)
             if (relate(*contour, point, normal).encloses) return contour;
 
     std::optional<Contour<Scalar>> chosen;
-    PlanarRelation<Scalar> best;
-    for (Contour<Scalar>& contour : plane_contours(mesh, adjacency, tree, normal, offset)) {
-        if (contour.points.size() < 3) continue;
-        const PlanarRelation<Scalar> relation = relate(contour, point, normal);
-        if (!relation.encloses && relation.distance > reach) continue;
-        const bool better =
-            !chosen || (relation.encloses && !best.encloses) ||
-            (relation.encloses == best.encloses &&
-             (relation.encloses ? std::abs(relation.area) < std::abs(best.area) : relation.distance < best.distance));
-        if (!better) continue;
+    Scalar least = std::numeric_limits<Scalar>::infinity();
+    const auto choose = [&](Contour<Scalar>& contour, Scalar size) {
+        if (!(size < least)) return;
         chosen = std::move(contour);
-        best = relation;
-    }
+        least = size;
+    };
+    // What encloses the point is seen in any direction, though perhaps behind others, but for one that has a hole
+    // there.
+    std::vector<int> around = tree.faces_along(mesh, point, direction);
+    const std::vector<int> behind = tree.faces_along(mesh, point, -direction);
+    around.insert(around.end(), behind.begin(), behind.end());
+    for (Contour<Scalar>& contour : detail::contours_through(cutter, adjacency, around))
+        if (contour.points.size() >= 3)
+            if (const auto relation = relate(contour, point, normal); relation.encloses)
+                choose(contour, std::abs(relation.area));
+    if (chosen) return chosen;
+    for (Contour<Scalar>& contour :
+         detail::contours_through(cutter, adjacency, tree.faces_across(mesh, normal, offset, point, reach)))
+        if (contour.points.size() >= 3)
+            if (const auto relation = relate(contour, point, normal); relation.distance <= reach)
+                choose(contour, relation.distance);
     return chosen;
 }
 

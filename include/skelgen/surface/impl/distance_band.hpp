@@ -3,19 +3,14 @@
 #include <skelgen/surface/distance_band.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <vector>
 
-#include <skelgen/core/geometry.hpp>
 #include <skelgen/surface/face_tree.hpp>
+#include <skelgen/surface/small_parts.hpp>
 
 namespace skelgen::surface {
 namespace detail {
-
-template <typename Scalar>
-using Corners = std::array<Vector3<Scalar>, 3>;
 
 /// Lowers the distances around one triangle.
 template <typename Scalar>
@@ -30,14 +25,21 @@ void lower_around(const Corners<Scalar>& t, const Lattice<Scalar>& lattice, Scal
         low[k] = std::max(0, static_cast<int>(std::ceil(from)));
         high[k] = std::min(lattice.nodes[k] - 1, static_cast<int>(std::floor(to)));
     }
+    // Most nodes of the box are farther from the triangle's plane, or from the ball around it, than they know a face.
+    const Vector3<Scalar> normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized(), centre = (t[0] + t[1] + t[2]) / 3;
+    const Scalar offset = normal.dot(t[0]);
+    const Scalar radius = std::sqrt(
+        std::max({(t[0] - centre).squaredNorm(), (t[1] - centre).squaredNorm(), (t[2] - centre).squaredNorm()}));
     for (int z = low[2]; z <= high[2]; ++z)
         for (int y = low[1]; y <= high[1]; ++y)
             for (int x = low[0]; x <= high[0]; ++x) {
                 const LatticeNode node{x, y, z};
-                const Scalar d = distance_to_triangle<Scalar>(lattice.place(node), t[0], t[1], t[2]);
-                if (d > reach) continue;
-                Scalar& least = distance.at(node);
-                least = std::min(least, d);
+                const Vector3<Scalar> place = lattice.place(node);
+                const Scalar known = std::min(distance.get(node), reach);
+                if (std::abs(normal.dot(place) - offset) > known) continue;
+                if ((place - centre).squaredNorm() > (known + radius) * (known + radius)) continue;
+                const Scalar d = distance_to_triangle<Scalar>(place, t[0], t[1], t[2]);
+                if (d <= known) distance.at(node) = d;
             }
 }
 
@@ -61,26 +63,8 @@ template <typename Scalar>
 SparseGrid<Scalar> distance_band(const TriangleMesh<Scalar>& mesh, const Lattice<Scalar>& lattice, Scalar reach) {
     SparseGrid<Scalar> distance(lattice.nodes, std::numeric_limits<Scalar>::infinity());
     const Scalar longest = 8 * lattice.cell; // a large triangle's box would hold mostly nodes far from it
-    std::vector<detail::Corners<Scalar>> pending;
-    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
-        const auto corner = [&](int k) { return core::point(mesh.vertices, mesh.faces(f, k)); };
-        pending.push_back({corner(0), corner(1), corner(2)});
-        while (!pending.empty()) {
-            const detail::Corners<Scalar> t = pending.back();
-            pending.pop_back();
-            std::size_t k = 0; // the longest edge, from corner k to the next
-            const auto squared = [&](std::size_t i) { return (t[(i + 1) % 3] - t[i]).squaredNorm(); };
-            for (std::size_t i = 1; i < 3; ++i)
-                if (squared(i) > squared(k)) k = i;
-            if (squared(k) <= longest * longest) {
-                detail::lower_around(t, lattice, reach, distance);
-                continue;
-            }
-            const Vector3<Scalar> middle = (t[k] + t[(k + 1) % 3]) / 2;
-            pending.push_back({t[k], middle, t[(k + 2) % 3]});
-            pending.push_back({middle, t[(k + 1) % 3], t[(k + 2) % 3]});
-        }
-    }
+    for_each_small_part(mesh, longest,
+                        [&](const Corners<Scalar>& t) { detail::lower_around(t, lattice, reach, distance); });
     return distance;
 }
 

@@ -15,6 +15,7 @@
 #include <skelgen/surface/denoise.hpp>
 #include <skelgen/surface/distance_band.hpp>
 #include <skelgen/surface/lattice_surface.hpp>
+#include <skelgen/surface/small_parts.hpp>
 #include <skelgen/surface/winding_tree.hpp>
 
 namespace skelgen::surface {
@@ -48,49 +49,46 @@ auto crossing_by(const SparseGrid<Scalar>& distance, Scalar cell) {
     };
 }
 
-/// Winding numbers at nodes, handed on from neighbours where that is safe: no face passes between them, and the number
-/// is far from one half. What it changes by there is small, and after a few steps it is computed anew.
+/// The same surface in faces no longer than some cells, unless there would be too many: in the tree, a long face makes
+/// a large ball of all that are beside it.
 template <typename Scalar>
-class NodeWindings {
-public:
-    NodeWindings(const TriangleMesh<Scalar>& mesh, const Lattice<Scalar>& lattice, const SparseGrid<Scalar>& distance)
-        : mesh_(mesh), lattice_(lattice), distance_(distance), tree_(mesh), known_(lattice.nodes, Known{}) {}
+TriangleMesh<Scalar> in_small_faces(const TriangleMesh<Scalar>& mesh, Scalar cell) {
+    constexpr Scalar longest_in_cells = 8;
+    constexpr std::size_t most_parts = 2'000'000; // 200 MB
+    std::vector<Corners<Scalar>> parts;
+    bool too_many = false;
+    for_each_small_part(mesh, longest_in_cells * cell, [&](const Corners<Scalar>& t) {
+        too_many = too_many || parts.size() == most_parts;
+        if (!too_many) parts.push_back(t);
+    });
+    if (too_many || parts.size() == static_cast<std::size_t>(mesh.faces.rows())) return mesh;
+    TriangleMesh<Scalar> out;
+    out.vertices.resize(3 * static_cast<Eigen::Index>(parts.size()), 3);
+    out.faces.resize(static_cast<Eigen::Index>(parts.size()), 3);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        for (int k = 0; k < 3; ++k) {
+            const auto row = 3 * static_cast<Eigen::Index>(i) + k;
+            core::set_point<Scalar>(out.vertices, row, parts[i][static_cast<std::size_t>(k)]);
+            out.faces(static_cast<Eigen::Index>(i), k) = static_cast<int>(row);
+        }
+    return out;
+}
 
-    Scalar at(const LatticeNode& node) {
-        Known& here = known_.at(node);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            for (const int step : {-1, 1}) {
-                LatticeNode next = node;
-                next[axis] += step;
-                if (!lattice_.has(next)) continue;
-                const Known there = known_.get(next);
-                if (there.steps >= most_steps || std::abs(there.number - Scalar(0.5)) < safe) continue;
-                if (distance_.get(node) + distance_.get(next) <= rounded_up * lattice_.cell) continue;
-                here = {there.number, there.steps + 1};
-                return here.number;
-            }
-        here = {tree_.winding_number(mesh_, lattice_.place(node)), 0};
-        return here.number;
-    }
-
-private:
-    static constexpr int most_steps = 12;
-    static constexpr Scalar safe = Scalar(0.3), rounded_up = Scalar(1.001);
-    struct Known {
-        Scalar number = 0;
-        int steps = most_steps;
-    };
-    const TriangleMesh<Scalar>& mesh_;
-    const Lattice<Scalar>& lattice_;
-    const SparseGrid<Scalar>& distance_;
-    WindingTree<Scalar> tree_;
-    SparseGrid<Known> known_;
-};
+/// The surface that `envelope_of` makes with the cells wanted or, where it would have too many faces, with larger ones:
+/// at twice the cell a surface has a quarter of them.
+template <typename Scalar, typename EnvelopeOf>
+TriangleMesh<Scalar> with_few_faces(const TriangleMesh<Scalar>& mesh, const EnvelopeOptions& options,
+                                    const EnvelopeOf& envelope_of) {
+    const Scalar cell = cell_size(mesh, options);
+    const double faces = 4 * static_cast<double>(envelope_of(2 * cell).faces.rows());
+    return envelope_of(cell * static_cast<Scalar>(std::sqrt(std::max(1.0, faces / options.most_faces))));
+}
 
 } // namespace detail
 
 SKELGEN_INLINE void validate(const EnvelopeOptions& options) {
     core::require_in_range("envelope.cells", options.cells, 10.0, 1000.0);
+    core::require_in_range("envelope.most_faces", options.most_faces, 1000, 10'000'000);
     core::require_in_range("envelope.smoothing_passes", options.smoothing_passes, 0, 100);
 }
 
@@ -98,14 +96,19 @@ template <typename Scalar>
 TriangleMesh<Scalar> winding_envelope(const TriangleMesh<Scalar>& mesh, const EnvelopeOptions& options) {
     validate(options);
     constexpr int margin = 3;
-    const Scalar cell = detail::cell_size(mesh, options);
-    const Lattice<Scalar> lattice = lattice_around(mesh, cell, margin);
-    const SparseGrid<Scalar> distance = distance_band(mesh, lattice, cell);
-    const WindingTree<Scalar> tree(mesh);
-    LatticeShape<Scalar> shape;
-    shape.depth = [&](const LatticeNode& node) { return tree.winding_number(mesh, lattice.place(node)) - Scalar(0.5); };
-    shape.crossing = detail::crossing_by(distance, cell);
-    return smoothed(lattice_surface(lattice, detail::nodes_within(distance, cell), shape), options.smoothing_passes);
+    const TriangleMesh<Scalar> fine = detail::in_small_faces(mesh, detail::cell_size(mesh, options));
+    const WindingTree<Scalar> tree(fine);
+    return detail::with_few_faces(mesh, options, [&](Scalar cell) {
+        const Lattice<Scalar> lattice = lattice_around(mesh, cell, margin);
+        const SparseGrid<Scalar> distance = distance_band(mesh, lattice, cell);
+        LatticeShape<Scalar> shape;
+        shape.depth = [&](const LatticeNode& node) {
+            return tree.winding_number(fine, lattice.place(node)) - Scalar(0.5);
+        };
+        shape.crossing = detail::crossing_by(distance, cell);
+        return smoothed(lattice_surface(lattice, detail::nodes_within(distance, cell), shape),
+                        options.smoothing_passes);
+    });
 }
 
 namespace detail {
@@ -215,14 +218,17 @@ template <typename Scalar>
 TriangleMesh<Scalar> rolling_envelope(const TriangleMesh<Scalar>& mesh, const EnvelopeOptions& options) {
     validate(options);
     constexpr int margin = 6, radius_in_cells = 2;
-    const Scalar cell = detail::cell_size(mesh, options), radius = radius_in_cells * cell;
-    const Lattice<Scalar> lattice = lattice_around(mesh, cell, margin);
-    const SparseGrid<Scalar> distance = distance_band(mesh, lattice, radius + 2 * cell);
-    const detail::RollingBall<Scalar> ball(lattice, distance, radius, 2 * radius);
-    LatticeShape<Scalar> shape;
-    shape.depth = [&](const LatticeNode& node) { return ball.distance(node) - radius; };
-    shape.crossing = detail::crossing_by(distance, cell);
-    return smoothed(lattice_surface(lattice, detail::nodes_within(distance, radius), shape), options.smoothing_passes);
+    return detail::with_few_faces(mesh, options, [&](Scalar cell) {
+        const Scalar radius = radius_in_cells * cell;
+        const Lattice<Scalar> lattice = lattice_around(mesh, cell, margin);
+        const SparseGrid<Scalar> distance = distance_band(mesh, lattice, radius + 2 * cell);
+        const detail::RollingBall<Scalar> ball(lattice, distance, radius, 2 * radius);
+        LatticeShape<Scalar> shape;
+        shape.depth = [&](const LatticeNode& node) { return ball.distance(node) - radius; };
+        shape.crossing = detail::crossing_by(distance, cell);
+        return smoothed(lattice_surface(lattice, detail::nodes_within(distance, radius), shape),
+                        options.smoothing_passes);
+    });
 }
 
 } // namespace skelgen::surface

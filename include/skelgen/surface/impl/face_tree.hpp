@@ -42,15 +42,28 @@ struct PlaneQuery {
     }
 };
 
-/// The first face on a ray.
+/// The faces that a plane cuts near a place.
 template <typename Scalar>
-struct RayQuery {
-    const TriangleMesh<Scalar>& mesh;
-    Vector3<Scalar> place, direction;
-    typename FaceTree<Scalar>::Hit first;
+struct NearPlaneQuery {
+    PlaneQuery<Scalar> across;
+    Vector3<Scalar> place;
+    Scalar reach;
 
     [[nodiscard]] bool intersectVolume(const Box<Scalar>& box) const {
-        Scalar enter = 0, leave = first.distance;
+        constexpr Scalar rounded_up = 1 + 64 * std::numeric_limits<Scalar>::epsilon();
+        return box.squaredExteriorDistance(place) <= reach * reach * rounded_up && across.intersectVolume(box);
+    }
+    bool intersectObject(int face) { return across.intersectObject(face); }
+};
+
+/// What a ray meets.
+template <typename Scalar>
+struct Ray {
+    const TriangleMesh<Scalar>& mesh;
+    Vector3<Scalar> place, direction;
+
+    [[nodiscard]] bool meets(const Box<Scalar>& box, Scalar farthest) const {
+        Scalar enter = 0, leave = farthest;
         for (int k = 0; k < 3; ++k) {
             if (direction[k] == 0) {
                 if (place[k] < box.min()[k] || place[k] > box.max()[k]) return false;
@@ -63,7 +76,8 @@ struct RayQuery {
         return enter <= leave * (1 + 64 * std::numeric_limits<Scalar>::epsilon());
     }
 
-    bool intersectObject(int face) {
+    /// How far it is to a face; less than 0 where the ray misses it.
+    [[nodiscard]] Scalar distance_to(int face) const {
         const auto corner = [&](int k) { return core::point(mesh.vertices, mesh.faces(face, k)); };
         const Vector3<Scalar> a = corner(0) - place, b = corner(1) - place, c = corner(2) - place;
         // Volumes of the tetrahedra over the triangle's edges: of one sign where the ray's line passes it inside.
@@ -71,11 +85,37 @@ struct RayQuery {
         // Through a corner, the signs are rounding's: no ray must slip between the faces there.
         const Scalar la = a.norm(), lb = b.norm(), lc = c.norm();
         const Scalar none = 32 * std::numeric_limits<Scalar>::epsilon() * (la * lb + lb * lc + lc * la);
-        if (!((u >= -none && v >= -none && w >= -none) || (u <= none && v <= none && w <= none))) return false;
+        if (!((u >= -none && v >= -none && w >= -none) || (u <= none && v <= none && w <= none))) return -1;
         const Scalar sum = u + v + w;
-        if (sum == 0) return false;
-        const Scalar distance = direction.dot(u * a + v * b + w * c) / sum;
+        return sum == 0 ? Scalar(-1) : direction.dot(u * a + v * b + w * c) / sum;
+    }
+};
+
+/// The first face on a ray.
+template <typename Scalar>
+struct FirstAlong {
+    Ray<Scalar> ray;
+    typename FaceTree<Scalar>::Hit first;
+
+    [[nodiscard]] bool intersectVolume(const Box<Scalar>& box) const { return ray.meets(box, first.distance); }
+    bool intersectObject(int face) {
+        const Scalar distance = ray.distance_to(face);
         if (distance >= 0 && distance < first.distance) first = {face, distance};
+        return false;
+    }
+};
+
+/// All faces on a ray.
+template <typename Scalar>
+struct AllAlong {
+    Ray<Scalar> ray;
+    std::vector<int> found;
+
+    [[nodiscard]] bool intersectVolume(const Box<Scalar>& box) const {
+        return ray.meets(box, std::numeric_limits<Scalar>::max());
+    }
+    bool intersectObject(int face) {
+        if (ray.distance_to(face) >= 0) found.push_back(face);
         return false;
     }
 };
@@ -137,6 +177,15 @@ std::vector<int> FaceTree<Scalar>::faces_across(const TriangleMesh<Scalar>& mesh
 }
 
 template <typename Scalar>
+std::vector<int> FaceTree<Scalar>::faces_across(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& normal,
+                                                Scalar offset, const Vector3<Scalar>& place, Scalar reach) const {
+    detail::NearPlaneQuery<Scalar> query{{mesh, normal, offset, {}}, place, reach};
+    Eigen::BVIntersect(tree_, query);
+    std::sort(query.across.found.begin(), query.across.found.end());
+    return std::move(query.across.found);
+}
+
+template <typename Scalar>
 Scalar FaceTree<Scalar>::distance(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place) const {
     detail::DistanceQuery<Scalar> query{mesh, place};
     return mesh.faces.rows() == 0 ? std::numeric_limits<Scalar>::infinity() : Eigen::BVMinimize(tree_, query);
@@ -146,9 +195,18 @@ template <typename Scalar>
 typename FaceTree<Scalar>::Hit FaceTree<Scalar>::first_along(const TriangleMesh<Scalar>& mesh,
                                                              const Vector3<Scalar>& place,
                                                              const Vector3<Scalar>& direction) const {
-    detail::RayQuery<Scalar> query{mesh, place, direction, {}};
+    detail::FirstAlong<Scalar> query{{mesh, place, direction}, {}};
     Eigen::BVIntersect(tree_, query);
     return query.first;
+}
+
+template <typename Scalar>
+std::vector<int> FaceTree<Scalar>::faces_along(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place,
+                                               const Vector3<Scalar>& direction) const {
+    detail::AllAlong<Scalar> query{{mesh, place, direction}, {}};
+    Eigen::BVIntersect(tree_, query);
+    std::sort(query.found.begin(), query.found.end());
+    return std::move(query.found);
 }
 
 } // namespace skelgen::surface

@@ -14,16 +14,41 @@
 namespace skelgen::surface {
 namespace detail {
 
-inline constexpr int faces_in_winding_leaf = 8;
+inline constexpr int faces_in_winding_leaf = 4;
 
-/// Half the solid angle under which a place sees a face (OS83).
+/// A sum of angles, kept as the direction of a product of complex numbers and the whole turns that it has made: the
+/// inverse tangent is taken once in all.
 template <typename Scalar>
-Scalar half_solid_angle(const TriangleMesh<Scalar>& mesh, int f, const Vector3<Scalar>& place) {
+class AngleSum {
+public:
+    /// Adds the angle, from -pi to pi, of the direction (x, y); none where both are 0.
+    void add(Scalar x, Scalar y) {
+        const Scalar size = std::abs(x) + std::abs(y);
+        if (!(size > 0)) return;
+        const Scalar re = (x_ * x - y_ * y) / size, im = (x_ * y + y_ * x) / size;
+        if (y_ >= 0 && y >= 0 && im < 0) ++turns_;
+        if (y_ < 0 && y < 0 && (im > 0 || (im == 0 && re < 0))) --turns_;
+        x_ = re;
+        y_ = im;
+    }
+    [[nodiscard]] Scalar sum() const {
+        return std::atan2(y_, x_) + 2 * std::numbers::pi_v<Scalar> * static_cast<Scalar>(turns_);
+    }
+
+private:
+    Scalar x_ = 1, y_ = 0;
+    int turns_ = 0;
+};
+
+/// Adds half the solid angle under which a place sees a face (OS83).
+template <typename Scalar>
+void add_half_solid_angle(const TriangleMesh<Scalar>& mesh, int f, const Vector3<Scalar>& place,
+                          AngleSum<Scalar>& sum) {
     const Vector3<Scalar> a = core::point(mesh.vertices, mesh.faces(f, 0)) - place;
     const Vector3<Scalar> b = core::point(mesh.vertices, mesh.faces(f, 1)) - place;
     const Vector3<Scalar> c = core::point(mesh.vertices, mesh.faces(f, 2)) - place;
     const Scalar la = a.norm(), lb = b.norm(), lc = c.norm();
-    return std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    sum.add(la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb, a.dot(b.cross(c)));
 }
 
 } // namespace detail
@@ -89,7 +114,8 @@ template <typename Scalar>
 Scalar WindingTree<Scalar>::winding_number(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place) const {
     constexpr Scalar far = 2; // radii (BDSLJ18)
     if (nodes_.empty()) return 0;
-    Scalar angle = 0; // half of it
+    Scalar far_angle = 0; // half of what the expansions give
+    detail::AngleSum<Scalar> near_angle;
     std::array<int, 64> stack{};
     std::size_t depth = 0;
     stack[depth++] = 0;
@@ -100,16 +126,16 @@ Scalar WindingTree<Scalar>::winding_number(const TriangleMesh<Scalar>& mesh, con
         if (squared > far * far * node.radius * node.radius) {
             const Scalar distance = std::sqrt(squared), cubed = distance * squared;
             const Scalar first_order = node.moment.trace() - 3 * r.dot(node.moment * r) / squared;
-            angle += (node.area.dot(r) + first_order) / (2 * cubed);
+            far_angle += (node.area.dot(r) + first_order) / (2 * cubed);
         } else if (node.left >= 0) {
             stack[depth++] = node.left;
             stack[depth++] = node.right;
         } else {
             for (int i = node.first; i < node.last; ++i)
-                angle += detail::half_solid_angle(mesh, order_[static_cast<std::size_t>(i)], place);
+                detail::add_half_solid_angle(mesh, order_[static_cast<std::size_t>(i)], place, near_angle);
         }
     }
-    return angle / (2 * std::numbers::pi_v<Scalar>);
+    return (far_angle + near_angle.sum()) / (2 * std::numbers::pi_v<Scalar>);
 }
 
 } // namespace skelgen::surface
