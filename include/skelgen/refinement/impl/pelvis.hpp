@@ -9,6 +9,7 @@
 #include <skelgen/core/polyline.hpp>
 #include <skelgen/refinement/bone_line.hpp>
 #include <skelgen/refinement/centreline.hpp>
+#include <skelgen/refinement/profile_matcher.hpp>
 
 namespace skelgen::refinement {
 namespace detail {
@@ -113,12 +114,12 @@ Scalar facing(const Placement<Scalar>& placement, const Limb<Scalar>& leg, const
 }
 
 /// How far below `axis.place` along `up` the hips lie: what the fork and the lengths of the thighs together make
-/// likely (least squares). `to_hip`: from between the hips to that of the first leg.
+/// likely (least squares; the fork with a Cauchy weight). `to_hip`: from between the hips to that of the first leg.
 template <typename Scalar>
 Scalar hips_below(const Placement<Scalar>& placement, const std::vector<const Limb<Scalar>*>& legs,
                   const TrunkAxis<Scalar>& axis, const Vector3<Scalar>& up, const Vector3<Scalar>& to_hip,
                   const PelvisOptions& options) {
-    constexpr int rounds = 10; // of Gauss-Newton: it settles within five
+    constexpr int rounds = 10; // of Gauss-Newton, reweighted: it settles within them
     const Scalar thigh = placement.rest_distance(legs[0]->joints[0], legs[0]->joints[1]);
     const auto precision = [&](double deviation) {
         const Scalar length = static_cast<Scalar>(deviation) * thigh;
@@ -127,8 +128,10 @@ Scalar hips_below(const Placement<Scalar>& placement, const std::vector<const Li
     const Scalar by_fork = (axis.place - axis.fork).dot(up) - static_cast<Scalar>(options.hips_above_fork) * thigh;
     Scalar below = by_fork;
     for (int round = 0; round < rounds; ++round) {
-        Scalar gradient = precision(options.fork_deviation) * (below - by_fork);
-        Scalar curvature = precision(options.fork_deviation);
+        // Far from where the thighs' lengths put the hips, it is rather the hem of a coat than the fork of the legs.
+        const Scalar off = below - by_fork, fork = precision(options.fork_deviation);
+        const Scalar weight = fork / (1 + fork * off * off / static_cast<Scalar>(far_off));
+        Scalar gradient = weight * off, curvature = weight;
         for (const Limb<Scalar>* leg : legs) {
             const Vector3<Scalar> side = leg == legs.front() ? to_hip : Vector3<Scalar>(-to_hip);
             const Vector3<Scalar> bone = axis.place - below * up + side - placement.at(leg->joints[1]);
