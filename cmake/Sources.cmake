@@ -62,6 +62,7 @@ set(skelgen_core_headers
     include/skelgen/refinement/hip_anchor.hpp
     include/skelgen/refinement/limb_joints.hpp
     include/skelgen/refinement/limbs.hpp
+    include/skelgen/refinement/pelvis.hpp
     include/skelgen/refinement/placement.hpp
     include/skelgen/refinement/profile_matcher.hpp
     include/skelgen/refinement/refine.hpp
@@ -140,6 +141,7 @@ set(skelgen_core_definitions
     include/skelgen/refinement/impl/hip_anchor.hpp
     include/skelgen/refinement/impl/limb_joints.hpp
     include/skelgen/refinement/impl/limbs.hpp
+    include/skelgen/refinement/impl/pelvis.hpp
     include/skelgen/refinement/impl/placement.hpp
     include/skelgen/refinement/impl/profile_matcher.hpp
     include/skelgen/refinement/impl/refine.hpp

@@ -9,6 +9,7 @@
 #include <skelgen/refinement/impl/hip_anchor.hpp>
 #include <skelgen/refinement/impl/limb_joints.hpp>
 #include <skelgen/refinement/impl/limbs.hpp>
+#include <skelgen/refinement/impl/pelvis.hpp>
 #include <skelgen/refinement/impl/placement.hpp>
 #include <skelgen/refinement/impl/profile_matcher.hpp>
 #include <skelgen/refinement/impl/refine.hpp>
@@ -34,12 +35,12 @@ namespace skelgen::refinement {
                                     const CentrelineOptions&);                                                         \
     template std::vector<Limb<Scalar>> trace_limbs(const Slicer<Scalar>&, const std::vector<EndPoint<Scalar>>&,        \
                                                    const SkeletonTemplate&, Scalar, const CentrelineOptions&);         \
+    template Line<Scalar> principal_line(const std::vector<Vector3<Scalar>>&);                                         \
     template std::optional<Line<Scalar>> fit_bone(const Centreline<Scalar>&, Scalar, Scalar, const BoneLineOptions&);  \
     template std::optional<Line<Scalar>> fit_first_bone(const Limb<Scalar>&, const BoneLineOptions&);                  \
     template std::optional<Vector3<Scalar>> meeting_point(const Line<Scalar>&, const Line<Scalar>&);                   \
-    template std::vector<Limb<Scalar>> anchor_hips(std::vector<Limb<Scalar>>, const TriangleMesh<Scalar>&,             \
-                                                   const std::vector<EndPoint<Scalar>>&, const SkeletonTemplate&,      \
-                                                   Scalar, const BoneLineOptions&);                                    \
+    template std::vector<Limb<Scalar>> anchor_hips(std::vector<Limb<Scalar>>, const TrunkAxis<Scalar>&,                \
+                                                   const SkeletonTemplate&, Scalar, const BoneLineOptions&);           \
     template std::optional<HeadShape<Scalar>> measure_head(const Slicer<Scalar>&, const Vector3<Scalar>&,              \
                                                            const Vector3<Scalar>&, const HeadOptions&);                \
     template std::optional<TrunkShape<Scalar>> measure_trunk(const Slicer<Scalar>&, const Vector3<Scalar>&,            \
@@ -62,8 +63,11 @@ namespace skelgen::refinement {
     template Placement<Scalar> place_girdle(Placement<Scalar>, const Limb<Scalar>&, const GirdleOptions&,              \
                                             const BoneLineOptions&);                                                   \
     template Placement<Scalar> narrow_hips(Placement<Scalar>, const std::vector<Limb<Scalar>>&);                       \
+    template std::optional<TrunkAxis<Scalar>> find_trunk_axis(const Slicer<Scalar>&, const Points<Scalar>&, Scalar);   \
+    template std::optional<Placement<Scalar>> place_pelvis(Placement<Scalar>, const std::vector<Limb<Scalar>>&,        \
+                                                           const TrunkAxis<Scalar>&, const PelvisOptions&);            \
     template Placement<Scalar> place_trunk(Placement<Scalar>, const std::vector<Limb<Scalar>>&, const Slicer<Scalar>&, \
-                                           const Vector3<Scalar>&, const TrunkOptions&);                               \
+                                           const Vector3<Scalar>&, bool, const TrunkOptions&);                         \
     template Placement<Scalar> raise_crotch(Placement<Scalar>, const std::vector<Limb<Scalar>>&,                       \
                                             const TriangleMesh<Scalar>&, const CrotchOptions&);                        \
     template RefinedJoints<Scalar> refine(const Body<Scalar>&, const std::vector<EndPoint<Scalar>>&,                   \

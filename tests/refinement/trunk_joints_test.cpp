@@ -81,8 +81,8 @@ TEMPLATE_TEST_CASE("the trunk's joints lie between hips and neck as at rest, the
                                    leg<TestType>(Side::right, Vec3(-0.04, 0, 0.5), direction)};
             auto placement = with_legs(human, static_cast<TestType>(1 / unit), legs);
             placement.put(joint_of(neck), Vec3(0.03, 0, 1.5).cast<TestType>());
-            const auto placed =
-                place_trunk(std::move(placement), legs, slicer, Vector3<TestType>(Vector3<TestType>::Zero()), {0.06});
+            const auto placed = place_trunk(std::move(placement), legs, slicer,
+                                            Vector3<TestType>(Vector3<TestType>::Zero()), false, {0.06});
             const auto at_rest = [](double height) { return (height - 0.87) / (1.492 - 0.87); };
             INFO("unit " << unit << ", flexed by " << degrees);
             CHECK((placed.at(joint_of(pelvis)) - Vec3(0.03, 0, 0.5 + at_rest(0.953)).cast<TestType>()).norm() <

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/core/options.hpp>
@@ -31,6 +32,10 @@ struct Line {
 /// other bone, too, or the trunk's. A working value, not a measured one.
 template <typename Scalar>
 inline constexpr Scalar joint_part = Scalar(0.15);
+
+/// Least squares line through two points or more, pointing from the first towards the last one. O(k).
+template <typename Scalar>
+[[nodiscard]] Line<Scalar> principal_line(const std::vector<Vector3<Scalar>>& points);
 
 /// The line through the centres of the cylindrical sections of `centreline` between arc lengths `from` < `to`, pointing
 /// towards larger arc length; none with fewer than three of them. Sections that do not lie with the others, as those

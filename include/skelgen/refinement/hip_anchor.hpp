@@ -5,18 +5,17 @@
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/core/skeleton_template.hpp>
 #include <skelgen/refinement/bone_line.hpp>
-#include <skelgen/refinement/end_points.hpp>
 #include <skelgen/refinement/limbs.hpp>
+#include <skelgen/refinement/pelvis.hpp>
 
 namespace skelgen::refinement {
 
 /// The limbs with `top_by_trunk` and `top_deviation` of the two legs set: the pelvis is one bone, and its hips lie at
-/// the same height above where the legs part in everybody, however the legs are held. `ends` are the limbs' in the same
-/// order; `scale`: rest-pose length to body length. Left unset where there are no two legs and a head, or a leg shows
-/// too little of its thigh. O(m).
+/// the same height above where the legs part in everybody, however the legs are held. `axis`: the lower trunk's;
+/// `scale`: rest-pose length to body length. Left unset where there are no two legs, or a leg shows too little of its
+/// thigh. O(limbs).
 template <typename Scalar>
-[[nodiscard]] std::vector<Limb<Scalar>> anchor_hips(std::vector<Limb<Scalar>> limbs, const TriangleMesh<Scalar>& mesh,
-                                                    const std::vector<EndPoint<Scalar>>& ends,
+[[nodiscard]] std::vector<Limb<Scalar>> anchor_hips(std::vector<Limb<Scalar>> limbs, const TrunkAxis<Scalar>& axis,
                                                     const SkeletonTemplate& skeleton_template, Scalar scale,
                                                     const BoneLineOptions& options = {});
 

@@ -13,6 +13,7 @@
 #include <skelgen/refinement/end_points.hpp>
 #include <skelgen/refinement/head.hpp>
 #include <skelgen/refinement/limb_joints.hpp>
+#include <skelgen/refinement/pelvis.hpp>
 #include <skelgen/refinement/thickness_profile.hpp>
 #include <skelgen/refinement/trunk_joints.hpp>
 #include <skelgen/refinement/trunk_shape.hpp>
@@ -31,6 +32,7 @@ struct RefinementOptions {
     WristOptions wrist;
     BendOptions bend;
     GirdleOptions girdle;
+    PelvisOptions pelvis;
     TrunkOptions trunk;
     CrotchOptions crotch;
 };
@@ -46,6 +48,7 @@ inline void validate(const RefinementOptions& options) {
     validate(options.wrist);
     validate(options.bend);
     validate(options.girdle);
+    validate(options.pelvis);
     validate(options.trunk);
     validate(options.crotch);
 }

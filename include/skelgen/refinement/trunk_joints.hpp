@@ -38,11 +38,12 @@ template <typename Scalar>
 
 /// Trunk: from the middle of the hips to the neck (or else to the middle of the shoulders, or else to `junction`, where
 /// the curve's arms branch off), joints at their rest-pose heights; the waist in the centre of its section, and the
-/// nearer to the hips the more they are flexed. Hips must have been placed, and neck and shoulders if there are any.
+/// nearer to the hips the more they are flexed. Hips must have been placed, and neck and shoulders if there are any;
+/// with `has_root` the root, too, which then stays where it is.
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_trunk(Placement<Scalar> placement, const std::vector<Limb<Scalar>>& limbs,
                                             const Slicer<Scalar>& slicer, const Vector3<Scalar>& junction,
-                                            const TrunkOptions& options = {});
+                                            bool has_root = false, const TrunkOptions& options = {});
 
 /// Crotch: nearer to the surface than a thigh is thick, it lies too low and moves towards the waist (LF20 section
 /// 3.2.2), no farther than to the middle of that bone. O(n).

@@ -29,19 +29,6 @@ Scalar squared_distance_to(const Line<Scalar>& line, const Vector3<Scalar>& p) {
     return (p - line.point).cross(line.direction).squaredNorm();
 }
 
-/// Least squares line through points.
-template <typename Scalar>
-Line<Scalar> principal_line(const std::vector<Vector3<Scalar>>& points) {
-    Line<Scalar> line{Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero()};
-    for (const auto& p : points) line.point += p;
-    line.point /= static_cast<Scalar>(points.size());
-    Eigen::Matrix3<Scalar> covariance = Eigen::Matrix3<Scalar>::Zero();
-    for (const auto& p : points) core::add_outer_product<Scalar>(covariance, 1, p - line.point);
-    line.direction = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3<Scalar>>(covariance).eigenvectors().col(2);
-    if (line.direction.dot(points.back() - points.front()) < 0) line.direction = -line.direction;
-    return line;
-}
-
 /// Those of the points that lie near the line through two of them that most points are near (MSAC, TZ00, over all
 /// pairs).
 template <typename Scalar>
@@ -69,6 +56,18 @@ std::vector<Vector3<Scalar>> points_in_line(const std::vector<Vector3<Scalar>>& 
 } // namespace detail
 
 template <typename Scalar>
+Line<Scalar> principal_line(const std::vector<Vector3<Scalar>>& points) {
+    Line<Scalar> line{Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero()};
+    for (const auto& p : points) line.point += p;
+    line.point /= static_cast<Scalar>(points.size());
+    Eigen::Matrix3<Scalar> covariance = Eigen::Matrix3<Scalar>::Zero();
+    for (const auto& p : points) core::add_outer_product<Scalar>(covariance, 1, p - line.point);
+    line.direction = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3<Scalar>>(covariance).eigenvectors().col(2);
+    if (line.direction.dot(points.back() - points.front()) < 0) line.direction = -line.direction;
+    return line;
+}
+
+template <typename Scalar>
 std::optional<Line<Scalar>> fit_bone(const Centreline<Scalar>& centreline, Scalar from, Scalar to,
                                      const BoneLineOptions& options) {
     const auto flatness = static_cast<Scalar>(options.flatness);
@@ -85,7 +84,7 @@ std::optional<Line<Scalar>> fit_bone(const Centreline<Scalar>& centreline, Scala
     std::nth_element(thickness.begin(), middle, thickness.end());
     const auto near = detail::points_in_line(points, detail::inlier_distance<Scalar> * *middle);
     if (near.size() < 3) return std::nullopt;
-    return detail::principal_line(near);
+    return principal_line(near);
 }
 
 template <typename Scalar>

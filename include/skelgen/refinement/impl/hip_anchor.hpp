@@ -8,7 +8,6 @@
 #include <utility>
 
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/refinement/fork.hpp>
 
 namespace skelgen::refinement {
 namespace detail {
@@ -57,28 +56,22 @@ Limb<Scalar> with_top(Limb<Scalar> limb, const Vector3<Scalar>& place, const Vec
 } // namespace detail
 
 template <typename Scalar>
-std::vector<Limb<Scalar>> anchor_hips(std::vector<Limb<Scalar>> limbs, const TriangleMesh<Scalar>& mesh,
-                                      const std::vector<EndPoint<Scalar>>& ends,
+std::vector<Limb<Scalar>> anchor_hips(std::vector<Limb<Scalar>> limbs, const TrunkAxis<Scalar>& axis,
                                       const SkeletonTemplate& skeleton_template, Scalar scale,
                                       const BoneLineOptions& options) {
     std::vector<std::size_t> legs;
-    std::optional<Vector3<Scalar>> neck;
     Scalar thigh = 0;
     for (std::size_t i = 0; i < limbs.size(); ++i) {
         const std::vector<int>& joints = limbs[i].joints;
-        const JointRole end = skeleton_template.joint(joints.back()).role;
-        if (end == JointRole::head) neck = point_on(limbs[i], arc_of(limbs[i], 0));
-        if (end != JointRole::foot || joints.size() < 2) continue;
+        if (skeleton_template.joint(joints.back()).role != JointRole::foot || joints.size() < 2) continue;
         if (skeleton_template.joint(joints[0]).role != JointRole::hip) continue;
         legs.push_back(i);
         thigh = scale * static_cast<Scalar>(rest_length(skeleton_template, joints[0], joints[1]));
     }
-    if (legs.size() != 2 || !neck) return limbs;
-    const auto fork = fork_between(mesh, ends[legs[0]], ends[legs[1]]);
-    if (!fork) return limbs;
-    const Vector3<Scalar> up = (*neck - *fork).normalized();
-    const Vector3<Scalar> hips = *fork + detail::hips_above_fork<Scalar> * thigh * up;
-    for (const std::size_t leg : legs) limbs[leg] = detail::with_top(std::move(limbs[leg]), hips, up, options);
+    if (legs.size() != 2) return limbs;
+    const Scalar below = (axis.place - axis.fork).dot(axis.up) - detail::hips_above_fork<Scalar> * thigh;
+    const Vector3<Scalar> hips = axis.place - below * axis.up;
+    for (const std::size_t leg : legs) limbs[leg] = detail::with_top(std::move(limbs[leg]), hips, axis.up, options);
     std::optional<Scalar>&one = limbs[legs[0]].top_by_trunk, &other = limbs[legs[1]].top_by_trunk;
     if (one && other && std::abs(std::log(*one / *other)) > detail::unlike_other<Scalar>) one = other = std::nullopt;
     return limbs;

@@ -2,11 +2,14 @@
 
 #include <skelgen/refinement/refine.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/refinement/cross_section.hpp>
+#include <skelgen/refinement/fork.hpp>
 #include <skelgen/refinement/hip_anchor.hpp>
 #include <skelgen/refinement/limbs.hpp>
 #include <skelgen/refinement/placement.hpp>
@@ -37,29 +40,62 @@ Limb<Scalar> with_fitting_head(Limb<Scalar> limb, const Slicer<Scalar>& slicer, 
     return draw_limb(std::move(limb), slicer, end, options.centreline);
 }
 
-/// The limbs of a body, and rest-pose length to body length.
+/// The axis of the lower trunk; none without two legs and a head.
+template <typename Scalar>
+std::optional<TrunkAxis<Scalar>>
+trunk_axis_of(const std::vector<Limb<Scalar>>& limbs, const std::vector<EndPoint<Scalar>>& ends,
+              const Slicer<Scalar>& slicer, const CurveSkeleton<Scalar>& curve, const embedding::Embedding& embedding,
+              const SkeletonTemplate& skeleton_template, Scalar scale) {
+    std::vector<std::size_t> legs;
+    std::optional<Vector3<Scalar>> neck;
+    Scalar thigh = 0;
+    for (std::size_t i = 0; i < limbs.size(); ++i) {
+        if (is_head(limbs[i], skeleton_template)) neck = point_on(limbs[i], arc_of(limbs[i], 0));
+        const std::vector<int>& joints = limbs[i].joints;
+        if (skeleton_template.joint(joints.front()).role != JointRole::hip || joints.size() < 2) continue;
+        legs.push_back(i);
+        thigh = scale * static_cast<Scalar>(rest_length(skeleton_template, joints[0], joints[1]));
+    }
+    if (legs.size() != 2 || !neck) return std::nullopt;
+    const auto fork = fork_between(slicer.mesh(), ends[legs[0]], ends[legs[1]]);
+    if (!fork) return std::nullopt;
+    const int chest = find_joint(skeleton_template, JointRole::chest);
+    const auto trunk = std::find_if(embedding.chains.begin(), embedding.chains.end(),
+                                    [&](const embedding::Chain& chain) { return chain.joints.back() == chest; });
+    if (trunk == embedding.chains.end()) return std::nullopt;
+    Points<Scalar> line(static_cast<Eigen::Index>(trunk->nodes.size()) + 2, 3);
+    line.row(0) = fork->transpose();
+    for (std::size_t i = 0; i < trunk->nodes.size(); ++i)
+        line.row(static_cast<Eigen::Index>(i) + 1) = curve.nodes.row(trunk->nodes[i]);
+    line.row(line.rows() - 1) = neck->transpose();
+    return find_trunk_axis(slicer, line, thigh);
+}
+
+/// The limbs of a body, rest-pose length to body length, and the axis of the lower trunk, if that can be seen.
 template <typename Scalar>
 struct ScaledLimbs {
     std::vector<Limb<Scalar>> limbs;
     Scalar scale;
+    std::optional<TrunkAxis<Scalar>> axis;
 };
 
 /// Limbs traced, and their joints where the thickness of arms and legs and the size of the head say they are. The bones
 /// measured tell the body's scale better than its geodesic diameter does, which changes with the pose.
 template <typename Scalar>
 ScaledLimbs<Scalar> find_limbs(const Slicer<Scalar>& slicer, const std::vector<EndPoint<Scalar>>& ends,
+                               const CurveSkeleton<Scalar>& curve, const embedding::Embedding& embedding,
                                const SkeletonTemplate& skeleton_template, const RefinementOptions& options) {
     const Scalar scale = template_scale(skeleton_template, geodesic_diameter(ends));
-    auto [limbs, ratio] =
-        match_thickness_profiles(anchor_hips(trace_limbs(slicer, ends, skeleton_template, scale, options.centreline),
-                                             slicer.mesh(), ends, skeleton_template, scale, options.bone_line),
-                                 skeleton_template, options.thickness_profile);
+    std::vector<Limb<Scalar>> traced = trace_limbs(slicer, ends, skeleton_template, scale, options.centreline);
+    const auto axis = trunk_axis_of(traced, ends, slicer, curve, embedding, skeleton_template, scale);
+    if (axis) traced = anchor_hips(std::move(traced), *axis, skeleton_template, scale, options.bone_line);
+    auto [limbs, ratio] = match_thickness_profiles(std::move(traced), skeleton_template, options.thickness_profile);
     for (std::size_t i = 0; i < limbs.size(); ++i) {
         if (!is_head(limbs[i], skeleton_template)) continue;
         for (Scalar& from_tip : limbs[i].from_tip) from_tip *= ratio;
         limbs[i] = with_fitting_head(std::move(limbs[i]), slicer, ends[i], options);
     }
-    return {std::move(limbs), ratio * scale};
+    return {std::move(limbs), ratio * scale, axis};
 }
 
 template <typename Scalar>
@@ -79,7 +115,7 @@ RefinedJoints<Scalar> refine(const Body<Scalar>& body, const std::vector<EndPoin
                              const SkeletonTemplate& skeleton_template, const RefinementOptions& options) {
     validate(options);
     const Slicer<Scalar> slicer(body);
-    const auto [limbs, scale] = detail::find_limbs(slicer, ends, skeleton_template, options);
+    const auto [limbs, scale, axis] = detail::find_limbs(slicer, ends, curve, embedding, skeleton_template, options);
     Placement<Scalar> placement(skeleton_template, scale);
     RefinedJoints<Scalar> out;
     for (const Limb<Scalar>& limb : limbs) {
@@ -93,8 +129,12 @@ RefinedJoints<Scalar> refine(const Body<Scalar>& body, const std::vector<EndPoin
     for (const Limb<Scalar>& limb : limbs)
         placement = place_girdle(std::move(placement), limb, options.girdle, options.bone_line);
     placement = narrow_hips(std::move(placement), limbs);
+    const auto with_pelvis =
+        axis ? place_pelvis(placement, limbs, *axis, options.pelvis) : std::optional<Placement<Scalar>>();
+    if (with_pelvis) placement = *with_pelvis;
     const int junction = embedding.node_of_joint[static_cast<std::size_t>(placement.find(JointRole::chest))];
-    placement = place_trunk(std::move(placement), limbs, slicer, core::point(curve.nodes, junction), options.trunk);
+    placement = place_trunk(std::move(placement), limbs, slicer, core::point(curve.nodes, junction),
+                            with_pelvis.has_value(), options.trunk);
     placement = raise_crotch(std::move(placement), limbs, body.mesh, options.crotch);
 
     out.positions = placement.positions();

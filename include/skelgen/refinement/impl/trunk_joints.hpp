@@ -89,7 +89,7 @@ Placement<Scalar> narrow_hips(Placement<Scalar> placement, const std::vector<Lim
 
 template <typename Scalar>
 Placement<Scalar> place_trunk(Placement<Scalar> placement, const std::vector<Limb<Scalar>>& limbs,
-                              const Slicer<Scalar>& slicer, const Vector3<Scalar>& junction,
+                              const Slicer<Scalar>& slicer, const Vector3<Scalar>& junction, bool has_root,
                               const TrunkOptions& options) {
     using enum JointRole;
     const std::vector<TemplateJoint>& joints = placement.skeleton_template().joints;
@@ -103,7 +103,7 @@ Placement<Scalar> place_trunk(Placement<Scalar> placement, const std::vector<Lim
     const double rest_high = placement.skeleton_template().joint(top).position.y();
     for (int j = 0; j < static_cast<int>(joints.size()); ++j) {
         const JointRole role = placement.role(j);
-        if (j == top || (role != pelvis && role != waist && role != chest)) continue;
+        if (j == top || (role != pelvis && role != waist && role != chest) || (role == pelvis && has_root)) continue;
         const double rest = placement.skeleton_template().joint(j).position.y();
         auto height = static_cast<Scalar>((rest - rest_low) / (rest_high - rest_low));
         if (role == waist) height -= static_cast<Scalar>(options.waist_lowering) * flexion;
