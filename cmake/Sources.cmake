@@ -9,6 +9,11 @@ set(skelgen_core_headers
     include/skelgen/anatomy/inside.hpp
     include/skelgen/anatomy/joint_offsets.hpp
     include/skelgen/anatomy/radii.hpp
+    include/skelgen/applications/alignment.hpp
+    include/skelgen/applications/body_coordinates.hpp
+    include/skelgen/applications/canonical_frame.hpp
+    include/skelgen/applications/measurement.hpp
+    include/skelgen/applications/segmentation.hpp
     include/skelgen/core/adjacency.hpp
     include/skelgen/core/builtin_templates.hpp
     include/skelgen/core/curve_graph.hpp
@@ -99,6 +104,10 @@ set(skelgen_core_definitions
     include/skelgen/anatomy/impl/inside.hpp
     include/skelgen/anatomy/impl/joint_offsets.hpp
     include/skelgen/anatomy/impl/radii.hpp
+    include/skelgen/applications/impl/alignment.hpp
+    include/skelgen/applications/impl/body_coordinates.hpp
+    include/skelgen/applications/impl/measurement.hpp
+    include/skelgen/applications/impl/segmentation.hpp
     include/skelgen/core/impl/builtin_templates.hpp
     include/skelgen/core/impl/curve_graph.hpp
     include/skelgen/core/impl/geodesics.hpp
@@ -170,15 +179,19 @@ set(skelgen_io_headers
     include/skelgen/io/atomic_file.hpp
     include/skelgen/io/axis_json.hpp
     include/skelgen/io/cgal_adaptor.hpp
+    include/skelgen/io/coloured_ply.hpp
     include/skelgen/io/curve_formats.hpp
     include/skelgen/io/half_edge_mesh.hpp
+    include/skelgen/io/measurements_text.hpp
     include/skelgen/io/mesh_format.hpp
     include/skelgen/io/openmesh_adaptor.hpp
     include/skelgen/io/polygon_mesh.hpp
     include/skelgen/io/read_file.hpp
     include/skelgen/io/read_mesh.hpp
+    include/skelgen/io/segmentation_json.hpp
     include/skelgen/io/skeleton_json.hpp
     include/skelgen/io/template_json.hpp
+    include/skelgen/io/transform_json.hpp
     include/skelgen/io/truth_json.hpp
     include/skelgen/io/write_mesh.hpp
     include/skelgen/skelgen.hpp
@@ -214,6 +227,7 @@ set(skelgen_synth_headers
 
 set(skelgen_sources
     src/instantiate/anatomy.cpp
+    src/instantiate/applications_parts.cpp
     src/instantiate/core.cpp
     src/instantiate/curve.cpp
     src/instantiate/embedding.cpp
@@ -224,6 +238,7 @@ set(skelgen_sources
     src/io/animation_choice.cpp
     src/io/atomic_file.cpp
     src/io/axis_json.cpp
+    src/io/coloured_ply.cpp
     src/io/companion_file.cpp
     src/io/curve_formats.cpp
     src/io/curve_json.cpp
@@ -242,6 +257,7 @@ set(skelgen_sources
     src/io/gltf_value.cpp
     src/io/json_values.cpp
     src/io/leftovers.cpp
+    src/io/measurements_text.cpp
     src/io/mesh_format.cpp
     src/io/obj_parser.cpp
     src/io/off_parser.cpp
@@ -252,11 +268,13 @@ set(skelgen_sources
     src/io/read_file.cpp
     src/io/read_mesh.cpp
     src/io/scene_pose.cpp
+    src/io/segmentation_json.cpp
     src/io/separate_process.cpp
     src/io/skeleton_json.cpp
     src/io/stl_parser.cpp
     src/io/template_json.cpp
     src/io/temporary_name.cpp
+    src/io/transform_json.cpp
     src/io/truth_json.cpp
     src/io/write_mesh.cpp
 )
@@ -322,6 +340,7 @@ set(skelgen_synth_sources
 
 # Relative to apps/skelgen.
 set(skelgen_cli_sources
+    align.cpp
     batch.cpp
     batch_inputs.cpp
     batch_summary.cpp
@@ -331,9 +350,12 @@ set(skelgen_cli_sources
     extract.cpp
     extract_file.cpp
     fingerprint.cpp
+    fitted_inputs.cpp
     main.cpp
+    measure.cpp
     mesh_input.cpp
     progress_bar.cpp
+    segment.cpp
     stages.cpp
     worker_pool.cpp
 )
