@@ -9,6 +9,14 @@ set(skelgen_core_headers
     include/skelgen/anatomy/inside.hpp
     include/skelgen/anatomy/joint_offsets.hpp
     include/skelgen/anatomy/radii.hpp
+    include/skelgen/applications/bind.hpp
+    include/skelgen/applications/bone_orientations.hpp
+    include/skelgen/applications/bones.hpp
+    include/skelgen/applications/canonical_frame.hpp
+    include/skelgen/applications/heat_weights.hpp
+    include/skelgen/applications/posing.hpp
+    include/skelgen/applications/rig.hpp
+    include/skelgen/applications/skinning.hpp
     include/skelgen/core/adjacency.hpp
     include/skelgen/core/builtin_templates.hpp
     include/skelgen/core/curve_graph.hpp
@@ -99,6 +107,13 @@ set(skelgen_core_definitions
     include/skelgen/anatomy/impl/inside.hpp
     include/skelgen/anatomy/impl/joint_offsets.hpp
     include/skelgen/anatomy/impl/radii.hpp
+    include/skelgen/applications/impl/bind.hpp
+    include/skelgen/applications/impl/bone_orientations.hpp
+    include/skelgen/applications/impl/bones.hpp
+    include/skelgen/applications/impl/heat_weights.hpp
+    include/skelgen/applications/impl/posing.hpp
+    include/skelgen/applications/impl/rig.hpp
+    include/skelgen/applications/impl/skinning.hpp
     include/skelgen/core/impl/builtin_templates.hpp
     include/skelgen/core/impl/curve_graph.hpp
     include/skelgen/core/impl/geodesics.hpp
@@ -177,6 +192,7 @@ set(skelgen_io_headers
     include/skelgen/io/polygon_mesh.hpp
     include/skelgen/io/read_file.hpp
     include/skelgen/io/read_mesh.hpp
+    include/skelgen/io/rig_formats.hpp
     include/skelgen/io/skeleton_json.hpp
     include/skelgen/io/template_json.hpp
     include/skelgen/io/truth_json.hpp
@@ -219,6 +235,7 @@ set(skelgen_sources
     src/instantiate/embedding.cpp
     src/instantiate/extract.cpp
     src/instantiate/refinement.cpp
+    src/instantiate/rigging.cpp
     src/instantiate/surface.cpp
     src/instantiate/symmetry.cpp
     src/io/animation_choice.cpp
@@ -231,8 +248,10 @@ set(skelgen_sources
     src/io/curve_ply.cpp
     src/io/curve_swc.cpp
     src/io/data_uri.cpp
+    src/io/glb_container.cpp
     src/io/glb_writer.cpp
     src/io/gltf_animation.cpp
+    src/io/gltf_buffer.cpp
     src/io/gltf_component.cpp
     src/io/gltf_data.cpp
     src/io/gltf_file.cpp
@@ -240,6 +259,7 @@ set(skelgen_sources
     src/io/gltf_parser.cpp
     src/io/gltf_primitive.cpp
     src/io/gltf_value.cpp
+    src/io/joint_names.cpp
     src/io/json_values.cpp
     src/io/leftovers.cpp
     src/io/mesh_format.cpp
@@ -251,8 +271,11 @@ set(skelgen_sources
     src/io/polygon_mesh.cpp
     src/io/read_file.cpp
     src/io/read_mesh.cpp
+    src/io/rig_formats.cpp
+    src/io/rig_scene.cpp
     src/io/scene_pose.cpp
     src/io/separate_process.cpp
+    src/io/shading_normals.cpp
     src/io/skeleton_json.cpp
     src/io/stl_parser.cpp
     src/io/template_json.cpp
@@ -334,6 +357,7 @@ set(skelgen_cli_sources
     main.cpp
     mesh_input.cpp
     progress_bar.cpp
+    rig.cpp
     stages.cpp
     worker_pool.cpp
 )
