@@ -193,6 +193,7 @@ set(skelgen_io_headers
     include/skelgen/io/read_file.hpp
     include/skelgen/io/read_mesh.hpp
     include/skelgen/io/rig_formats.hpp
+    include/skelgen/io/scene_looks.hpp
     include/skelgen/io/skeleton_json.hpp
     include/skelgen/io/template_json.hpp
     include/skelgen/io/truth_json.hpp
@@ -255,6 +256,7 @@ set(skelgen_sources
     src/io/gltf_component.cpp
     src/io/gltf_data.cpp
     src/io/gltf_file.cpp
+    src/io/gltf_looks.cpp
     src/io/gltf_nodes.cpp
     src/io/gltf_parser.cpp
     src/io/gltf_primitive.cpp

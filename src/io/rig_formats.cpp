@@ -101,16 +101,16 @@ private:
 
 } // namespace
 
-std::string rig_to_glb(const Rig<double>& rig, JointNames names) {
-    return detail::format_scene(detail::make_rig_scene(rig, names_of(rig.joints, names)));
+std::string rig_to_glb(const Rig<double>& rig, JointNames names, const SceneLooks& looks) {
+    return detail::format_scene(detail::make_rig_scene(rig, names_of(rig.joints, names), looks));
 }
 
-std::string rig_to_vrm(const Rig<double>& rig, const std::string& name) {
+std::string rig_to_vrm(const Rig<double>& rig, const std::string& name, const SceneLooks& looks) {
     if (rig.rest != applications::RestPose::t_pose) refuse("VRM's rest pose is the T-pose; make the rig in that");
     if (name.empty()) refuse("VRM asks for a name of the avatar");
     const std::vector<std::string> names = names_of(rig.joints, JointNames::vrm);
-    detail::RigScene scene = detail::make_rig_scene(rig, names);
-    scene.json["extensionsUsed"] = {"VRMC_vrm"};
+    detail::RigScene scene = detail::make_rig_scene(rig, names, looks);
+    scene.json["extensionsUsed"].push_back("VRMC_vrm");
     scene.json["extensions"]["VRMC_vrm"] = {
         {"specVersion", "1.0"},
         {"meta",
@@ -131,14 +131,14 @@ std::optional<RigFormat> rig_format_of(const std::filesystem::path& path) {
     return static_cast<RigFormat>(*found);
 }
 
-void write_rig(const std::filesystem::path& path, const Rig<double>& rig, JointNames names) {
+void write_rig(const std::filesystem::path& path, const Rig<double>& rig, JointNames names, const SceneLooks& looks) {
     const std::optional<RigFormat> format = rig_format_of(path);
     if (!format) refuse("its name must end in .glb, .vrm or .bvh");
     switch (*format) {
     case RigFormat::glb:
-        return write_file_atomically(path, rig_to_glb(rig, names));
+        return write_file_atomically(path, rig_to_glb(rig, names, looks));
     case RigFormat::vrm:
-        return write_file_atomically(path, rig_to_vrm(rig, path.stem().string()));
+        return write_file_atomically(path, rig_to_vrm(rig, path.stem().string(), looks));
     case RigFormat::bvh:
         return write_file_atomically(path, rig_to_bvh(rig, names));
     }

@@ -1,6 +1,9 @@
 #include "rig_scene.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <utility>
 
 #include <skelgen/core/error.hpp>
@@ -53,27 +56,86 @@ FloatRows float_weights(const applications::Skin<double>& skin) {
     return weights;
 }
 
-Json describe_attributes(GltfBuffer& buffer, const Rig<double>& rig) {
-    const FloatRows positions = rig.mesh.vertices.cast<float>();
-    if (!positions.allFinite()) refuse("a coordinate is too large for a float; scale the mesh down");
-    const FloatRows normals = shading_normals(rig.mesh).cast<float>().rowwise().normalized();
-    const std::vector<std::uint16_t> joints(rig.skin.joints.data(), rig.skin.joints.data() + rig.skin.joints.size());
+/// What every vertex of a rig has, as floats.
+struct VertexRows {
+    FloatRows positions, normals, weights;
+    Eigen::Matrix<std::uint16_t, Eigen::Dynamic, 4, Eigen::RowMajor> joints;
+
+    explicit VertexRows(const Rig<double>& rig)
+        : positions(rig.mesh.vertices.cast<float>()),
+          normals(shading_normals(rig.mesh).cast<float>().rowwise().normalized()), weights(float_weights(rig.skin)),
+          joints(rig.skin.joints.cast<std::uint16_t>()) {
+        if (!positions.allFinite()) refuse("a coordinate is too large for a float; scale the mesh down");
+    }
+};
+
+Json describe_attributes(GltfBuffer& buffer, const VertexRows& rows, const ScenePart& part) {
+    const auto of_part = [&](const FloatRows& all) { return all.middleRows(part.first_vertex, part.vertices); };
     Json attributes;
-    attributes["POSITION"] = buffer.add_floats(positions, GltfTarget::vertices, true);
-    attributes["NORMAL"] = buffer.add_floats(normals, GltfTarget::vertices);
-    attributes["JOINTS_0"] = buffer.add_joints(joints);
-    attributes["WEIGHTS_0"] = buffer.add_floats(float_weights(rig.skin), GltfTarget::vertices);
+    attributes["POSITION"] = buffer.add_floats(of_part(rows.positions), GltfTarget::vertices, true);
+    attributes["NORMAL"] = buffer.add_floats(of_part(rows.normals), GltfTarget::vertices);
+    attributes["JOINTS_0"] = buffer.add_joints(
+        {rows.joints.data() + 4 * part.first_vertex, static_cast<std::size_t>(4 * part.vertices)});
+    attributes["WEIGHTS_0"] = buffer.add_floats(of_part(rows.weights), GltfTarget::vertices);
     return attributes;
+}
+
+/// One primitive for each part that has faces; those of the same vertices share them.
+Json describe_primitives(GltfBuffer& buffer, const Rig<double>& rig, const std::vector<ScenePart>& parts) {
+    const VertexRows rows(rig);
+    std::map<Eigen::Index, Json> attributes_from; // by the first vertex
+    Json primitives = Json::array();
+    for (const ScenePart& part : parts) {
+        if (part.faces == 0) continue;
+        auto known = attributes_from.find(part.first_vertex);
+        if (known == attributes_from.end())
+            known = attributes_from.emplace(part.first_vertex, describe_attributes(buffer, rows, part)).first;
+        Json attributes = known->second;
+        for (std::size_t set = 0; set < part.texture_coordinates.size(); ++set)
+            attributes["TEXCOORD_" + std::to_string(set)] =
+                buffer.add_floats(part.texture_coordinates[set], GltfTarget::vertices);
+        std::vector<std::uint32_t> corners;
+        for (const int corner : rig.mesh.faces.middleRows(part.first_face, part.faces).reshaped<Eigen::RowMajor>())
+            corners.push_back(static_cast<std::uint32_t>(corner - part.first_vertex));
+        Json primitive{{"attributes", std::move(attributes)}, {"indices", buffer.add_indices(corners)}};
+        if (part.material) primitive["material"] = *part.material;
+        primitives.push_back(std::move(primitive));
+    }
+    return primitives;
+}
+
+/// The parts, which must be of this mesh: all of its faces, one after the other.
+std::vector<ScenePart> checked(std::vector<ScenePart> parts, const TriangleMesh<double>& mesh) {
+    if (parts.empty()) return {{0, mesh.vertices.rows(), 0, mesh.faces.rows(), std::nullopt, {}}};
+    Eigen::Index faces = 0;
+    for (const ScenePart& part : parts) {
+        const auto corners = mesh.faces.middleRows(std::min(part.first_face, mesh.faces.rows()),
+                                                   std::min(part.faces, mesh.faces.rows() - faces));
+        const bool own = part.faces == 0 || (corners.minCoeff() >= part.first_vertex &&
+                                             corners.maxCoeff() < part.first_vertex + part.vertices);
+        if (part.first_face != faces || corners.rows() != part.faces || !own ||
+            part.first_vertex + part.vertices > mesh.vertices.rows())
+            refuse("its looks are those of another mesh");
+        faces += part.faces;
+    }
+    if (faces != mesh.faces.rows()) refuse("its looks are those of another mesh");
+    return parts;
+}
+
+/// Materials and what they need, with the pictures in the buffer.
+void add_materials(RigScene& scene, const SceneLooks& looks) {
+    const Json json = parse_json(looks.json);
+    for (const auto& [key, value] : json.items()) scene.json[key] = value;
+    for (std::size_t i = 0; i < looks.pictures.size(); ++i)
+        scene.json["images"][i]["bufferView"] = scene.buffer.add_bytes(looks.pictures[i]);
 }
 
 } // namespace
 
-RigScene make_rig_scene(const Rig<double>& rig, const std::vector<std::string>& names) {
+RigScene make_rig_scene(const Rig<double>& rig, const std::vector<std::string>& names, const SceneLooks& looks) {
     if (rig.mesh.faces.rows() == 0) refuse("it has no faces");
     RigScene scene;
-    Json attributes = describe_attributes(scene.buffer, rig);
-    const std::vector<std::uint32_t> corners(rig.mesh.faces.data(), rig.mesh.faces.data() + rig.mesh.faces.size());
-    const std::size_t indices = scene.buffer.add_indices(corners);
+    Json primitives = describe_primitives(scene.buffer, rig, checked(looks.parts, rig.mesh));
     const std::size_t inverses = scene.buffer.add_floats(inverse_bind_matrices(rig), GltfTarget::none);
 
     Json nodes = Json::array({{{"name", "body"}, {"mesh", 0}, {"skin", 0}}});
@@ -90,11 +152,10 @@ RigScene make_rig_scene(const Rig<double>& rig, const std::vector<std::string>& 
     json["scene"] = 0;
     json["scenes"] = Json::array({{{"nodes", {0, scene.joint_nodes.front()}}}});
     json["nodes"] = std::move(nodes);
-    json["meshes"] =
-        Json::array({{{"name", "body"},
-                      {"primitives", Json::array({{{"attributes", std::move(attributes)}, {"indices", indices}}})}}});
+    json["meshes"] = Json::array({{{"name", "body"}, {"primitives", std::move(primitives)}}});
     json["skins"] = Json::array(
         {{{"inverseBindMatrices", inverses}, {"skeleton", scene.joint_nodes.front()}, {"joints", scene.joint_nodes}}});
+    add_materials(scene, looks);
     return scene;
 }
 

@@ -1,3 +1,4 @@
+#include <fstream>
 #include <set>
 #include <string>
 
@@ -10,7 +11,9 @@
 #include <skelgen/io/rig_formats.hpp>
 
 #include "catch.hpp"
+#include "gltf_builder.hpp"
 #include "shapes.hpp"
+#include "temporary_folder.hpp"
 
 namespace {
 
@@ -71,6 +74,53 @@ TEST_CASE("GLB: a turned joint moves the mesh", "[io][rig]") {
     const auto moved = io::parse_mesh<double>(glb);
     CHECK(((moved.vertices - still.mesh.vertices).rowwise() - Eigen::RowVector3d(1, 0, 0)).cwiseAbs().maxCoeff() <
           1e-6);
+}
+
+TEST_CASE("GLB: parts of a scene keep materials, texture coordinates and pictures", "[io][rig]") {
+    test::GltfBuilder scene;
+    scene.add_tetrahedron();
+    const auto coordinates = scene.add<float>("VEC2", {0, 0, 0.5F, 0.25F, 1, 0, 1, 1});
+    auto& primitive = scene.json["meshes"][0]["primitives"][0];
+    primitive["attributes"]["TEXCOORD_0"] = coordinates;
+    primitive["material"] = 0;
+    scene.json["materials"] = {{{"name", "skin"},
+                                {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
+                                {"extensions", {{"KHR_materials_unlit", nlohmann::json::object()}}}}};
+    scene.json["textures"] = {{{"source", 0}}};
+    scene.json["images"] = {{{"uri", "data:image/png;base64,iVBORw0KGgo="}}};
+    scene.json["extensionsUsed"] = {"KHR_materials_unlit", "KHR_lights_punctual"};
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "scene.glb", std::ios::binary) << scene.glb();
+    const auto looks = io::read_looks(folder / "scene.glb");
+    REQUIRE(looks);
+    REQUIRE(looks->parts.size() == 1);
+    CHECK(looks->parts[0].vertices == 4);
+    CHECK(looks->parts[0].faces == 4);
+    CHECK(looks->pictures == std::vector<std::string>{"\x89PNG\r\n\x1A\n"});
+
+    Rig<double> rig = small_rig();
+    CHECK_THROWS_WITH(io::rig_to_glb(rig, io::JointNames::skelgen, *looks),
+                      Catch::Matchers::Contains("another mesh"));
+    rig.mesh = io::read_mesh(folder / "scene.glb");
+    rig.skin.joints.conservativeResize(4, Eigen::NoChange);
+    rig.skin.weights.conservativeResize(4, Eigen::NoChange);
+    std::ofstream(folder / "rig.glb", std::ios::binary) << io::rig_to_glb(rig, io::JointNames::skelgen, *looks);
+    const auto again = io::read_looks(folder / "rig.glb");
+    REQUIRE(again);
+    CHECK(again->parts[0].texture_coordinates == looks->parts[0].texture_coordinates);
+    CHECK(again->pictures == looks->pictures);
+    CHECK(again->json == looks->json);
+    CHECK(again->json.find("KHR_materials_unlit") != std::string::npos);
+    CHECK(again->json.find("KHR_lights_punctual") == std::string::npos); // no material needs it
+    std::ofstream(folder / "mesh.off") << "OFF\n0 0 0\n";
+    CHECK_FALSE(io::read_looks(folder / "mesh.off"));
+
+    scene.json["images"][0]["uri"] = "missing.png";
+    std::ofstream(folder / "scene.glb", std::ios::binary) << scene.glb();
+    CHECK_THROWS_WITH(io::read_looks(folder / "scene.glb"), Catch::Matchers::Contains("missing.png"));
+    primitive["material"] = 1;
+    std::ofstream(folder / "scene.glb", std::ios::binary) << scene.glb();
+    CHECK_THROWS_AS(io::read_looks(folder / "scene.glb"), Error);
 }
 
 TEST_CASE("names: each convention's own, all of them different", "[io][rig]") {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <skelgen/applications/rig.hpp>
+#include <skelgen/io/scene_looks.hpp>
 
 namespace skelgen::io {
 
@@ -26,14 +27,16 @@ enum class JointNames { skelgen, smpl, mixamo, vrm };
 
 /// A GLB file (Khr21) with the rig: one skinned mesh, its vertices in the rig's order, smooth normals but for edges
 /// sharper than 60 degrees between vertices at equal places, the joints as nodes with their axes, inverse bind
-/// matrices, four influences a vertex. Linear. \throws Error usage when there are no faces, or a coordinate is too
-/// large for a float.
-[[nodiscard]] std::string rig_to_glb(const applications::Rig<double>& rig, JointNames names = JointNames::skelgen);
+/// matrices, four influences a vertex; with the looks of the scene that it was made of. Linear. \throws Error usage when
+/// there are no faces, a coordinate is too large for a float, or the looks are those of another mesh.
+[[nodiscard]] std::string rig_to_glb(const applications::Rig<double>& rig, JointNames names = JointNames::skelgen,
+                                     const SceneLooks& looks = {});
 
 /// The same with VRM 1.0's extension VRMC_vrm: which node is which bone of a humanoid, and a name for the avatar.
 /// Joints are named as VRM names them. \throws Error usage also when the rig does not stand in the T-pose, which VRM
 /// asks for, or a bone that it asks for is missing; or the name is empty.
-[[nodiscard]] std::string rig_to_vrm(const applications::Rig<double>& rig, const std::string& name);
+[[nodiscard]] std::string rig_to_vrm(const applications::Rig<double>& rig, const std::string& name,
+                                     const SceneLooks& looks = {});
 
 /// The skeleton as BVH: offsets in the rest pose, centimetres (where the unit is known, else the rig's own), +Y up;
 /// channels in the order Z, X, Y; one frame that moves nothing. O(joints).
@@ -49,7 +52,7 @@ enum class RigFormat { glb, vrm, bvh };
 /// Whole or not at all (see `write_file_atomically`). \throws Error usage also when the extension is none of these; as
 /// `write_file_atomically` when the file cannot be written.
 void write_rig(const std::filesystem::path& path, const applications::Rig<double>& rig,
-               JointNames names = JointNames::skelgen);
+               JointNames names = JointNames::skelgen, const SceneLooks& looks = {});
 
 } // namespace skelgen::io
 
