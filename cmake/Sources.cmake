@@ -14,6 +14,7 @@ set(skelgen_core_headers
     include/skelgen/applications/bones.hpp
     include/skelgen/applications/canonical_frame.hpp
     include/skelgen/applications/heat_weights.hpp
+    include/skelgen/applications/pose_transfer.hpp
     include/skelgen/applications/posing.hpp
     include/skelgen/applications/rig.hpp
     include/skelgen/applications/skinning.hpp
@@ -111,6 +112,7 @@ set(skelgen_core_definitions
     include/skelgen/applications/impl/bone_orientations.hpp
     include/skelgen/applications/impl/bones.hpp
     include/skelgen/applications/impl/heat_weights.hpp
+    include/skelgen/applications/impl/pose_transfer.hpp
     include/skelgen/applications/impl/posing.hpp
     include/skelgen/applications/impl/rig.hpp
     include/skelgen/applications/impl/skinning.hpp
@@ -358,6 +360,7 @@ set(skelgen_cli_sources
     fingerprint.cpp
     main.cpp
     mesh_input.cpp
+    pose.cpp
     progress_bar.cpp
     rig.cpp
     stages.cpp

@@ -14,6 +14,7 @@ void add_evaluate_command(CLI::App& app);
 void add_curve_command(CLI::App& app);
 void add_convert_command(CLI::App& app);
 void add_rig_command(CLI::App& app);
+void add_pose_command(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_synth_command(CLI::App& app);
 

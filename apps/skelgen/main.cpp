@@ -49,6 +49,7 @@ void add_commands(CLI::App& app) {
     add_curve_command(app);
     add_convert_command(app);
     add_rig_command(app);
+    add_pose_command(app);
 #if SKELGEN_WITH_RENDER
     add_render_command(app);
 #endif

@@ -4,6 +4,7 @@
 #include <skelgen/applications/impl/bone_orientations.hpp>
 #include <skelgen/applications/impl/bones.hpp>
 #include <skelgen/applications/impl/heat_weights.hpp>
+#include <skelgen/applications/impl/pose_transfer.hpp>
 #include <skelgen/applications/impl/posing.hpp>
 #include <skelgen/applications/impl/rig.hpp>
 #include <skelgen/applications/impl/skinning.hpp>
@@ -35,7 +36,13 @@ namespace skelgen::applications {
                                const surface::PrepareOptions&);                                                        \
     template Scalar standing_height(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&);                        \
     template Rig<Scalar> make_rig(const TriangleMesh<Scalar>&, const KinematicSkeleton<Scalar>&,                       \
-                                  const SkeletonTemplate&, const RigOptions&);
+                                  const SkeletonTemplate&, const RigOptions&);                                         \
+    template PosedBody<Scalar> pose_like(const TriangleMesh<Scalar>&, const KinematicSkeleton<Scalar>&,                \
+                                         const KinematicSkeleton<Scalar>&, const SkeletonTemplate&,                    \
+                                         const surface::PrepareOptions&);                                              \
+    template Floor<Scalar> floor_of(const TriangleMesh<Scalar>&, const KinematicSkeleton<Scalar>&,                     \
+                                    const SkeletonTemplate&);                                                          \
+    template PosedBody<Scalar> put_on(PosedBody<Scalar>, const Floor<Scalar>&);
 
 SKELGEN_INSTANTIATE(float)
 SKELGEN_INSTANTIATE(double)
