@@ -282,6 +282,7 @@ set(skelgen_sources
     src/io/shading_normals.cpp
     src/io/skeleton_json.cpp
     src/io/stl_parser.cpp
+    src/io/tangents.cpp
     src/io/template_json.cpp
     src/io/temporary_name.cpp
     src/io/truth_json.cpp

@@ -11,6 +11,7 @@
 
 #include "glb_container.hpp"
 #include "shading_normals.hpp"
+#include "tangents.hpp"
 
 namespace skelgen::io::detail {
 namespace {
@@ -74,14 +75,23 @@ Json describe_attributes(GltfBuffer& buffer, const VertexRows& rows, const Scene
     Json attributes;
     attributes["POSITION"] = buffer.add_floats(of_part(rows.positions), GltfTarget::vertices, true);
     attributes["NORMAL"] = buffer.add_floats(of_part(rows.normals), GltfTarget::vertices);
-    attributes["JOINTS_0"] = buffer.add_joints(
-        {rows.joints.data() + 4 * part.first_vertex, static_cast<std::size_t>(4 * part.vertices)});
+    attributes["JOINTS_0"] =
+        buffer.add_joints({rows.joints.data() + 4 * part.first_vertex, static_cast<std::size_t>(4 * part.vertices)});
     attributes["WEIGHTS_0"] = buffer.add_floats(of_part(rows.weights), GltfTarget::vertices);
     return attributes;
 }
 
+/// The set of texture coordinates that a material's normal map goes by; none where it has no such map.
+std::optional<std::size_t> normal_map_set(const Json& materials, const ScenePart& part) {
+    if (!part.material || !materials[*part.material].contains("normalTexture")) return std::nullopt;
+    const auto set = materials[*part.material]["normalTexture"].value("texCoord", std::size_t{0});
+    if (set >= part.texture_coordinates.size()) return std::nullopt;
+    return set;
+}
+
 /// One primitive for each part that has faces; those of the same vertices share them.
-Json describe_primitives(GltfBuffer& buffer, const Rig<double>& rig, const std::vector<ScenePart>& parts) {
+Json describe_primitives(GltfBuffer& buffer, const Rig<double>& rig, const std::vector<ScenePart>& parts,
+                         const Json& materials) {
     const VertexRows rows(rig);
     std::map<Eigen::Index, Json> attributes_from; // by the first vertex
     Json primitives = Json::array();
@@ -97,6 +107,12 @@ Json describe_primitives(GltfBuffer& buffer, const Rig<double>& rig, const std::
         std::vector<std::uint32_t> corners;
         for (const int corner : rig.mesh.faces.middleRows(part.first_face, part.faces).reshaped<Eigen::RowMajor>())
             corners.push_back(static_cast<std::uint32_t>(corner - part.first_vertex));
+        if (const auto set = normal_map_set(materials, part)) // of the rest pose: those of the input have been turned
+            attributes["TANGENT"] =
+                buffer.add_floats(tangents(rows.positions.middleRows(part.first_vertex, part.vertices),
+                                           rows.normals.middleRows(part.first_vertex, part.vertices), corners,
+                                           part.texture_coordinates[*set]),
+                                  GltfTarget::vertices);
         Json primitive{{"attributes", std::move(attributes)}, {"indices", buffer.add_indices(corners)}};
         if (part.material) primitive["material"] = *part.material;
         primitives.push_back(std::move(primitive));
@@ -123,8 +139,7 @@ std::vector<ScenePart> checked(std::vector<ScenePart> parts, const TriangleMesh<
 }
 
 /// Materials and what they need, with the pictures in the buffer.
-void add_materials(RigScene& scene, const SceneLooks& looks) {
-    const Json json = parse_json(looks.json);
+void add_materials(RigScene& scene, const Json& json, const SceneLooks& looks) {
     for (const auto& [key, value] : json.items()) scene.json[key] = value;
     for (std::size_t i = 0; i < looks.pictures.size(); ++i)
         scene.json["images"][i]["bufferView"] = scene.buffer.add_bytes(looks.pictures[i]);
@@ -135,7 +150,9 @@ void add_materials(RigScene& scene, const SceneLooks& looks) {
 RigScene make_rig_scene(const Rig<double>& rig, const std::vector<std::string>& names, const SceneLooks& looks) {
     if (rig.mesh.faces.rows() == 0) refuse("it has no faces");
     RigScene scene;
-    Json primitives = describe_primitives(scene.buffer, rig, checked(looks.parts, rig.mesh));
+    const Json looks_json = parse_json(looks.json);
+    Json primitives = describe_primitives(scene.buffer, rig, checked(looks.parts, rig.mesh),
+                                          looks_json.value("materials", Json::array()));
     const std::size_t inverses = scene.buffer.add_floats(inverse_bind_matrices(rig), GltfTarget::none);
 
     Json nodes = Json::array({{{"name", "body"}, {"mesh", 0}, {"skin", 0}}});
@@ -155,7 +172,7 @@ RigScene make_rig_scene(const Rig<double>& rig, const std::vector<std::string>& 
     json["meshes"] = Json::array({{{"name", "body"}, {"primitives", std::move(primitives)}}});
     json["skins"] = Json::array(
         {{{"inverseBindMatrices", inverses}, {"skeleton", scene.joint_nodes.front()}, {"joints", scene.joint_nodes}}});
-    add_materials(scene, looks);
+    add_materials(scene, looks_json, looks);
     return scene;
 }
 

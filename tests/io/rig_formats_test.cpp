@@ -12,6 +12,7 @@
 
 #include "catch.hpp"
 #include "gltf_builder.hpp"
+#include "io/tangents.hpp"
 #include "shapes.hpp"
 #include "temporary_folder.hpp"
 
@@ -99,8 +100,7 @@ TEST_CASE("GLB: parts of a scene keep materials, texture coordinates and picture
     CHECK(looks->pictures == std::vector<std::string>{"\x89PNG\r\n\x1A\n"});
 
     Rig<double> rig = small_rig();
-    CHECK_THROWS_WITH(io::rig_to_glb(rig, io::JointNames::skelgen, *looks),
-                      Catch::Matchers::Contains("another mesh"));
+    CHECK_THROWS_WITH(io::rig_to_glb(rig, io::JointNames::skelgen, *looks), Catch::Matchers::Contains("another mesh"));
     rig.mesh = io::read_mesh(folder / "scene.glb");
     rig.skin.joints.conservativeResize(4, Eigen::NoChange);
     rig.skin.weights.conservativeResize(4, Eigen::NoChange);
@@ -121,6 +121,25 @@ TEST_CASE("GLB: parts of a scene keep materials, texture coordinates and picture
     primitive["material"] = 1;
     std::ofstream(folder / "scene.glb", std::ios::binary) << scene.glb();
     CHECK_THROWS_AS(io::read_looks(folder / "scene.glb"), Error);
+}
+
+TEST_CASE("tangents: along the first texture coordinate, and which way the second one goes", "[io][rig]") {
+    io::detail::FloatRows places(4, 3), normals(4, 3), coordinates(4, 2);
+    places << 0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0;
+    normals << 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1;
+    coordinates << 0, 0, 1, 0, 1, 1, 0, 1;
+    const std::vector<std::uint32_t> faces{0, 1, 2, 0, 2, 3};
+    const auto plain = io::detail::tangents(places, normals, faces, coordinates);
+    coordinates.col(0) = 1 - coordinates.col(0).array();
+    const auto mirrored = io::detail::tangents(places, normals, faces, coordinates);
+    coordinates.setZero();
+    const auto unknown = io::detail::tangents(places, normals, faces, coordinates);
+    for (int v = 0; v < 4; ++v) {
+        CHECK((plain.row(v) - Eigen::RowVector4f(1, 0, 0, 1)).norm() < 1e-6F);
+        CHECK((mirrored.row(v) - Eigen::RowVector4f(-1, 0, 0, -1)).norm() < 1e-6F);
+        CHECK(unknown.row(v).head<3>().norm() == Approx(1));
+        CHECK(unknown(v, 2) == Approx(0).margin(1e-6));
+    }
 }
 
 TEST_CASE("names: each convention's own, all of them different", "[io][rig]") {
