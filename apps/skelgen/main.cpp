@@ -51,6 +51,8 @@ void add_commands(CLI::App& app) {
     add_align_command(app);
     add_segment_command(app);
     add_measure_command(app);
+    add_rig_command(app);
+    add_pose_command(app);
 #if SKELGEN_WITH_RENDER
     add_render_command(app);
 #endif
