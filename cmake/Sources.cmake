@@ -15,8 +15,11 @@ set(skelgen_core_headers
     include/skelgen/applications/bone_orientations.hpp
     include/skelgen/applications/bones.hpp
     include/skelgen/applications/canonical_frame.hpp
+    include/skelgen/applications/correspondence.hpp
     include/skelgen/applications/heat_weights.hpp
+    include/skelgen/applications/laplace_basis.hpp
     include/skelgen/applications/measurement.hpp
+    include/skelgen/applications/part_shares.hpp
     include/skelgen/applications/pose_transfer.hpp
     include/skelgen/applications/posing.hpp
     include/skelgen/applications/rig.hpp
@@ -117,8 +120,11 @@ set(skelgen_core_definitions
     include/skelgen/applications/impl/body_coordinates.hpp
     include/skelgen/applications/impl/bone_orientations.hpp
     include/skelgen/applications/impl/bones.hpp
+    include/skelgen/applications/impl/correspondence.hpp
     include/skelgen/applications/impl/heat_weights.hpp
+    include/skelgen/applications/impl/laplace_basis.hpp
     include/skelgen/applications/impl/measurement.hpp
+    include/skelgen/applications/impl/part_shares.hpp
     include/skelgen/applications/impl/pose_transfer.hpp
     include/skelgen/applications/impl/posing.hpp
     include/skelgen/applications/impl/rig.hpp
@@ -196,6 +202,7 @@ set(skelgen_io_headers
     include/skelgen/io/axis_json.hpp
     include/skelgen/io/cgal_adaptor.hpp
     include/skelgen/io/coloured_ply.hpp
+    include/skelgen/io/correspondence_json.hpp
     include/skelgen/io/curve_formats.hpp
     include/skelgen/io/half_edge_mesh.hpp
     include/skelgen/io/measurements_text.hpp
@@ -245,6 +252,7 @@ set(skelgen_synth_headers
 
 set(skelgen_sources
     src/instantiate/anatomy.cpp
+    src/instantiate/applications_correspondence.cpp
     src/instantiate/applications_parts.cpp
     src/instantiate/core.cpp
     src/instantiate/curve.cpp
@@ -259,6 +267,7 @@ set(skelgen_sources
     src/io/axis_json.cpp
     src/io/coloured_ply.cpp
     src/io/companion_file.cpp
+    src/io/correspondence_json.cpp
     src/io/curve_formats.cpp
     src/io/curve_json.cpp
     src/io/curve_obj.cpp
@@ -373,6 +382,7 @@ set(skelgen_cli_sources
     batch_summary.cpp
     console.cpp
     convert.cpp
+    correspond.cpp
     curve.cpp
     extract.cpp
     extract_file.cpp

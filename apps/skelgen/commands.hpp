@@ -16,6 +16,7 @@ void add_convert_command(CLI::App& app);
 void add_align_command(CLI::App& app);
 void add_segment_command(CLI::App& app);
 void add_measure_command(CLI::App& app);
+void add_correspond_command(CLI::App& app);
 void add_rig_command(CLI::App& app);
 void add_pose_command(CLI::App& app);
 void add_render_command(CLI::App& app);

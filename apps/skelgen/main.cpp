@@ -51,6 +51,7 @@ void add_commands(CLI::App& app) {
     add_align_command(app);
     add_segment_command(app);
     add_measure_command(app);
+    add_correspond_command(app);
     add_rig_command(app);
     add_pose_command(app);
 #if SKELGEN_WITH_RENDER

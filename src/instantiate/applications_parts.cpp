@@ -3,6 +3,7 @@
 #include <skelgen/applications/impl/alignment.hpp>
 #include <skelgen/applications/impl/body_coordinates.hpp>
 #include <skelgen/applications/impl/measurement.hpp>
+#include <skelgen/applications/impl/part_shares.hpp>
 #include <skelgen/applications/impl/segmentation.hpp>
 
 namespace skelgen::applications {
@@ -12,6 +13,8 @@ namespace skelgen::applications {
     template std::vector<int> standing_for(const Body<Scalar>&, const Points<Scalar>&);                                \
     template Vector3<Scalar> joint_place(const KinematicSkeleton<Scalar>&, const std::string&);                        \
     template Vector3<Scalar> end_place(const KinematicSkeleton<Scalar>&, const std::string&, const std::string&);      \
+    template Eigen::VectorX<core::Accumulator> vertex_areas(const TriangleMesh<Scalar>&);                              \
+    template Eigen::MatrixX<core::Accumulator> part_shares(const Body<Scalar>&, const std::vector<int>&, int, double); \
     template PelvisDirections<Scalar> pelvis_directions(const KinematicSkeleton<Scalar>&);                             \
     template Eigen::Matrix<Scalar, 4, 4> alignment(const KinematicSkeleton<Scalar>&, const Points<Scalar>&,            \
                                                    const AlignmentOptions&);                                           \

@@ -134,4 +134,35 @@ TEST_CASE("measure: JSON and CSV", "[cli][measure]") {
     CHECK(run_cli(folder.path(), {"measure", "body.off", "-o", "body.off"}).status == 2);
 }
 
+TEST_CASE("correspond: a vertex of the one body for each of the other", "[cli][correspond]") {
+    const TemporaryFolder folder;
+    const TriangleMesh<double> mesh = read_mesh(sample_body);
+    write_mesh(folder / "a.off", mesh);
+    write_mesh(folder / "b.ply", moved(mesh, {random_rotation(2), 3, Vector3<double>(1, 2, 3)}));
+    const CliResult result =
+        run_cli(folder.path(), {"correspond", "a.off", "b.ply", "-o", "map.json", "--ply", "coloured", "--confidence"});
+    INFO(result.err);
+    REQUIRE(result.status == 0);
+    const std::string text = test::read_file(folder / "map.json");
+    CHECK(faults_of(text, "correspondence").empty());
+    const auto json = nlohmann::json::parse(text);
+    const std::vector<int> map = json.at("vertex_to_vertex");
+    REQUIRE(map.size() == static_cast<std::size_t>(mesh.vertices.rows()));
+    CHECK(json.at("confidence").size() == map.size());
+    CHECK(json.at("landmarks").size() == 19);
+    double sum = 0;
+    for (std::size_t v = 0; v < map.size(); ++v)
+        sum += (mesh.vertices.row(static_cast<Eigen::Index>(v)) - mesh.vertices.row(map[v])).norm();
+    CHECK(sum / static_cast<double>(map.size()) < 0.002);
+    CHECK(files_below(folder / "coloured") == std::vector<std::string>{"from.ply", "to.ply"});
+    CHECK(read_mesh(folder / "coloured/from.ply").vertices == mesh.vertices);
+
+    test::write_file(folder / "sphere.off", sphere_off());
+    CHECK(run_cli(folder.path(), {"correspond", "a.off", "sphere.off", "-o", "x.json"}).status == 4);
+    CHECK(run_cli(folder.path(), {"correspond", "a.off", "missing.off", "-o", "x.json"}).status == 3);
+    CHECK(run_cli(folder.path(), {"correspond", "a.off"}).status == 2);
+    CHECK(run_cli(folder.path(), {"correspond", "a.off", "b.ply", "-o", "b.ply"}).status == 2);
+    CHECK_FALSE(fs::exists(folder / "x.json"));
+}
+
 } // namespace

@@ -10,15 +10,13 @@
 #include <string_view>
 #include <utility>
 
-#include <Eigen/SparseCholesky>
-
 #include <skelgen/applications/body_coordinates.hpp>
+#include <skelgen/applications/part_shares.hpp>
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/options.hpp>
-#include <skelgen/curve/laplacian.hpp>
 
 namespace skelgen::applications {
 namespace detail {
@@ -243,36 +241,16 @@ std::vector<int> with_shoulders(const std::vector<int>& parts, const Body<Scalar
     return out;
 }
 
-/// Labels smoothed by random walks that start at each vertex, walk a length of about `length` and take the label of
-/// where they end (Gra05): (L + A / length^2) x = A / length^2 p for each label's indicator p; the largest x wins.
+/// For each vertex the label of which there is most after random walks of that length.
 template <typename Scalar>
 std::vector<int> smoothed_labels(const Body<Scalar>& body, const std::vector<int>& labels, int count, double length) {
-    using Matrix = Eigen::SparseMatrix<core::Accumulator>;
-    constexpr double sharpest = 50; // cotangent of an angle of one degree: thinner triangles are as good as this
-    const Eigen::Index n = body.mesh.vertices.rows();
-    Eigen::VectorX<core::Accumulator> area = Eigen::VectorX<core::Accumulator>::Zero(n);
-    for (Eigen::Index f = 0; f < body.mesh.faces.rows(); ++f)
-        for (int k = 0; k < 3; ++k)
-            area[body.mesh.faces(f, k)] +=
-                static_cast<core::Accumulator>(core::face_area_vector(body.mesh, f).norm()) / 3;
-    const Eigen::VectorX<core::Accumulator> stay = area / (length * length);
-    const Matrix laplacian = curve::cotangent_laplacian(body.mesh.vertices, body.mesh.faces, sharpest);
-    Matrix system = -0.5 * laplacian; // which has no factor 1/2
-    system.diagonal() += stay;
-    const Eigen::SimplicialLDLT<Matrix> solver(system);
-    if (solver.info() != Eigen::Success) return labels; // a surface without area keeps what it has
-    std::vector<int> out(labels.size(), 0);
-    Eigen::VectorX<core::Accumulator> best = Eigen::VectorX<core::Accumulator>::Constant(n, -1);
-    for (int label = 0; label < count; ++label) {
-        Eigen::VectorX<core::Accumulator> start = Eigen::VectorX<core::Accumulator>::Zero(n);
-        for (Eigen::Index v = 0; v < n; ++v)
-            if (labels[static_cast<std::size_t>(v)] == label) start[v] = stay[v];
-        const Eigen::VectorX<core::Accumulator> likely = solver.solve(start);
-        for (Eigen::Index v = 0; v < n; ++v)
-            if (likely[v] > best[v]) {
-                best[v] = likely[v];
-                out[static_cast<std::size_t>(v)] = label;
-            }
+    const Eigen::MatrixX<core::Accumulator> shares = part_shares(body, labels, count, length);
+    std::vector<int> out;
+    out.reserve(labels.size());
+    for (Eigen::Index v = 0; v < shares.rows(); ++v) {
+        Eigen::Index most = 0;
+        shares.row(v).maxCoeff(&most);
+        out.push_back(static_cast<int>(most));
     }
     return out;
 }
