@@ -1,4 +1,4 @@
-// How alike align, segment and measure treat the bodies of a registered set, each turned at random.
+// How alike align, segment, measure and correspond treat the bodies of a registered set, each turned at random.
 
 #include <algorithm>
 #include <cstdio>
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "correspondences.hpp"
 #include "pelvis.hpp"
 #include "registered_set.hpp"
 #include "spreads.hpp"
@@ -43,6 +44,12 @@ void print(const RegisteredSet& set) {
         mean_of(turns), quantile(turns, 0.95), quantile(turns, 1));
     print_agreement(set, "bones", &RegisteredBody::bones);
     print_agreement(set, "body", &RegisteredBody::body);
+    const CorrespondenceScores scores = score_correspondences(set);
+    std::printf(
+        "  correspond            error over sqrt(area): mean %.4f, worst pair %.4f; landmarks: mean %.4f; sent to "
+        "the other side: %.4f; %.1f s for a pair\n",
+        mean_of(scores.errors), quantile(scores.errors, 1), mean_of(scores.landmark_errors), scores.exchanged,
+        scores.seconds);
     std::printf("  measure               standard deviation over a person's bodies:\n");
     for (const auto& [name, spread] : measure_spreads(set))
         std::printf("    %-24s %4.1f %%\n", name.c_str(), 100 * spread);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include <skelgen/applications/body_coordinates.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/extract.hpp>
 #include <skelgen/io/read_mesh.hpp>
@@ -34,6 +35,9 @@ RegisteredBody body_of(const fs::path& file, unsigned seed) {
     out.bones = applications::to_input(bones, found.body, out.mesh);
     out.body = applications::to_input(applications::segment(found.body, out.skeleton, applications::PartSet::body),
                                       found.body, out.mesh);
+    out.comparable = applications::comparable(found.body, out.skeleton);
+    out.stands_for = applications::standing_for(found.body, out.mesh.vertices);
+    out.surface = found.body;
     return out;
 }
 

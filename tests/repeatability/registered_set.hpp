@@ -4,10 +4,12 @@
 #include <string>
 #include <vector>
 
+#include <skelgen/applications/correspondence.hpp>
 #include <skelgen/applications/measurement.hpp>
 #include <skelgen/applications/segmentation.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
+#include <skelgen/surface/body.hpp>
 
 namespace skelgen::repeatability {
 
@@ -19,6 +21,9 @@ struct RegisteredBody {
     double geodesic_diameter = 0;
     applications::Segmentation bones, body; ///< parts of the input's vertices and faces
     applications::Measurements measures;
+    Body<double> surface;
+    applications::ComparableBody<double> comparable; ///< of `surface`
+    std::vector<int> stands_for;                     ///< per vertex of the mesh that of `surface`
 };
 
 /// Bodies that share their vertices: a vertex of one is at the same place of the person on all others.
