@@ -8,12 +8,13 @@ set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(OpenMesh REQUIRED CONFIG)
 find_package(nanoflann 1.4 REQUIRED CONFIG)
-set(skelgen_core_libraries nanoflann::nanoflann OpenMeshCore)
+find_package(Spectra 1.0 REQUIRED CONFIG)
+set(skelgen_core_libraries nanoflann::nanoflann Spectra::Spectra OpenMeshCore)
 
 # Files'. Header-only, used in our sources alone: an installed skelgen does not ask for them, nor for the core's headers.
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(FastFloat 3.9 REQUIRED CONFIG)
-set(skelgen_build_only nanoflann::nanoflann nlohmann_json::nlohmann_json FastFloat::fast_float)
+set(skelgen_build_only nanoflann::nanoflann Spectra::Spectra nlohmann_json::nlohmann_json FastFloat::fast_float)
 
 # More kinds of files, each read where its library is there; a build without says which library it lacks when it meets
 # such a file.

@@ -9,6 +9,22 @@ set(skelgen_core_headers
     include/skelgen/anatomy/inside.hpp
     include/skelgen/anatomy/joint_offsets.hpp
     include/skelgen/anatomy/radii.hpp
+    include/skelgen/applications/alignment.hpp
+    include/skelgen/applications/bind.hpp
+    include/skelgen/applications/body_coordinates.hpp
+    include/skelgen/applications/bone_orientations.hpp
+    include/skelgen/applications/bones.hpp
+    include/skelgen/applications/canonical_frame.hpp
+    include/skelgen/applications/correspondence.hpp
+    include/skelgen/applications/heat_weights.hpp
+    include/skelgen/applications/laplace_basis.hpp
+    include/skelgen/applications/measurement.hpp
+    include/skelgen/applications/part_shares.hpp
+    include/skelgen/applications/pose_transfer.hpp
+    include/skelgen/applications/posing.hpp
+    include/skelgen/applications/rig.hpp
+    include/skelgen/applications/segmentation.hpp
+    include/skelgen/applications/skinning.hpp
     include/skelgen/core/adjacency.hpp
     include/skelgen/core/builtin_templates.hpp
     include/skelgen/core/curve_graph.hpp
@@ -102,6 +118,21 @@ set(skelgen_core_definitions
     include/skelgen/anatomy/impl/inside.hpp
     include/skelgen/anatomy/impl/joint_offsets.hpp
     include/skelgen/anatomy/impl/radii.hpp
+    include/skelgen/applications/impl/alignment.hpp
+    include/skelgen/applications/impl/bind.hpp
+    include/skelgen/applications/impl/body_coordinates.hpp
+    include/skelgen/applications/impl/bone_orientations.hpp
+    include/skelgen/applications/impl/bones.hpp
+    include/skelgen/applications/impl/correspondence.hpp
+    include/skelgen/applications/impl/heat_weights.hpp
+    include/skelgen/applications/impl/laplace_basis.hpp
+    include/skelgen/applications/impl/measurement.hpp
+    include/skelgen/applications/impl/part_shares.hpp
+    include/skelgen/applications/impl/pose_transfer.hpp
+    include/skelgen/applications/impl/posing.hpp
+    include/skelgen/applications/impl/rig.hpp
+    include/skelgen/applications/impl/segmentation.hpp
+    include/skelgen/applications/impl/skinning.hpp
     include/skelgen/core/impl/builtin_templates.hpp
     include/skelgen/core/impl/curve_graph.hpp
     include/skelgen/core/impl/geodesics.hpp
@@ -175,15 +206,22 @@ set(skelgen_io_headers
     include/skelgen/io/atomic_file.hpp
     include/skelgen/io/axis_json.hpp
     include/skelgen/io/cgal_adaptor.hpp
+    include/skelgen/io/coloured_ply.hpp
+    include/skelgen/io/correspondence_json.hpp
     include/skelgen/io/curve_formats.hpp
     include/skelgen/io/half_edge_mesh.hpp
+    include/skelgen/io/measurements_text.hpp
     include/skelgen/io/mesh_format.hpp
     include/skelgen/io/openmesh_adaptor.hpp
     include/skelgen/io/polygon_mesh.hpp
     include/skelgen/io/read_file.hpp
     include/skelgen/io/read_mesh.hpp
+    include/skelgen/io/rig_formats.hpp
+    include/skelgen/io/scene_looks.hpp
+    include/skelgen/io/segmentation_json.hpp
     include/skelgen/io/skeleton_json.hpp
     include/skelgen/io/template_json.hpp
+    include/skelgen/io/transform_json.hpp
     include/skelgen/io/truth_json.hpp
     include/skelgen/io/write_mesh.hpp
     include/skelgen/skelgen.hpp
@@ -219,34 +257,44 @@ set(skelgen_synth_headers
 
 set(skelgen_sources
     src/instantiate/anatomy.cpp
+    src/instantiate/applications_correspondence.cpp
+    src/instantiate/applications_parts.cpp
     src/instantiate/core.cpp
     src/instantiate/curve.cpp
     src/instantiate/embedding.cpp
     src/instantiate/extract.cpp
     src/instantiate/refinement.cpp
+    src/instantiate/rigging.cpp
     src/instantiate/surface.cpp
     src/instantiate/symmetry.cpp
     src/io/animation_choice.cpp
     src/io/atomic_file.cpp
     src/io/axis_json.cpp
+    src/io/coloured_ply.cpp
     src/io/companion_file.cpp
+    src/io/correspondence_json.cpp
     src/io/curve_formats.cpp
     src/io/curve_json.cpp
     src/io/curve_obj.cpp
     src/io/curve_ply.cpp
     src/io/curve_swc.cpp
     src/io/data_uri.cpp
+    src/io/glb_container.cpp
     src/io/glb_writer.cpp
     src/io/gltf_animation.cpp
+    src/io/gltf_buffer.cpp
     src/io/gltf_component.cpp
     src/io/gltf_data.cpp
     src/io/gltf_file.cpp
+    src/io/gltf_looks.cpp
     src/io/gltf_nodes.cpp
     src/io/gltf_parser.cpp
     src/io/gltf_primitive.cpp
     src/io/gltf_value.cpp
+    src/io/joint_names.cpp
     src/io/json_values.cpp
     src/io/leftovers.cpp
+    src/io/measurements_text.cpp
     src/io/mesh_format.cpp
     src/io/obj_parser.cpp
     src/io/off_parser.cpp
@@ -256,12 +304,18 @@ set(skelgen_sources
     src/io/polygon_mesh.cpp
     src/io/read_file.cpp
     src/io/read_mesh.cpp
+    src/io/rig_formats.cpp
+    src/io/rig_scene.cpp
     src/io/scene_pose.cpp
+    src/io/segmentation_json.cpp
     src/io/separate_process.cpp
+    src/io/shading_normals.cpp
     src/io/skeleton_json.cpp
     src/io/stl_parser.cpp
+    src/io/tangents.cpp
     src/io/template_json.cpp
     src/io/temporary_name.cpp
+    src/io/transform_json.cpp
     src/io/truth_json.cpp
     src/io/write_mesh.cpp
 )
@@ -327,18 +381,25 @@ set(skelgen_synth_sources
 
 # Relative to apps/skelgen.
 set(skelgen_cli_sources
+    align.cpp
     batch.cpp
     batch_inputs.cpp
     batch_summary.cpp
     console.cpp
     convert.cpp
+    correspond.cpp
     curve.cpp
     extract.cpp
     extract_file.cpp
     fingerprint.cpp
+    fitted_inputs.cpp
     main.cpp
+    measure.cpp
     mesh_input.cpp
+    pose.cpp
     progress_bar.cpp
+    rig.cpp
+    segment.cpp
     stages.cpp
     worker_pool.cpp
 )

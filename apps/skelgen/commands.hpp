@@ -13,6 +13,12 @@ void add_batch_command(CLI::App& app);
 void add_evaluate_command(CLI::App& app);
 void add_curve_command(CLI::App& app);
 void add_convert_command(CLI::App& app);
+void add_align_command(CLI::App& app);
+void add_segment_command(CLI::App& app);
+void add_measure_command(CLI::App& app);
+void add_correspond_command(CLI::App& app);
+void add_rig_command(CLI::App& app);
+void add_pose_command(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_synth_command(CLI::App& app);
 

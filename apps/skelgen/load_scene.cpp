@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <skelgen/applications/segmentation.hpp>
+#include <skelgen/io/coloured_ply.hpp>
 #include <skelgen/io/curve_formats.hpp>
 #include <skelgen/io/read_mesh.hpp>
 #include <skelgen/io/skeleton_json.hpp>
@@ -28,6 +30,22 @@ void extract_curve_into(render::Scene& scene, const ExtractOptions& options) {
     }
 }
 
+/// Gives the mesh the colours of its parts, or says in the scene why not.
+void colour_parts(render::Scene& scene, const std::string& parts) {
+    try {
+        const FittedBody<double> found = extract_body(scene.mesh);
+        const auto set = parts == "body" ? applications::PartSet::body : applications::PartSet::bones;
+        const applications::Segmentation segmentation = applications::to_input(
+            applications::segment(found.body, found.extraction.skeleton, set), found.body, scene.mesh);
+        const std::vector<io::ByteColour> palette = io::part_colours(segmentation.parts);
+        for (const int part : segmentation.vertex_part)
+            scene.colours.push_back(palette[static_cast<std::size_t>(part)]);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::no_skeleton && error.code() != ErrorCode::bad_input) throw;
+        scene.failure = std::string("no parts: ") + error.what();
+    }
+}
+
 /// Extracts skeleton and curve into the scene, or says there why not.
 void extract_into(render::Scene& scene, const ExtractOptions& options) {
     try {
@@ -50,6 +68,10 @@ bool is_missing(const SceneSources& sources) {
 render::Scene load_scene(const SceneSources& sources) {
     render::Scene scene;
     scene.mesh = in_file(sources.mesh, [&] { return read_mesh<double>(sources.mesh); });
+    if (!sources.parts.empty()) {
+        in_file(sources.mesh, [&] { colour_parts(scene, sources.parts); });
+        return scene;
+    }
     if (sources.skeleton.empty())
         in_file(sources.mesh, [&] { extract_into(scene, sources.extraction); });
     else if (is_missing(sources)) {

@@ -15,6 +15,7 @@ struct SceneSources {
     std::filesystem::path curve;    ///< curve file of any format that is read
     std::filesystem::path truth;    ///< file with true joints, shown as marks
     ExtractOptions extraction;
+    std::string parts;                    ///< bones or body: the mesh in the colours of its parts; empty: not
     bool skeleton_may_be_missing = false; ///< then the curve alone is extracted, unless `curve` is given
 };
 

@@ -48,6 +48,12 @@ void add_commands(CLI::App& app) {
 #endif
     add_curve_command(app);
     add_convert_command(app);
+    add_align_command(app);
+    add_segment_command(app);
+    add_measure_command(app);
+    add_correspond_command(app);
+    add_rig_command(app);
+    add_pose_command(app);
 #if SKELGEN_WITH_RENDER
     add_render_command(app);
 #endif

@@ -34,6 +34,7 @@ struct RenderCommand {
     std::string skeleton;
     std::string curve;
     std::string truth;
+    std::string parts;
     int columns = 0; ///< 0: as many as make the sheet most nearly square
     bool names = false;
 };
@@ -106,6 +107,7 @@ SceneSources sources_of(const RenderCommand& command, const BatchItem& item, con
             curve_companion(command.curve, item),
             companion(command.truth, item),
             options,
+            command.parts,
             !command.skeleton.empty() && fs::is_directory(command.skeleton)};
 }
 
@@ -197,6 +199,9 @@ void add_source_options(CLI::App& sub, RenderCommand& command) {
                    "Show this curve file (.json, .obj, .ply or .swc); several meshes: a folder of them");
     sub.add_option("--truth", command.truth,
                    "Mark the joints of this file (JSON, \"joints\": {name: [x, y, z]}) by red crosses; or a folder");
+    sub.add_option("--parts", command.parts,
+                   "Instead of a skeleton show the parts of the body, each in its colour: bones or body, as `segment`")
+        ->check(CLI::IsMember({"bones", "body"}));
     sub.add_option("--template", command.skeleton_template, "Built-in template, or a template's file (JSON)")
         ->capture_default_str();
 }

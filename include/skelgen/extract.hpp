@@ -65,6 +65,17 @@ using Extraction = Fit<Scalar>;
 template <typename Scalar>
 [[nodiscard]] Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options = {});
 
+/// What the applications stand on: a skeleton, and the surface in which it was found.
+template <typename Scalar = double>
+struct FittedBody {
+    Extraction<Scalar> extraction; ///< in the input's coordinates
+    Body<Scalar> body;             ///< one closed surface, not cut where it touches itself
+};
+
+/// As `extract_skeleton`, which drops the surface.
+template <typename Scalar>
+[[nodiscard]] FittedBody<Scalar> extract_body(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options = {});
+
 /// The curve skeletons alone, of bodies or anything else: one for each connected piece of the surface that has a
 /// thousandth of the largest one's area or more, the largest first, in the input's coordinates; regions index the
 /// input's vertices. Nodes are spaced relative to the bounding box of all. Of `options`, `prepare` and `curve` count.

@@ -1,5 +1,6 @@
 #include "gltf_parser.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <optional>
@@ -29,7 +30,8 @@ public:
     PolygonMesh read() {
         for (const std::size_t node : shown_nodes(data_->file(), nodes_)) {
             const GltfValue value = data_->file().root().at("nodes")[node];
-            if (const auto mesh = value.find("mesh")) add_mesh(value, node, data_->file().referred("meshes", *mesh));
+            if (const auto mesh = value.find("mesh"))
+                add_mesh(value, node, data_->file().referred("meshes", *mesh), mesh->whole_number());
         }
         if (mesh_.sizes.empty() && has_points_)
             refuse("holds points or lines and no triangles; make a surface of them first (Poisson reconstruction)");
@@ -37,8 +39,11 @@ public:
         return std::move(mesh_);
     }
 
+    /// Of what has been read.
+    [[nodiscard]] const std::vector<GltfPart>& parts() const { return parts_; }
+
 private:
-    void add_mesh(const GltfValue& node_value, std::size_t node, const GltfValue& mesh) {
+    void add_mesh(const GltfValue& node_value, std::size_t node, const GltfValue& mesh, std::size_t mesh_index) {
         const auto joint_matrices = read_skin(node_value);
         const bool mirrored = !joint_matrices && matrices_[node].topLeftCorner<3, 3>().determinant() < 0;
         std::vector<double> weights = nodes_.nodes[node].weights;
@@ -59,7 +64,18 @@ private:
             const auto [known, is_new] = first_vertices.emplace(key, mesh_.coordinates.size() / 3);
             if (is_new) add_vertices(primitive.vertices, matrices_[node], joint_matrices, primitives[i]);
             add_triangles(primitive, known->second, mirrored);
+            add_part(primitive, mesh_index, i, known->second);
         }
+    }
+
+    void add_part(const GltfPrimitive& primitive, std::size_t mesh, std::size_t index, std::size_t first_vertex) {
+        const auto faces =
+            std::count_if(primitive.triangles.begin(), primitive.triangles.end(), [](const auto& corners) {
+                return corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0];
+            });
+        parts_.push_back({mesh, index, static_cast<Eigen::Index>(first_vertex),
+                          static_cast<Eigen::Index>(primitive.vertices.positions.size()), faces_, faces});
+        faces_ += faces;
     }
 
     /// What each joint of the node's skin does to a point; none where it has no skin.
@@ -115,10 +131,18 @@ private:
     GltfNodes nodes_;
     std::vector<Eigen::Matrix4d> matrices_; ///< of the nodes, in the scene
     PolygonMesh mesh_;
+    std::vector<GltfPart> parts_;
+    Eigen::Index faces_ = 0; ///< in `parts_`
     bool has_points_ = false;
 };
 
 } // namespace
+
+std::vector<GltfPart> gltf_parts(GltfData& data) {
+    SceneReader reader(data, read_nodes(data.file()));
+    static_cast<void>(reader.read());
+    return reader.parts();
+}
 
 PolygonMesh parse_gltf(std::string_view bytes, const ReadMeshOptions& options, const LoadCompanion& load) {
     const GltfFile file = open_gltf(bytes);

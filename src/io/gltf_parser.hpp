@@ -1,6 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
 
 #include <skelgen/io/polygon_mesh.hpp>
 #include <skelgen/io/read_mesh.hpp>
@@ -8,6 +12,17 @@
 #include "gltf_data.hpp"
 
 namespace skelgen::io::detail {
+
+/// Where the triangles of a primitive are in the mesh that a scene gives. Triangles that name a vertex twice do not
+/// count: `triangulate` leaves them out.
+struct GltfPart {
+    std::size_t mesh = 0, primitive = 0; ///< of the file
+    Eigen::Index first_vertex = 0, vertices = 0;
+    Eigen::Index first_face = 0, faces = 0;
+};
+
+/// The parts of the scene that `parse_gltf` reads, in the order of their faces. 	hrows Error bad_input as that does.
+[[nodiscard]] std::vector<GltfPart> gltf_parts(GltfData& data);
 
 /// glTF 2.0 (Khr21): JSON, GLB or VRM. All triangles of the scene that a viewer shows first, as it shows them: morph
 /// targets by their weights, skins posed by their joints' nodes, all else moved by its node. Nodes in the scene's

@@ -39,13 +39,21 @@ private:
         return extensions ? extensions->find(draco_extension) : std::nullopt;
     }
 
-    static std::size_t columns_of(const std::string& name) { return name == "POSITION" ? 3 : 4; }
+    static std::size_t columns_of(const std::string& name) {
+        return name == "POSITION" ? 3 : name.starts_with("TEXCOORD_") ? 2 : 4;
+    }
+
+    static bool is_read(const std::string& name) {
+        for (const char* start : {"POSITION", "JOINTS_", "WEIGHTS_", "TEXCOORD_"})
+            if (name.starts_with(start)) return true;
+        return false;
+    }
 
     void decode() {
         const GltfValue ids = draco_->at("attributes");
         std::vector<DracoAttribute> wanted;
         for (const auto& [name, unused] : ids.members()) {
-            if (name != "POSITION" && !name.starts_with("JOINTS_") && !name.starts_with("WEIGHTS_")) continue;
+            if (!is_read(name)) continue;
             names_.push_back(name);
             wanted.push_back({ids.at(name.c_str()).whole_number(), columns_of(name)});
         }
@@ -171,6 +179,18 @@ std::string vertex_key(const GltfValue& primitive) {
         if (member != primitive.members().end()) key += member->second.dump();
     }
     return key;
+}
+
+std::vector<TextureCoordinates> read_texture_coordinates(GltfData& data, const GltfValue& primitive) {
+    Attributes attributes(data, primitive);
+    std::vector<TextureCoordinates> sets;
+    while (const auto array = attributes.find("TEXCOORD_" + std::to_string(sets.size()), 2)) {
+        TextureCoordinates set(static_cast<Eigen::Index>(array->rows), 2);
+        for (Eigen::Index i = 0; i < set.size(); ++i)
+            set.data()[i] = static_cast<float>(array->values[static_cast<std::size_t>(i)]);
+        sets.push_back(std::move(set));
+    }
+    return sets;
 }
 
 GltfPrimitive read_primitive(GltfData& data, const GltfValue& primitive, const std::vector<double>& morph_weights) {

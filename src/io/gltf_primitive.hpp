@@ -41,4 +41,11 @@ struct GltfPrimitive {
 [[nodiscard]] GltfPrimitive read_primitive(GltfData& data, const GltfValue& primitive,
                                            const std::vector<double>& morph_weights);
 
+/// One row per vertex.
+using TextureCoordinates = Eigen::Matrix<float, Eigen::Dynamic, 2, Eigen::RowMajor>;
+
+/// The sets of texture coordinates that a primitive has, in their order. \throws Error bad_input when their parts do not
+/// hold together.
+[[nodiscard]] std::vector<TextureCoordinates> read_texture_coordinates(GltfData& data, const GltfValue& primitive);
+
 } // namespace skelgen::io::detail

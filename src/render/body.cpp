@@ -17,10 +17,14 @@ struct Surface {
     Points<double> positions;
     Points<double> normals;
     std::vector<double> ambient;
+    std::vector<Eigen::Array3f> colours; ///< 0 to 1; empty: translucent skin
 };
 
-Surface project_surface(const TriangleMesh<double>& mesh, const Projection& projection, int supersampling) {
+Surface project_surface(const Scene& scene, const Projection& projection, int supersampling) {
+    const TriangleMesh<double>& mesh = scene.mesh;
     Surface surface;
+    for (const auto& [red, green, blue] : scene.colours)
+        surface.colours.push_back(Eigen::Array3f(red, green, blue) / 255.0f);
     const Points<double> normals = outward_normals(mesh);
     surface.ambient = ambient_light(mesh, normals);
     surface.positions =
@@ -44,7 +48,11 @@ struct SkinSample {
     float depth;
     float ambient;
     Eigen::Vector3f normal;
+    Eigen::Array3f colour; ///< below 0: translucent
 };
+
+/// The colour of skin that has none.
+Eigen::Array3f translucent() { return Eigen::Array3f::Constant(-1); }
 
 struct SolidSample {
     float depth;
@@ -67,8 +75,8 @@ struct Band {
 void clear(Band& band) {
     const auto count =
         static_cast<std::size_t>(band.rect.bottom - band.rect.top) * static_cast<std::size_t>(band.rect.width);
-    band.nearest.assign(count, {-infinity, 1, Eigen::Vector3f::UnitZ()});
-    band.farthest.assign(count, {infinity, 1, Eigen::Vector3f::UnitZ()});
+    band.nearest.assign(count, {-infinity, 1, Eigen::Vector3f::UnitZ(), translucent()});
+    band.farthest.assign(count, {infinity, 1, Eigen::Vector3f::UnitZ(), translucent()});
     band.solid.assign(count, {-infinity, Layer::Zero()});
 }
 
@@ -88,7 +96,13 @@ void draw_face(const Surface& surface, const Eigen::RowVector3i& face, Band& ban
         const bool far = depth < band.farthest[at].depth;
         if (!near && !far) return;
         const Eigen::Vector3f normal = (normals * weights.matrix()).cast<float>();
-        const SkinSample sample{depth, static_cast<float>((weights * ambient).sum()), normal};
+        Eigen::Array3f colour = translucent();
+        if (!surface.colours.empty()) {
+            colour.setZero();
+            for (int i = 0; i < 3; ++i)
+                colour += static_cast<float>(weights[i]) * surface.colours[static_cast<std::size_t>(face[i])];
+        }
+        const SkinSample sample{depth, static_cast<float>((weights * ambient).sum()), normal, colour};
         if (near) band.nearest[at] = sample;
         if (far) band.farthest[at] = sample;
     });
@@ -136,6 +150,9 @@ Layer composite(const SkinSample& nearest, const SkinSample& farthest, const Sol
     const bool has_skin = nearest.depth > -infinity;
     const bool has_solid = solid.depth > -infinity;
     if (!has_skin) return solid.layer;
+    if (nearest.colour[0] >= 0)
+        return shade_painted_skin(toward_viewer(nearest.normal, nearest.normal.z() < -0.3f), nearest.ambient,
+                                  nearest.colour);
     Layer far = shade_far_skin(toward_viewer(farthest.normal, farthest.normal.z() < 0), farthest.ambient);
     Layer near = shade_skin(toward_viewer(nearest.normal, nearest.normal.z() < -0.3f), nearest.ambient);
     if (!has_solid) return over(near, far);
@@ -181,11 +198,12 @@ std::vector<std::vector<Eigen::Index>> sort_into_bands(const Surface& surface, c
 
 } // namespace
 
-Image draw_body(const TriangleMesh<double>& mesh, const Projection& projection, const std::vector<RoundCone>& cones,
+Image draw_body(const Scene& scene, const Projection& projection, const std::vector<RoundCone>& cones,
                 const RenderOptions& options) {
+    const TriangleMesh<double>& mesh = scene.mesh;
     constexpr int pixel_rows = 16;
     const int samples = options.supersampling;
-    const Surface surface = project_surface(mesh, projection, samples);
+    const Surface surface = project_surface(scene, projection, samples);
     const int bands = (options.height + pixel_rows - 1) / pixel_rows;
     const auto faces_of_band = sort_into_bands(surface, mesh.faces, pixel_rows * samples, bands);
 

@@ -1,14 +1,15 @@
 #pragma once
 
-#include <skelgen/core/mesh.hpp>
 #include <skelgen/render/image.hpp>
+#include <skelgen/render/scene.hpp>
 
 #include "drawing.hpp"
 
 namespace skelgen::render {
 
-/// Draws the translucent body with the drawing's cones inside it. Overlay lines and texts are left to `draw_overlay`.
-[[nodiscard]] Image draw_body(const TriangleMesh<double>& mesh, const Projection& projection,
-                              const std::vector<RoundCone>& cones, const RenderOptions& options);
+/// Draws the scene's body, translucent with the drawing's cones inside it, or opaque where it has colours. Overlay
+/// lines and texts are left to `draw_overlay`.
+[[nodiscard]] Image draw_body(const Scene& scene, const Projection& projection, const std::vector<RoundCone>& cones,
+                              const RenderOptions& options);
 
 } // namespace skelgen::render

@@ -52,6 +52,8 @@ void check(const RenderOptions& options) {
 
 void check(const Scene& scene) {
     check(scene.mesh);
+    if (!scene.colours.empty() && scene.colours.size() != static_cast<std::size_t>(scene.mesh.vertices.rows()))
+        throw Error(ErrorCode::bad_input, "a coloured body needs a colour for each of its vertices");
     if (scene.curve) check(*scene.curve);
     if (scene.skeleton) check(*scene.skeleton);
     for (const Mark& mark : scene.marks)

@@ -13,7 +13,7 @@ Image render_scene(const Scene& scene, const RenderOptions& options) {
     check(options);
     check(scene);
     const Drawing drawing = lay_out(scene, options);
-    Image image = draw_body(scene.mesh, drawing.projection, drawing.cones, options);
+    Image image = draw_body(scene, drawing.projection, drawing.cones, options);
     draw_overlay(drawing, image);
     return image;
 }

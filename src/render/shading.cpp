@@ -52,6 +52,11 @@ Layer shade_skin(const Eigen::Vector3f& normal, float ambient) {
     return layer(body + (edge - body) * (0.65f * rim), 0.40f + 0.50f * rim);
 }
 
+Layer shade_painted_skin(const Eigen::Vector3f& normal, float ambient, const Eigen::Array3f& colour) {
+    const float light = (0.50f + 0.62f * soft_light(normal)) * (0.55f + 0.45f * ambient);
+    return layer(colour * light * (1.0f - 0.35f * grazing(normal)) + 0.06f * glint(normal), 1.0f);
+}
+
 Layer shade_far_skin(const Eigen::Vector3f& normal, float ambient) {
     const Rgb shadow(0.52f, 0.58f, 0.67f);
     const Rgb lit(0.90f, 0.92f, 0.95f);

@@ -15,6 +15,9 @@ using Layer = Eigen::Array4f;
 /// The skin towards the viewer. `normal`: unit, in picture axes with y UP; `ambient`: 0 to 1.
 [[nodiscard]] Layer shade_skin(const Eigen::Vector3f& normal, float ambient);
 
+/// Opaque skin of that colour (each 0 to 1). `normal` and `ambient` as above.
+[[nodiscard]] Layer shade_painted_skin(const Eigen::Vector3f& normal, float ambient, const Eigen::Array3f& colour);
+
 /// The skin on the far side, seen through the body from within; `normal` points to the viewer.
 [[nodiscard]] Layer shade_far_skin(const Eigen::Vector3f& normal, float ambient);
 

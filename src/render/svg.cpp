@@ -78,7 +78,7 @@ std::string element(const OverlayText& text) {
 
 std::string body_image(const Scene& scene, const Drawing& drawing, RenderOptions options) {
     options.background = Background::transparent;
-    const Image body = draw_body(scene.mesh, drawing.projection, {}, options);
+    const Image body = draw_body(scene, drawing.projection, {}, options);
     return "<image" + attribute("width", std::to_string(options.width)) +
            attribute("height", std::to_string(options.height)) +
            attribute("href", "data:image/png;base64," + base64(encode_png(body))) + "/>\n";

@@ -47,6 +47,13 @@ struct SkeletonTemplate {
     [[nodiscard]] const TemplateJoint& joint(int j) const { return joints[static_cast<std::size_t>(j)]; }
 };
 
+/// What the end of the limb that this joint ends in is called: head_top, left_fingertip, right_toe. The joint's role
+/// must be one that ends a limb.
+[[nodiscard]] inline std::string end_point_name(const TemplateJoint& joint) {
+    const std::string prefix = joint.side == Side::none ? "" : joint.side == Side::left ? "left_" : "right_";
+    return prefix + (joint.role == JointRole::hand ? "fingertip" : joint.role == JointRole::foot ? "toe" : "head_top");
+}
+
 /// Index of the first joint of that role and side; -1 where there is none. O(joints).
 [[nodiscard]] inline int find_joint(const SkeletonTemplate& skeleton_template, JointRole role, Side side = Side::none) {
     for (std::size_t j = 0; j < skeleton_template.joints.size(); ++j)

@@ -305,8 +305,8 @@ double sureness(const KinematicSkeleton<Scalar>& skeleton) {
 /// Makes one surface of a mesh by the gentlest remedy that serves, as what comes out shows: the first skeleton that is
 /// sure, or the surest of all. Of several bodies none is taken unless the caller says which.
 template <typename Scalar>
-Outcome<Fit<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh, const SkeletonTemplate& wanted,
-                                         const ExtractOptions& options) {
+Outcome<FittedBody<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh, const SkeletonTemplate& wanted,
+                                                const ExtractOptions& options) {
     constexpr double sure = 0.4;
     Stopwatch stage;
     const surface::BodyMaterial<Scalar> material = surface::gather(mesh, options.prepare);
@@ -314,6 +314,7 @@ Outcome<Fit<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh, const
         return Failure{FailureReason::no_body,
                        std::to_string(material.bodies) + " bodies apart; extract each by its number (--component)"};
     std::optional<Outcome<Fit<Scalar>>> best;
+    Body<Scalar> best_body;
     StageTimings timings;
     for (const surface::Remedy remedy : material.remedies) {
         Outcome<Body<Scalar>> body = surface::make_body_by(remedy, material, options.prepare);
@@ -335,25 +336,34 @@ Outcome<Fit<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh, const
         if (found) timings = timings + found->timings;
         if (found && remedy != surface::Remedy::largest_piece) found = less_certain_for_envelope(*std::move(found));
         const bool better = found && (!best || !*best || sureness(found->skeleton) > sureness((*best)->skeleton));
-        if (better || !best) best = std::move(found);
+        if (better || !best) {
+            best = std::move(found);
+            best_body = *std::move(body);
+        }
         if (*best && sureness((*best)->skeleton) >= sure) break;
     }
-    if (*best) (*best)->timings = timings;
-    return *std::move(best);
+    if (!*best) return best->failure();
+    (*best)->timings = timings;
+    return FittedBody<Scalar>{**std::move(best), std::move(best_body)};
 }
 
 } // namespace detail
 
 template <typename Scalar>
 Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options) {
+    return extract_body(mesh, options).extraction;
+}
+
+template <typename Scalar>
+FittedBody<Scalar> extract_body(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options) {
     detail::Stopwatch total;
     validate(options);
     const SkeletonTemplate& wanted =
         options.skeleton_template.joints.empty() ? builtin_template("human21") : options.skeleton_template;
 
-    Outcome<Fit<Scalar>> found = detail::fit_to_best_surface(mesh, wanted, options);
+    Outcome<FittedBody<Scalar>> found = detail::fit_to_best_surface(mesh, wanted, options);
     if (!found) throw Error(ErrorCode::no_skeleton, found.failure().what);
-    found->timings.total = total.lap();
+    found->extraction.timings.total = total.lap();
     return *std::move(found);
 }
 

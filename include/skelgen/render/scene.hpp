@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +27,8 @@ struct Scene {
     std::vector<Mark> marks;
     std::string caption; ///< below the picture, UTF-8; letters outside ASCII show as boxes in a PNG
     std::string failure; ///< why something is missing: below the caption in red, and a red frame around the picture
+    /// Red, green and blue for each vertex: such a body is opaque; none at all: translucent skin.
+    std::vector<std::array<std::uint8_t, 3>> colours;
 };
 
 } // namespace skelgen::render

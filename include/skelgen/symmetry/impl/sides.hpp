@@ -97,11 +97,6 @@ int source_of(int j, const SkeletonTemplate& skeleton_template, const SidesDecis
     return other >= 0 ? other : j;
 }
 
-inline std::string end_point_name(const TemplateJoint& joint) {
-    const std::string prefix = joint.side == Side::left ? "left_" : joint.side == Side::right ? "right_" : "";
-    return prefix + (joint.role == JointRole::hand ? "fingertip" : joint.role == JointRole::foot ? "toe" : "head_top");
-}
-
 /// Votes of one kind added up, positive for the sides as decided.
 template <typename Scalar>
 std::vector<SideVote> votes_by_witness(const SidesDecision<Scalar>& sides) {
@@ -196,7 +191,7 @@ KinematicSkeleton<Scalar> assemble(const refinement::RefinedJoints<Scalar>& join
         const int source = detail::source_of(j, skeleton_template, sides);
         out.joints.push_back({joint.name, joint.parent, core::point(joints.positions, source), Scalar(0)});
         for (const auto& [end, tip] : joints.tips)
-            if (end == source) out.end_points.emplace_back(detail::end_point_name(joint), tip);
+            if (end == source) out.end_points.emplace_back(end_point_name(joint), tip);
     }
     out.frame = sides.frame;
     out.quality.sides_confidence = sides.confidence;

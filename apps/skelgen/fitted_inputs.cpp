@@ -1,0 +1,69 @@
+#include "fitted_inputs.hpp"
+
+#include <cstddef>
+#include <utility>
+
+#include <skelgen/io/mesh_format.hpp>
+
+#include "console.hpp"
+#include "mesh_input.hpp"
+
+namespace skelgen::cli {
+namespace {
+
+constexpr int status_some_failed = 5;
+
+FittedInput fit(const BatchItem& item) {
+    if (!item.fault.empty()) throw Error(ErrorCode::bad_input, item.fault);
+    FittedInput out;
+    out.item = item;
+    out.mesh = load_mesh({item.mesh, {}});
+    out.found = extract_body(out.mesh);
+    out.source = {item.mesh.filename().string(), out.mesh.vertices.rows(), out.mesh.faces.rows(),
+                  out.found.extraction.geodesic_diameter};
+    return out;
+}
+
+void print_warnings(const FittedInput& input) {
+    for (const std::string& warning : input.found.extraction.skeleton.quality.warnings)
+        print_warning(input.item.mesh.string() + ": " + warning);
+}
+
+} // namespace
+
+void add_fitted_inputs(CLI::App& command, FittedInputs& inputs) {
+    command
+        .add_option("MESH", inputs.inputs,
+                    "Meshes of one body each (" + io::mesh_extensions_text() +
+                        ", also .gz of each), folders of meshes, patterns; - for standard input")
+        ->required();
+    command.add_flag("-q,--quiet", inputs.quiet, "No warnings");
+}
+
+bool are_many(const FittedInputs& inputs, const std::vector<BatchItem>& items) {
+    return items.size() > 1 || std::filesystem::is_directory(inputs.inputs.front());
+}
+
+std::vector<BatchItem> find_items(const FittedInputs& inputs, const std::filesystem::path& folder) {
+    return find_batch_items(inputs.inputs, folder);
+}
+
+void for_each_fitted(const FittedInputs& inputs, const std::vector<BatchItem>& items,
+                     const std::function<void(const FittedInput&)>& work) {
+    std::size_t failed = 0;
+    for (const BatchItem& item : items) {
+        try {
+            const FittedInput input = in_file(item.mesh, [&] { return fit(item); });
+            work(input);
+            if (!inputs.quiet) print_warnings(input);
+        } catch (const Error& error) {
+            // What cannot be stored for one cannot be stored for the others either.
+            if (!are_many(inputs, items) || error.code() == ErrorCode::not_written) throw;
+            print_error(error.what());
+            ++failed;
+        }
+    }
+    if (failed > 0) throw CLI::RuntimeError(status_some_failed);
+}
+
+} // namespace skelgen::cli

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include <skelgen/extract.hpp>
+#include <skelgen/io/skeleton_json.hpp>
+
+#include "batch_inputs.hpp"
+
+namespace skelgen::cli {
+
+/// The meshes of a command that takes several, each of one body.
+struct FittedInputs {
+    std::vector<std::string> inputs; ///< as `find_batch_items` takes them
+    bool quiet = false;              ///< no warnings
+};
+
+/// Adds the positional MESH... and the flag --quiet.
+void add_fitted_inputs(CLI::App& command, FittedInputs& inputs);
+
+/// A mesh, the skeleton that was found in it, and the surface that it was found in.
+struct FittedInput {
+    BatchItem item; ///< `item.output` lies in the folder that the command writes to
+    TriangleMesh<double> mesh;
+    FittedBody<double> found;
+    io::SourceMesh source;
+};
+
+/// Are these several meshes, or a folder of them, so that results go to a folder?
+[[nodiscard]] bool are_many(const FittedInputs& inputs, const std::vector<BatchItem>& items);
+
+/// The meshes in `inputs`, their outputs in `folder`. \throws Error as `find_batch_items`.
+[[nodiscard]] std::vector<BatchItem> find_items(const FittedInputs& inputs, const std::filesystem::path& folder);
+
+/// Finds the skeleton in each mesh and does `work` with it. Of one mesh a failure is the command's own; of many each
+/// costs that mesh alone: it is printed, and the command ends with status 5 after the last.
+/// \throws Error with the file's name in front; CLI::RuntimeError where some of many failed.
+void for_each_fitted(const FittedInputs& inputs, const std::vector<BatchItem>& items,
+                     const std::function<void(const FittedInput&)>& work);
+
+} // namespace skelgen::cli

@@ -1,0 +1,94 @@
+#include <map>
+#include <memory>
+
+#include <skelgen/applications/rig.hpp>
+#include <skelgen/extract.hpp>
+#include <skelgen/io/rig_formats.hpp>
+
+#include "commands.hpp"
+#include "console.hpp"
+#include "mesh_input.hpp"
+
+namespace skelgen::cli {
+namespace {
+
+using applications::RestPose;
+
+struct RigCommand {
+    MeshInput mesh;
+    std::string output;
+    std::string names = "skelgen";
+    std::string rest; ///< empty: as the format wants it
+    int component = 0;
+    bool quiet = false;
+};
+
+const std::map<std::string, RestPose> rest_poses{
+    {"as-is", RestPose::as_is}, {"t-pose", RestPose::t_pose}, {"a-pose", RestPose::a_pose}};
+
+/// The wanted rest pose; by default as the body is, but for VRM, which knows the T-pose alone.
+RestPose rest_pose(const RigCommand& command, io::RigFormat format) {
+    const bool is_vrm = format == io::RigFormat::vrm;
+    if (command.rest.empty()) return is_vrm ? RestPose::t_pose : RestPose::as_is;
+    const RestPose rest = rest_poses.at(command.rest);
+    if (is_vrm && rest != RestPose::t_pose)
+        throw Error(ErrorCode::usage, "--rest " + command.rest + ": VRM's rest pose is the T-pose; leave it out");
+    return rest;
+}
+
+/// What a scene looks like; nothing of its own for other meshes, and for what came through standard input.
+io::SceneLooks looks_of(const MeshInput& mesh) {
+    if (mesh.file == "-") return {};
+    return io::read_looks(mesh.file).value_or(io::SceneLooks{});
+}
+
+void print_warnings(const RigCommand& command, const KinematicSkeleton<double>& skeleton,
+                    const applications::Rig<double>& rig) {
+    const std::string file = command.mesh.file.string() + ": ";
+    for (const std::string& warning : skeleton.quality.warnings) print_warning(file + warning);
+    if (!rig.unit_is_known)
+        print_warning(file + "its unit is unknown, as it has no person's height in any; lengths are left as they are");
+}
+
+void run(const RigCommand& command) {
+    require_different_files(command.mesh.file, command.output);
+    const auto format = io::rig_format_of(command.output);
+    if (!format) throw Error(ErrorCode::usage, command.output + ": its name must end in .glb, .vrm or .bvh");
+    applications::RigOptions options;
+    options.rest = rest_pose(command, *format);
+    options.prepare.component = command.component;
+    ExtractOptions extraction;
+    extraction.prepare = options.prepare;
+    in_file(command.mesh.file, [&] {
+        const TriangleMesh<double> mesh = load_mesh(command.mesh);
+        const KinematicSkeleton<double> skeleton = extract_skeleton(mesh, extraction).skeleton;
+        const auto rig = applications::make_rig(mesh, skeleton, builtin_template(skeleton.template_name), options);
+        const io::SceneLooks looks = looks_of(command.mesh);
+        in_file(command.output, [&] { write_rig(command.output, rig, *io::joint_names_named(command.names), looks); });
+        if (!command.quiet) print_warnings(command, skeleton, rig);
+    });
+}
+
+} // namespace
+
+void add_rig_command(CLI::App& app) {
+    auto command = std::make_shared<RigCommand>();
+    CLI::App* sub = app.add_subcommand("rig", "Bind the mesh of a body to its skeleton: a character that moves");
+    add_mesh_input(*sub, command->mesh, "Mesh of one body");
+    sub->add_option("-o,--output", command->output, "Character (.glb, .vrm) or skeleton alone (.bvh) to write")
+        ->required();
+    sub->add_option("--names", command->names, "Whose names the joints get; VRM's own in .vrm")
+        ->check(CLI::IsMember({"skelgen", "smpl", "mixamo", "vrm"}))
+        ->capture_default_str();
+    sub->add_option("--rest", command->rest, "Pose at rest: as-is, or un-posed (default: as-is; in .vrm t-pose)")
+        ->check(CLI::IsMember({"as-is", "t-pose", "a-pose"}));
+    sub->add_option("--component", command->component, "Which of several bodies that stand apart; 1 is the largest")
+        ->check(CLI::Range(1, 1000));
+    sub->add_flag("-q,--quiet", command->quiet, "No warnings");
+    sub->footer("Examples:\n  skelgen rig body.off -o body.glb\n"
+                "  skelgen rig scan.ply -o avatar.vrm\n"
+                "  skelgen rig body.off -o body.glb --rest t-pose --names mixamo");
+    sub->callback([command] { run(*command); });
+}
+
+} // namespace skelgen::cli

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <skelgen/core/kinematic_skeleton.hpp>
+#include <skelgen/core/mesh.hpp>
+
+namespace skelgen::applications {
+
+/// Directions of the pelvis, which is what stands still while a body bends: left across the hips, up along the lower
+/// trunk. Neither is of length 1, nor are they at right angles.
+template <typename Scalar = double>
+struct PelvisDirections {
+    Vector3<Scalar> left, up;
+};
+
+/// Left is from the right hip to the left one. Up is from between the hips to the waist, and half as much on to the
+/// chest: where the trunk bends, errors of the two point against each other. The weight is calibrated on registered
+/// bodies. \throws Error usage when a joint of human21 is missing. O(joints).
+template <typename Scalar>
+[[nodiscard]] PelvisDirections<Scalar> pelvis_directions(const KinematicSkeleton<Scalar>& skeleton);
+
+/// Where an aligned body's origin lies.
+enum class AlignedOrigin {
+    crotch, ///< in the crotch joint
+    floor,  ///< below the crotch joint, as low as the lowest vertex
+};
+
+struct AlignmentOptions {
+    AlignedOrigin origin = AlignedOrigin::crotch;
+    double scale = 1; ///< aligned lengths over those given; one over standing_height for bodies of equal height
+};
+
+/// \throws Error usage when the scale is out of its range.
+void validate(const AlignmentOptions& options);
+
+/// The transform, 4 x 4, that brings a body into common directions (LF20 section 5.1): its pelvis's up becomes +y
+/// exactly and its left as nearly +x as that allows, so that it faces +z (Khr21). A uniform scale, a proper rotation
+/// and a translation, to be applied to columns (x, y, z, 1). `vertices` (n x 3) in the skeleton's coordinates. \throws
+/// Error usage when a joint of human21 is missing, there is no vertex or an option is out of its range. O(n).
+template <typename Scalar>
+[[nodiscard]] Eigen::Matrix<Scalar, 4, 4> alignment(const KinematicSkeleton<Scalar>& skeleton,
+                                                    const Points<Scalar>& vertices,
+                                                    const AlignmentOptions& options = {});
+
+/// Points moved by a 4 x 4 transform; n x 3. O(n).
+template <typename Scalar>
+[[nodiscard]] Points<Scalar> transformed(const Points<Scalar>& points, const Eigen::Matrix<Scalar, 4, 4>& transform);
+
+} // namespace skelgen::applications
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/applications/impl/alignment.hpp>
+#endif

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <skelgen/core/kinematic_skeleton.hpp>
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/surface/body.hpp>
+
+namespace skelgen::applications {
+
+/// A skeleton that is in the input's coordinates in those of the body: surface::to_input undone. O(joints).
+template <typename Scalar>
+[[nodiscard]] KinematicSkeleton<Scalar> to_body(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton);
+
+/// For each vertex of the input (n x 3, in its own coordinates) the vertex of the body that stands for it: that at the
+/// same place, else the one that the body names, else the nearest. \throws Error usage when the body was made of
+/// another number of vertices. O(n log n).
+template <typename Scalar>
+[[nodiscard]] std::vector<int> standing_for(const Body<Scalar>& body, const Points<Scalar>& input);
+
+/// Place of a joint. \throws Error usage when the skeleton has no joint of that name.
+template <typename Scalar>
+[[nodiscard]] Vector3<Scalar> joint_place(const KinematicSkeleton<Scalar>& skeleton, const std::string& name);
+
+/// Place of an end point; where it is not known, of the joint `instead`. \throws Error usage as `joint_place`.
+template <typename Scalar>
+[[nodiscard]] Vector3<Scalar> end_place(const KinematicSkeleton<Scalar>& skeleton, const std::string& name,
+                                        const std::string& instead);
+
+} // namespace skelgen::applications
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/applications/impl/body_coordinates.hpp>
+#endif

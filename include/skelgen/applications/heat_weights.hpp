@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <skelgen/applications/bones.hpp>
+#include <skelgen/core/outcome.hpp>
+#include <skelgen/core/precision.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/surface/body.hpp>
+
+namespace skelgen::applications {
+
+/// How much each joint moves each vertex: n x joints, from 0 to 1, rows sum to 1. Double whatever the mesh's scalar: it
+/// comes out of a factorisation.
+using JointWeights = Eigen::MatrixX<core::Accumulator>;
+
+/// Weights as temperatures on a body (BP07 section 4): each vertex is heated by the bone that is nearest to it, as seen
+/// through the body, the stronger the nearer, and the heat spreads over the surface until it rests. A trunk's bone is
+/// nearer than a limb's at the same distance: distances count relative to how thick the body is around the bone.
+/// `bones` in the body's coordinates, of joints below `joints`. One factorisation of a sparse matrix, O(n^1.5).
+/// \returns a failure where no vertex sees a bone.
+template <typename Scalar>
+[[nodiscard]] Outcome<JointWeights> heat_weights(const Body<Scalar>& body, const std::vector<Bone<Scalar>>& bones,
+                                                 int joints);
+
+/// The weights with no vertex that follows two limbs: of the limbs that move a vertex the strongest does, by as much as
+/// it is stronger than the next; what the others lose goes to the trunk where both limbs begin, as in the crotch and at
+/// the neck, and to the strongest where surfaces of limbs have grown together. As smooth as they were but for the
+/// latter. O(n joints).
+[[nodiscard]] JointWeights following_one_limb(JointWeights weights, const SkeletonTemplate& skeleton_template);
+
+} // namespace skelgen::applications
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/applications/impl/heat_weights.hpp>
+#endif

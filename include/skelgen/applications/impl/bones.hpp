@@ -1,0 +1,81 @@
+#pragma once
+
+#include <skelgen/applications/bones.hpp>
+
+#include <cstddef>
+#include <optional>
+
+#include <skelgen/core/error.hpp>
+#include <skelgen/core/header_only.hpp>
+
+namespace skelgen::applications {
+namespace detail {
+
+template <typename Scalar>
+void require_same_joints(const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& wanted) {
+    bool same = skeleton.joints.size() == wanted.joints.size();
+    for (std::size_t j = 0; same && j < wanted.joints.size(); ++j)
+        same = skeleton.joints[j].name == wanted.joints[j].name && skeleton.joints[j].parent == wanted.joints[j].parent;
+    if (!same) throw Error(ErrorCode::usage, "the skeleton's joints are not those of the template " + wanted.name);
+}
+
+template <typename Scalar>
+std::optional<Vector3<Scalar>> end_point_of(const KinematicSkeleton<Scalar>& skeleton, const TemplateJoint& joint) {
+    if (!ends_limb(joint.role)) return std::nullopt;
+    for (const auto& [name, place] : skeleton.end_points)
+        if (name == end_point_name(joint)) return place;
+    return std::nullopt;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+std::vector<Bone<Scalar>> bones_of(const KinematicSkeleton<Scalar>& skeleton,
+                                   const SkeletonTemplate& skeleton_template) {
+    detail::require_same_joints(skeleton, skeleton_template);
+    std::vector<Bone<Scalar>> bones;
+    for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+        const Joint<Scalar>& joint = skeleton.joints[j];
+        for (const Joint<Scalar>& child : skeleton.joints)
+            if (child.parent == static_cast<int>(j))
+                bones.push_back({static_cast<int>(j), joint.position, child.position, joint.radius, child.radius});
+        if (const auto end = detail::end_point_of(skeleton, skeleton_template.joints[j]))
+            bones.push_back({static_cast<int>(j), joint.position, *end, joint.radius, joint.radius});
+    }
+    return bones;
+}
+
+SKELGEN_INLINE int next_joint(const SkeletonTemplate& skeleton_template, int joint) {
+    for (std::size_t j = 0; j < skeleton_template.joints.size(); ++j)
+        if (skeleton_template.joints[j].parent == joint &&
+            part_of(skeleton_template.joints[j].role) == part_of(skeleton_template.joint(joint).role))
+            return static_cast<int>(j);
+    return -1;
+}
+
+template <typename Scalar>
+Vector3<Scalar> bone_end(const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
+                         int joint) {
+    detail::require_same_joints(skeleton, skeleton_template);
+    if (const int next = next_joint(skeleton_template, joint); next >= 0)
+        return skeleton.joints[static_cast<std::size_t>(next)].position;
+    const auto end = detail::end_point_of(skeleton, skeleton_template.joint(joint));
+    return end ? *end : skeleton.joints[static_cast<std::size_t>(joint)].position;
+}
+
+template <typename Scalar>
+KinematicSkeleton<Scalar> rest_skeleton(const SkeletonTemplate& skeleton_template) {
+    KinematicSkeleton<Scalar> out;
+    out.template_name = skeleton_template.name;
+    for (const TemplateJoint& joint : skeleton_template.joints) {
+        out.joints.push_back(
+            {joint.name, joint.parent, joint.position.cast<Scalar>(), static_cast<Scalar>(joint.radius)});
+        if (joint.tip) out.end_points.emplace_back(end_point_name(joint), joint.tip->template cast<Scalar>());
+    }
+    out.frame.left = Vector3<Scalar>::UnitX();
+    out.frame.up = Vector3<Scalar>::UnitY();
+    out.frame.forward = Vector3<Scalar>::UnitZ();
+    return out;
+}
+
+} // namespace skelgen::applications

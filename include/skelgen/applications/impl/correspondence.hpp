@@ -1,0 +1,283 @@
+#pragma once
+
+#include <skelgen/applications/correspondence.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include <Eigen/QR>
+
+#include <skelgen/applications/body_coordinates.hpp>
+#include <skelgen/applications/bone_orientations.hpp>
+#include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/part_shares.hpp>
+#include <skelgen/core/builtin_templates.hpp>
+#include <skelgen/core/error.hpp>
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/core/header_only.hpp>
+#include <skelgen/core/options.hpp>
+
+namespace skelgen::applications {
+namespace detail {
+
+/// Turns and stretches what is around a joint's bone from where it is to where the rest pose has it.
+template <typename Scalar>
+struct ToRest {
+    Vector3<Scalar> from, to;         ///< the joint, and where it is in the rest pose
+    Eigen::Matrix<Scalar, 3, 3> turn; ///< with the stretch
+    Eigen::Matrix<Scalar, 3, 3> turn_of_normals;
+
+    [[nodiscard]] Vector3<Scalar> operator()(const Vector3<Scalar>& place) const { return to + turn * (place - from); }
+};
+
+/// Sum of the lengths of a skeleton's bones.
+template <typename Scalar>
+Scalar total_length(const KinematicSkeleton<Scalar>& skeleton) {
+    Scalar sum = 0;
+    for (const Joint<Scalar>& joint : skeleton.joints)
+        if (joint.parent >= 0)
+            sum += (joint.position - skeleton.joints[static_cast<std::size_t>(joint.parent)].position).norm();
+    return sum;
+}
+
+template <typename Scalar>
+std::vector<ToRest<Scalar>> to_rest(const KinematicSkeleton<Scalar>& skeleton) {
+    const SkeletonTemplate& wanted = builtin_template("human21");
+    const KinematicSkeleton<Scalar> rest = rest_skeleton<Scalar>(wanted);
+    const Orientations<Scalar> orientations = bone_orientations(skeleton, wanted);
+    const Scalar size = total_length(rest) / total_length(skeleton);
+    std::vector<ToRest<Scalar>> out;
+    for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+        const Vector3<Scalar> from = skeleton.joints[j].position, to = rest.joints[j].position;
+        const Vector3<Scalar> bone = bone_end(skeleton, wanted, static_cast<int>(j)) - from;
+        const Vector3<Scalar> rest_bone = bone_end(rest, wanted, static_cast<int>(j)) - to;
+        const Eigen::Matrix<Scalar, 3, 3> turn = orientations[j].conjugate().toRotationMatrix();
+        Eigen::Matrix<Scalar, 3, 3> stretch = size * Eigen::Matrix<Scalar, 3, 3>::Identity();
+        if (bone.norm() > 0 && rest_bone.norm() > 0) {
+            const Vector3<Scalar> along = rest_bone.normalized();
+            stretch += (rest_bone.norm() / bone.norm() - size) * along * along.transpose();
+        }
+        out.push_back({from, to, stretch * turn, turn});
+    }
+    return out;
+}
+
+/// The joint that each part of the set `bones` moves with.
+inline std::vector<int> joints_of_parts(const std::vector<std::string>& names, const auto& skeleton) {
+    static constexpr std::array<std::pair<const char*, const char*>, 12> joints{{{"head", "head"},
+                                                                                 {"neck", "neck"},
+                                                                                 {"chest", "chest"},
+                                                                                 {"abdomen", "waist"},
+                                                                                 {"pelvis", "crotch"},
+                                                                                 {"shoulder", "chest"},
+                                                                                 {"upper_arm", "shoulder"},
+                                                                                 {"forearm", "elbow"},
+                                                                                 {"hand", "wrist"},
+                                                                                 {"thigh", "hip"},
+                                                                                 {"calf", "knee"},
+                                                                                 {"foot", "ankle"}}};
+    std::vector<int> out;
+    for (const std::string& name : names) {
+        const bool is_left = name.rfind("left_", 0) == 0, is_right = name.rfind("right_", 0) == 0;
+        const std::string side = is_left ? "left_" : is_right ? "right_" : "";
+        const std::string plain = name.substr(side.size());
+        const auto* const found =
+            std::find_if(joints.begin(), joints.end(), [&](const auto& pair) { return plain == pair.first; });
+        const bool is_sided_joint = !side.empty() && plain != "shoulder";
+        out.push_back(find_joint(skeleton, (is_sided_joint ? side : "") + found->second));
+    }
+    return out;
+}
+
+/// For each row of `wanted` (m x d) the nearest row of `known` (n x d), the first of equals. By blocks, as products of
+/// matrices: in so many dimensions no tree is faster. Single precision tells places apart that are as near as rounding
+/// lets bodies be.
+inline std::vector<int> nearest_rows(const Eigen::MatrixXf& known, const Eigen::MatrixXf& wanted) {
+    constexpr Eigen::Index block = 256;
+    const Eigen::VectorXf half_squared = known.rowwise().squaredNorm() / 2;
+    std::vector<int> out(static_cast<std::size_t>(wanted.rows()));
+    for (Eigen::Index first = 0; first < wanted.rows(); first += block) {
+        const Eigen::Index count = std::min(block, wanted.rows() - first);
+        const Eigen::MatrixXf closeness =
+            (known * wanted.middleRows(first, count).transpose()).colwise() - half_squared;
+        for (Eigen::Index i = 0; i < count; ++i) {
+            Eigen::Index best = 0;
+            closeness.col(i).maxCoeff(&best);
+            out[static_cast<std::size_t>(first + i)] = static_cast<int>(best);
+        }
+    }
+    return out;
+}
+
+/// What places are compared by in the common pose: where they are, where they look, and on which side.
+template <typename Scalar>
+Eigen::MatrixXf pose_features(const ComparableBody<Scalar>& body, double weight) {
+    constexpr float looks = 0.04F,
+                    sided = 0.3F; // lengths that opposite normals or sides are worth, relative to the size
+    const Eigen::Index n = body.common.rows();
+    Eigen::MatrixXf out(n, 7);
+    out << body.common.template cast<float>(), looks * body.normals.template cast<float>(),
+        sided * body.sides.template cast<float>();
+    return static_cast<float>(weight) * out;
+}
+
+/// `count` vertices spread over the surface in the common pose: each the farthest from those before.
+template <typename Scalar>
+std::vector<int> spread_samples(const Points<Scalar>& points, int count) {
+    std::vector<int> out{0};
+    Eigen::VectorX<Scalar> distance =
+        Eigen::VectorX<Scalar>::Constant(points.rows(), std::numeric_limits<Scalar>::infinity());
+    while (static_cast<int>(out.size()) < std::min<int>(count, static_cast<int>(points.rows()))) {
+        distance = distance.cwiseMin((points.rowwise() - points.row(out.back())).rowwise().squaredNorm());
+        Eigen::Index farthest = 0;
+        distance.maxCoeff(&farthest);
+        out.push_back(static_cast<int>(farthest));
+    }
+    return out;
+}
+
+/// The rows of a matrix that are named.
+template <typename Matrix>
+Matrix rows_of(const Matrix& matrix, const std::vector<int>& rows) {
+    Matrix out(static_cast<Eigen::Index>(rows.size()), matrix.cols());
+    for (std::size_t i = 0; i < rows.size(); ++i) out.row(static_cast<Eigen::Index>(i)) = matrix.row(rows[i]);
+    return out;
+}
+
+inline Eigen::MatrixXf beside(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b) {
+    Eigen::MatrixXf out(a.rows(), a.cols() + b.cols());
+    out << a, b;
+    return out;
+}
+
+/// From how far places are from where they are sent to.
+template <typename Scalar>
+std::vector<double> confidences(const Points<Scalar>& places, const Points<Scalar>& others,
+                                const std::vector<int>& map) {
+    constexpr double breadth = 0.05; // of a hand, relative to the height of human21
+    const SkeletonTemplate& wanted = builtin_template("human21");
+    double low = 0, high = 0;
+    for (const TemplateJoint& joint : wanted.joints) {
+        low = std::min(low, joint.position.y());
+        high = std::max(high, joint.tip ? joint.tip->y() : joint.position.y());
+    }
+    std::vector<double> out;
+    for (std::size_t v = 0; v < map.size(); ++v) {
+        const auto apart = static_cast<double>((places.row(static_cast<Eigen::Index>(v)) - others.row(map[v])).norm());
+        const double relative = apart / (breadth * (high - low));
+        out.push_back(std::exp(-2 * relative * relative));
+    }
+    return out;
+}
+
+} // namespace detail
+
+SKELGEN_INLINE void validate(const CorrespondenceOptions& options) {
+    core::require_in_range("correspondence.first_functions", options.first_functions, 10, 100);
+    core::require_in_range("correspondence.functions", options.functions, options.first_functions, 200);
+    core::require_in_range("correspondence.step", options.step, 1, 50);
+    core::require_in_range("correspondence.posture", options.posture, 0.0, 2.0);
+}
+
+template <typename Scalar>
+ComparableBody<Scalar> comparable(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
+                                  const CorrespondenceOptions& options) {
+    validate(options);
+    constexpr double blend = 0.04; // of the square root of the area: half a wrist
+    ComparableBody<Scalar> out;
+    out.faces = body.mesh.faces;
+    out.basis = laplace_basis(body.mesh, options.functions);
+    out.parts = segment(body, skeleton);
+    const Segmentation& parts = out.parts;
+    const KinematicSkeleton<Scalar> inside = to_body(body, skeleton);
+    const std::vector<detail::ToRest<Scalar>> motions = detail::to_rest(inside);
+    const std::vector<int> joints = detail::joints_of_parts(parts.parts, inside);
+    const auto count = static_cast<int>(parts.parts.size());
+    const Eigen::MatrixX<Scalar> shares = part_shares(body, parts.vertex_part, count, blend).template cast<Scalar>();
+    const Points<Scalar> normals = core::vertex_normals(body.mesh);
+    const Eigen::Index n = body.mesh.vertices.rows();
+    out.common.resize(n, 3);
+    out.normals.resize(n, 3);
+    out.sides.resize(n);
+    for (Eigen::Index v = 0; v < n; ++v) {
+        Vector3<Scalar> place = Vector3<Scalar>::Zero(), normal = Vector3<Scalar>::Zero();
+        Scalar side = 0;
+        for (int part = 0; part < count; ++part) {
+            const auto& motion = motions[static_cast<std::size_t>(joints[static_cast<std::size_t>(part)])];
+            const Scalar share = shares(v, part);
+            place += share * motion(core::point(body.mesh.vertices, v));
+            normal += share * (motion.turn_of_normals * core::point(normals, v));
+            const std::string& name = parts.parts[static_cast<std::size_t>(part)];
+            if (name.rfind("left_", 0) == 0) side += share;
+            if (name.rfind("right_", 0) == 0) side -= share;
+        }
+        core::set_point<Scalar>(out.common, v, place);
+        core::set_point<Scalar>(out.normals, v, normal.stableNormalized());
+        out.sides[v] = side;
+    }
+    return out;
+}
+
+template <typename Scalar>
+Correspondence correspond(const ComparableBody<Scalar>& from, const ComparableBody<Scalar>& to,
+                          const CorrespondenceOptions& options) {
+    validate(options);
+    if (options.functions > from.basis.values.size() || options.functions > to.basis.values.size())
+        throw Error(ErrorCode::usage, "the bodies were made comparable with fewer functions than are asked for");
+    constexpr int most_samples = 1500; // as many as tell 100 functions apart, many times over (MRR19)
+    using Matrix = Eigen::MatrixX<core::Accumulator>;
+    const std::vector<int> samples = detail::spread_samples(from.common, most_samples);
+    std::vector<int> all(static_cast<std::size_t>(from.common.rows()));
+    for (std::size_t v = 0; v < all.size(); ++v) all[v] = static_cast<int>(v);
+    const Eigen::MatrixXf to_pose = detail::pose_features(to, 1);
+    const Matrix to_common = to.common.template cast<core::Accumulator>();
+    const Matrix from_common = from.common.template cast<core::Accumulator>();
+    const Matrix from_functions = detail::rows_of(from.basis.functions, samples);
+    ComparableBody<Scalar> moved = from;
+    std::vector<int> map = detail::nearest_rows(to_pose, detail::rows_of(detail::pose_features(from, 1), samples));
+    for (int k = options.first_functions;; k = std::min(k + options.step, options.functions)) {
+        // In functions of `from`, by least squares over the samples: the functions of `to` where they are sent to, and
+        // how far that is.
+        const Eigen::HouseholderQR<Matrix> solver(from_functions.leftCols(k));
+        const Matrix change = solver.solve(detail::rows_of(Matrix(to.basis.functions.leftCols(k)), map)); // k x k
+        const Matrix shift = solver.solve(detail::rows_of(to_common, map) - detail::rows_of(from_common, samples));
+        moved.common = (from_common + from.basis.functions.leftCols(k) * shift).template cast<Scalar>();
+        moved.normals = core::vertex_normals(TriangleMesh<Scalar>{moved.common, from.faces});
+        const bool is_last = k == options.functions;
+        const std::vector<int>& wanted = is_last ? all : samples;
+        // By Weyl's law, k functions differ by about sqrt(pi) k d between places d apart on a unit area.
+        const auto unit = static_cast<core::Accumulator>(1.77 * k);
+        const Matrix mapped = detail::rows_of(from.basis.functions, wanted).leftCols(k) * change / unit;
+        const auto posture = static_cast<float>(options.posture);
+        map = detail::nearest_rows(
+            detail::beside((to.basis.functions.leftCols(k) / unit).template cast<float>(), posture * to_pose),
+            detail::beside(mapped.cast<float>(),
+                           detail::rows_of(detail::pose_features(moved, options.posture), wanted)));
+        if (is_last) return {map, detail::confidences(moved.common, to.common, map)};
+    }
+}
+
+template <typename Scalar>
+std::vector<Landmark> landmarks(const ComparableBody<Scalar>& from, const Correspondence& correspondence) {
+    constexpr core::Accumulator time = 0.02; // relative to the area: heat has then spread over a hand
+    const core::Accumulator area = from.basis.areas.sum();
+    const Eigen::VectorX<core::Accumulator> decay = (-time * area * from.basis.values).array().exp();
+    const Eigen::VectorX<core::Accumulator> signature = from.basis.functions.cwiseAbs2() * decay;
+    std::vector<int> best(from.parts.parts.size(), -1);
+    for (std::size_t v = 0; v < from.parts.vertex_part.size(); ++v) {
+        int& most = best[static_cast<std::size_t>(from.parts.vertex_part[v])];
+        if (most < 0 || signature[static_cast<Eigen::Index>(v)] > signature[most]) most = static_cast<int>(v);
+    }
+    std::vector<Landmark> out;
+    for (std::size_t part = 0; part < best.size(); ++part)
+        if (best[part] >= 0)
+            out.push_back(
+                {from.parts.parts[part], best[part], correspondence.map[static_cast<std::size_t>(best[part])]});
+    return out;
+}
+
+} // namespace skelgen::applications

@@ -1,0 +1,169 @@
+#pragma once
+
+#include <skelgen/applications/heat_weights.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include <Eigen/SparseCholesky>
+
+#include <skelgen/core/error.hpp>
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/core/header_only.hpp>
+#include <skelgen/curve/laplacian.hpp>
+
+namespace skelgen::applications {
+namespace detail {
+
+/// The bones that heat a vertex, and how far they are; none where none is seen.
+template <typename Scalar>
+struct HeatSources {
+    std::vector<int> joints; ///< with repetitions where several bones are as near
+    Scalar distance = 0;
+};
+
+/// Is the vertex what a look from a place inside the body meets first?
+template <typename Scalar>
+bool is_seen_from(const Vector3<Scalar>& place, const Vector3<Scalar>& vertex, const Body<Scalar>& body) {
+    constexpr Scalar nearly = Scalar(0.98); // the look ends at the vertex's own faces, which may slant
+    const Scalar distance = (vertex - place).norm();
+    if (!(distance > 0)) return true;
+    const Vector3<Scalar> direction = (vertex - place) / distance;
+    return body.tree.first_along(body.mesh, place, direction).distance >= nearly * distance;
+}
+
+/// The nearest bones in sight of a vertex: several where it is as near to them, as beside the joint where they meet.
+/// Those behind several others are not looked for: they would hardly warm it.
+template <typename Scalar>
+HeatSources<Scalar> nearest_bones_in_sight(const Vector3<Scalar>& vertex, const std::vector<Bone<Scalar>>& bones,
+                                           const Body<Scalar>& body) {
+    constexpr std::size_t looks = 6;
+    constexpr Scalar as_near = Scalar(1.0001); // BP07
+    struct Candidate {
+        Scalar relative, distance;
+        int joint;
+        Vector3<Scalar> place;
+    };
+    std::vector<Candidate> candidates;
+    for (const Bone<Scalar>& bone : bones) {
+        const auto near = core::nearest_on_segment<Scalar, 3>(vertex, bone.from, bone.to);
+        const Scalar radius = bone.radius_from + near.along * (bone.radius_to - bone.radius_from);
+        const Vector3<Scalar> place = bone.from + near.along * (bone.to - bone.from);
+        candidates.push_back({radius > 0 ? near.distance / radius : near.distance, near.distance, bone.joint, place});
+    }
+    const auto tried = static_cast<std::ptrdiff_t>(std::min(looks, candidates.size()));
+    std::partial_sort(candidates.begin(), candidates.begin() + tried, candidates.end(),
+                      [](const Candidate& a, const Candidate& b) { return a.relative < b.relative; });
+    HeatSources<Scalar> out;
+    Scalar nearest = 0;
+    for (auto candidate = candidates.begin(); candidate != candidates.begin() + tried; ++candidate) {
+        if (!out.joints.empty() && candidate->relative > as_near * nearest) break;
+        if (!is_seen_from(candidate->place, vertex, body)) continue;
+        if (out.joints.empty()) nearest = candidate->relative;
+        out.distance = out.joints.empty() ? candidate->distance : std::min(out.distance, candidate->distance);
+        out.joints.push_back(candidate->joint);
+    }
+    return out;
+}
+
+/// A third of the area of the faces around each vertex.
+template <typename Scalar>
+Eigen::VectorX<core::Accumulator> vertex_areas(const TriangleMesh<Scalar>& mesh) {
+    Eigen::VectorX<core::Accumulator> areas = Eigen::VectorX<core::Accumulator>::Zero(mesh.vertices.rows());
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
+        for (int k = 0; k < 3; ++k) areas[mesh.faces(f, k)] += core::face_area_vector(mesh, f).norm() / 3;
+    return areas;
+}
+
+/// A limb's number, -1 for the trunk.
+inline int limb_of(const TemplateJoint& joint) {
+    const BodyPart part = part_of(joint.role);
+    if (part == BodyPart::trunk) return -1;
+    return (part == BodyPart::leg ? 2 : 0) + (joint.side == Side::right ? 1 : 0);
+}
+
+/// The limbs of a template, and the trunk's joints that carry them.
+struct Limbs {
+    static constexpr std::size_t count = 4;
+    std::vector<int> limb;           ///< per joint, -1 for the trunk
+    std::array<int, count> first{};  ///< each limb's joint nearest to the trunk
+    std::array<int, count> parent{}; ///< the joint of the trunk that carries it
+
+    explicit Limbs(const SkeletonTemplate& skeleton_template) {
+        for (std::size_t j = 0; j < skeleton_template.joints.size(); ++j) {
+            limb.push_back(limb_of(skeleton_template.joints[j]));
+            const int from = skeleton_template.joints[j].parent;
+            if (limb.back() < 0 || from < 0 || limb[static_cast<std::size_t>(from)] >= 0) continue;
+            first[static_cast<std::size_t>(limb.back())] = static_cast<int>(j);
+            parent[static_cast<std::size_t>(limb.back())] = from;
+        }
+    }
+};
+
+} // namespace detail
+
+template <typename Scalar>
+Outcome<JointWeights> heat_weights(const Body<Scalar>& body, const std::vector<Bone<Scalar>>& bones, int joints) {
+    using core::Accumulator;
+    const Eigen::Index n = body.mesh.vertices.rows();
+    const Eigen::VectorX<Accumulator> areas = detail::vertex_areas(body.mesh);
+    const Accumulator largest_supply = areas.sum() / core::rounding<Accumulator>(); // at no distance from a bone
+
+    Eigen::VectorX<Accumulator> supply = Eigen::VectorX<Accumulator>::Zero(n); // area / distance^2
+    JointWeights heat = JointWeights::Zero(n, joints);
+    for (Eigen::Index v = 0; v < n; ++v) {
+        const auto sources = detail::nearest_bones_in_sight(core::point(body.mesh.vertices, v), bones, body);
+        if (sources.joints.empty()) continue;
+        const auto distance = static_cast<Accumulator>(sources.distance), squared = distance * distance;
+        supply[v] = areas[v] < largest_supply * squared ? areas[v] / squared : largest_supply;
+        for (const int joint : sources.joints)
+            heat(v, joint) += supply[v] / static_cast<Accumulator>(sources.joints.size());
+    }
+    if (!(supply.maxCoeff() > 0))
+        return Failure{FailureReason::no_body, "the skeleton is not in the body: no bone is seen from the surface"};
+
+    // Off-diagonals of BP07's Laplacian are half of cot a + cot b.
+    Eigen::SparseMatrix<Accumulator> matrix = -0.5 * curve::cotangent_laplacian(body.mesh.vertices, body.mesh.faces);
+    matrix.diagonal() += supply;
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<Accumulator>> solver(matrix);
+    if (solver.info() != Eigen::Success)
+        throw Error(ErrorCode::internal, "the heat of the bones could not be solved for: a matrix is singular");
+    JointWeights weights = solver.solve(heat).cwiseMax(0);
+    const Eigen::VectorX<Accumulator> sums = weights.rowwise().sum();
+    return JointWeights(weights.array().colwise() / sums.array());
+}
+
+SKELGEN_INLINE JointWeights following_one_limb(JointWeights weights, const SkeletonTemplate& skeleton_template) {
+    using core::Accumulator;
+    using PerLimb = Eigen::Array<Accumulator, detail::Limbs::count, 1>;
+    constexpr Accumulator clear_share = 4; // a quarter of the trunk is enough to give to it
+    const detail::Limbs limbs(skeleton_template);
+    const auto limb_at = [&](Eigen::Index j) { return limbs.limb[static_cast<std::size_t>(j)]; };
+    for (Eigen::Index v = 0; v < weights.rows(); ++v) {
+        PerLimb share = PerLimb::Zero();
+        for (Eigen::Index j = 0; j < weights.cols(); ++j)
+            if (limb_at(j) >= 0) share[limb_at(j)] += weights(v, j);
+        int strongest = 0, next = 0;
+        const Accumulator most = share.maxCoeff(&strongest), all = share.sum();
+        PerLimb others = share;
+        others[strongest] = 0;
+        const Accumulator second = others.maxCoeff(&next);
+        if (!(second > 0)) continue;
+
+        const auto first_share = [&](int limb) {
+            return weights(v, limbs.first[static_cast<std::size_t>(limb)]) / share[limb];
+        };
+        const Accumulator freed = all - (most - second);
+        const Accumulator near_trunk = std::min({first_share(strongest), first_share(next), clear_share * (1 - all)});
+        const Accumulator to_trunk = freed * std::clamp(near_trunk, Accumulator(0), Accumulator(1));
+        const Accumulator kept = (most - second + freed - to_trunk) / most;
+        for (Eigen::Index j = 0; j < weights.cols(); ++j)
+            if (limb_at(j) >= 0) weights(v, j) *= limb_at(j) == strongest ? kept : 0;
+        weights(v, limbs.parent[static_cast<std::size_t>(strongest)]) += to_trunk / 2;
+        weights(v, limbs.parent[static_cast<std::size_t>(next)]) += to_trunk / 2;
+    }
+    return weights;
+}
+
+} // namespace skelgen::applications

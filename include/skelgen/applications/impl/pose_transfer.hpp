@@ -1,0 +1,71 @@
+#pragma once
+
+#include <skelgen/applications/pose_transfer.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+#include <skelgen/applications/bind.hpp>
+#include <skelgen/applications/bone_orientations.hpp>
+#include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/posing.hpp>
+#include <skelgen/applications/rig.hpp>
+#include <skelgen/applications/skinning.hpp>
+#include <skelgen/core/geometry.hpp>
+
+namespace skelgen::applications {
+namespace detail {
+
+/// How far the lowest corner of a mesh's faces lies along a direction.
+template <typename Scalar>
+Scalar lowest_along(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& up) {
+    Scalar lowest = std::numeric_limits<Scalar>::infinity();
+    for (Eigen::Index i = 0; i < mesh.faces.size(); ++i)
+        lowest = std::min(lowest, up.dot(core::point(mesh.vertices, mesh.faces.data()[i])));
+    return lowest;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+PosedBody<Scalar> pose_like(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton<Scalar>& skeleton,
+                            const KinematicSkeleton<Scalar>& model, const SkeletonTemplate& skeleton_template,
+                            const surface::PrepareOptions& options) {
+    const Orientations<Scalar> from = bone_orientations(skeleton, skeleton_template);
+    const Orientations<Scalar> to = bone_orientations(model, skeleton_template);
+    const Skin<Scalar> skin = bind(mesh, skeleton, skeleton_template, options);
+    const auto motion = motions<Scalar>(skeleton, from, to, model.joints.front().position);
+    return {{skinned(mesh.vertices, skin, motion), mesh.faces}, moved(skeleton, skeleton_template, motion)};
+}
+
+template <typename Scalar>
+Floor<Scalar> floor_of(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton<Scalar>& skeleton,
+                       const SkeletonTemplate& skeleton_template) {
+    Floor<Scalar> floor;
+    Eigen::Index axis = 0;
+    skeleton.frame.up.cwiseAbs().maxCoeff(&axis);
+    floor.up = Vector3<Scalar>::Unit(axis) * (skeleton.frame.up[axis] < 0 ? Scalar(-1) : Scalar(1));
+    floor.height = detail::lowest_along(mesh, floor.up);
+    const Scalar near = standing_height(skeleton, skeleton_template) / 10;
+    floor.is_stood_on = true;
+    for (const Side side : {Side::left, Side::right}) {
+        const int foot = find_joint(skeleton_template, JointRole::foot, side);
+        const Vector3<Scalar> joint = skeleton.joints[static_cast<std::size_t>(foot)].position;
+        for (const Vector3<Scalar>& place : {joint, bone_end(skeleton, skeleton_template, foot)})
+            floor.is_stood_on = floor.is_stood_on && floor.up.dot(place) - floor.height <= near;
+    }
+    return floor;
+}
+
+template <typename Scalar>
+PosedBody<Scalar> put_on(PosedBody<Scalar> body, const Floor<Scalar>& floor) {
+    const Vector3<Scalar> shift = (floor.height - detail::lowest_along(body.mesh, floor.up)) * floor.up;
+    body.mesh.vertices.rowwise() += shift.transpose();
+    for (Joint<Scalar>& joint : body.skeleton.joints) joint.position += shift;
+    for (auto& [name, place] : body.skeleton.end_points) place += shift;
+    body.skeleton.frame.origin += shift;
+    return body;
+}
+
+} // namespace skelgen::applications

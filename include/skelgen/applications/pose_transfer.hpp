@@ -1,0 +1,50 @@
+#pragma once
+
+#include <skelgen/core/kinematic_skeleton.hpp>
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/surface/prepare.hpp>
+
+namespace skelgen::applications {
+
+/// A body in another pose than it was found in.
+template <typename Scalar = double>
+struct PosedBody {
+    TriangleMesh<Scalar> mesh;          ///< the input's vertices and faces in their order
+    KinematicSkeleton<Scalar> skeleton; ///< where its joints went; bones have kept their lengths
+};
+
+/// Holds a body as a model holds itself, whatever the shape, proportions and unit of both: each bone is turned as the
+/// model's, in the model's coordinates, and the root comes to where the model's is. The mesh follows by dual
+/// quaternions (`skinned`), so that limbs keep their volume. Both skeletons are of the same template, each in its own
+/// coordinates; `mesh` in those of `skeleton`. \throws Error as `bind`.
+template <typename Scalar>
+[[nodiscard]] PosedBody<Scalar> pose_like(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton<Scalar>& skeleton,
+                                          const KinematicSkeleton<Scalar>& model,
+                                          const SkeletonTemplate& skeleton_template,
+                                          const surface::PrepareOptions& options = {});
+
+/// Where a model stands on a floor, and which way is up.
+template <typename Scalar = double>
+struct Floor {
+    Vector3<Scalar> up =
+        Vector3<Scalar>::UnitY(); ///< the axis of the coordinates, or its opposite, nearest to the body's
+    Scalar height = 0;            ///< of the lowest place of its surface along `up`
+    bool is_stood_on = false;     ///< both feet are down there
+};
+
+/// Looks whether a body stands: its lowest place is no farther below each foot's joint and toe than a tenth of the
+/// body's height. \throws Error usage when the skeleton's joints are not the template's. O(faces).
+template <typename Scalar>
+[[nodiscard]] Floor<Scalar> floor_of(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton<Scalar>& skeleton,
+                                     const SkeletonTemplate& skeleton_template);
+
+/// The posed body moved along the floor's `up` to where its lowest place is on the floor. O(n).
+template <typename Scalar>
+[[nodiscard]] PosedBody<Scalar> put_on(PosedBody<Scalar> body, const Floor<Scalar>& floor);
+
+} // namespace skelgen::applications
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/applications/impl/pose_transfer.hpp>
+#endif

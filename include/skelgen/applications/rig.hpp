@@ -1,0 +1,69 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <skelgen/applications/posing.hpp>
+#include <skelgen/applications/skinning.hpp>
+#include <skelgen/core/kinematic_skeleton.hpp>
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/surface/prepare.hpp>
+
+namespace skelgen::applications {
+
+/// A joint of a rig in its rest pose.
+template <typename Scalar = double>
+struct RigJoint {
+    std::string name;
+    int parent = -1; ///< index into the joints, smaller than the joint's own; -1 for the root
+    JointRole role = JointRole::pelvis;
+    Side side = Side::none;
+    Vector3<Scalar> position = Vector3<Scalar>::Zero();
+    Vector3<Scalar> end = Vector3<Scalar>::Zero(); ///< of its bone: the next joint, or the limb's end on the surface
+    /// From x, y and z to the joint's axes: y along the bone, x about which it bends; mirrored from side to side.
+    Eigen::Quaternion<Scalar> axes = Eigen::Quaternion<Scalar>::Identity();
+};
+
+/// A mesh bound to joints, in its rest pose: +y up, facing +z, standing on y = 0 with its root above the origin.
+template <typename Scalar = double>
+struct Rig {
+    TriangleMesh<Scalar> mesh;            ///< the input's vertices and faces in their order
+    std::vector<RigJoint<Scalar>> joints; ///< in the template's order, parents before children
+    Skin<Scalar> skin;
+    RestPose rest = RestPose::as_is;
+    Scalar metres_per_unit = 1; ///< what the input's coordinates were multiplied by
+    bool unit_is_known = false; ///< else they keep the input's unit
+};
+
+/// How to make a rig.
+struct RigOptions {
+    RestPose rest = RestPose::as_is;
+    surface::PrepareOptions prepare;
+};
+
+/// A person's height, standing, as the skeleton has it: from the lower ankle's end to the top of the head along the
+/// bones. In the skeleton's unit. \throws Error usage when the skeleton's joints are not the template's.
+template <typename Scalar>
+[[nodiscard]] Scalar standing_height(const KinematicSkeleton<Scalar>& skeleton,
+                                     const SkeletonTemplate& skeleton_template);
+
+/// Metres in the unit in which someone has this height: 1, 0.01 or 0.001 where people of 0.5 to 2.5 m have it in
+/// metres, centimetres or millimetres; else 0: not known.
+[[nodiscard]] double metres_per_unit(double height);
+
+/// From a body to a character: binds the mesh to its skeleton (`bind`), puts it into the rest pose, and gives joints
+/// their axes. `skeleton` in the mesh's coordinates. \throws Error no_skeleton where the skeleton does not lie in the
+/// mesh; usage when it is not of that template, or an option is out of its range; bad_input when `mesh` is no usable
+/// surface.
+template <typename Scalar>
+[[nodiscard]] Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton<Scalar>& skeleton,
+                                   const SkeletonTemplate& skeleton_template, const RigOptions& options = {});
+
+} // namespace skelgen::applications
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/applications/impl/rig.hpp>
+#endif

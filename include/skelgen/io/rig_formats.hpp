@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <skelgen/applications/rig.hpp>
+#include <skelgen/io/scene_looks.hpp>
+
+namespace skelgen::io {
+
+/// Whose names the joints of a file have.
+enum class JointNames { skelgen, smpl, mixamo, vrm };
+
+/// The names of those conventions, as `JointNames` has them: "skelgen", ...
+[[nodiscard]] std::optional<JointNames> joint_names_named(std::string_view name);
+
+/// What a convention calls a joint; the joint's own name where it has none.
+[[nodiscard]] std::string name_of(const applications::RigJoint<double>& joint, JointNames names);
+
+/// What a convention calls each joint of a rig, in their order. Where a role is there several times, all but the
+/// first keep their own names. O(joints^2).
+[[nodiscard]] std::vector<std::string> names_of(const std::vector<applications::RigJoint<double>>& joints,
+                                                JointNames names);
+
+/// A GLB file (Khr21) with the rig: one skinned mesh, its vertices in the rig's order, smooth normals but for edges
+/// sharper than 60 degrees between vertices at equal places, the joints as nodes with their axes, inverse bind
+/// matrices, four influences a vertex; with the looks of the scene that it was made of. Linear. \throws Error usage when
+/// there are no faces, a coordinate is too large for a float, or the looks are those of another mesh.
+[[nodiscard]] std::string rig_to_glb(const applications::Rig<double>& rig, JointNames names = JointNames::skelgen,
+                                     const SceneLooks& looks = {});
+
+/// The same with VRM 1.0's extension VRMC_vrm: which node is which bone of a humanoid, and a name for the avatar.
+/// Joints are named as VRM names them. \throws Error usage also when the rig does not stand in the T-pose, which VRM
+/// asks for, or a bone that it asks for is missing; or the name is empty.
+[[nodiscard]] std::string rig_to_vrm(const applications::Rig<double>& rig, const std::string& name,
+                                     const SceneLooks& looks = {});
+
+/// The skeleton as BVH: offsets in the rest pose, centimetres (where the unit is known, else the rig's own), +Y up;
+/// channels in the order Z, X, Y; one frame that moves nothing. O(joints).
+[[nodiscard]] std::string rig_to_bvh(const applications::Rig<double>& rig, JointNames names = JointNames::skelgen);
+
+/// The formats that rigs are written in.
+enum class RigFormat { glb, vrm, bvh };
+
+/// The format that the extension of `path` stands for, whatever its case; none if it is no rig's.
+[[nodiscard]] std::optional<RigFormat> rig_format_of(const std::filesystem::path& path);
+
+/// Writes one of the above by the extension of `path`, whatever its case: .glb, .vrm (named as the file) or .bvh.
+/// Whole or not at all (see `write_file_atomically`). \throws Error usage also when the extension is none of these; as
+/// `write_file_atomically` when the file cannot be written.
+void write_rig(const std::filesystem::path& path, const applications::Rig<double>& rig,
+               JointNames names = JointNames::skelgen, const SceneLooks& looks = {});
+
+} // namespace skelgen::io
+
+namespace skelgen {
+using io::write_rig;
+} // namespace skelgen

@@ -1,0 +1,34 @@
+// What is read off one body, compiled once, for float and double.
+
+#include <skelgen/applications/impl/alignment.hpp>
+#include <skelgen/applications/impl/body_coordinates.hpp>
+#include <skelgen/applications/impl/measurement.hpp>
+#include <skelgen/applications/impl/part_shares.hpp>
+#include <skelgen/applications/impl/segmentation.hpp>
+
+namespace skelgen::applications {
+
+#define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
+    template KinematicSkeleton<Scalar> to_body(const Body<Scalar>&, const KinematicSkeleton<Scalar>&);                 \
+    template std::vector<int> standing_for(const Body<Scalar>&, const Points<Scalar>&);                                \
+    template Vector3<Scalar> joint_place(const KinematicSkeleton<Scalar>&, const std::string&);                        \
+    template Vector3<Scalar> end_place(const KinematicSkeleton<Scalar>&, const std::string&, const std::string&);      \
+    template Eigen::VectorX<core::Accumulator> vertex_areas(const TriangleMesh<Scalar>&);                              \
+    template Eigen::MatrixX<core::Accumulator> part_shares(const Body<Scalar>&, const std::vector<int>&, int, double); \
+    template PelvisDirections<Scalar> pelvis_directions(const KinematicSkeleton<Scalar>&);                             \
+    template Eigen::Matrix<Scalar, 4, 4> alignment(const KinematicSkeleton<Scalar>&, const Points<Scalar>&,            \
+                                                   const AlignmentOptions&);                                           \
+    template Points<Scalar> transformed(const Points<Scalar>&, const Eigen::Matrix<Scalar, 4, 4>&);                    \
+    template Segmentation segment(const Body<Scalar>&, const KinematicSkeleton<Scalar>&, PartSet,                      \
+                                  const SegmentationOptions&);                                                         \
+    template Segmentation to_input(const Segmentation&, const Body<Scalar>&, const TriangleMesh<Scalar>&);             \
+    template double standing_height(const Body<Scalar>&, const KinematicSkeleton<Scalar>&);                            \
+    template Scalar tape_length(const std::vector<Vector3<Scalar>>&, const Vector3<Scalar>&);                          \
+    template Measurements measure(const Body<Scalar>&, const KinematicSkeleton<Scalar>&, const Segmentation&);
+
+SKELGEN_INSTANTIATE(float)
+SKELGEN_INSTANTIATE(double)
+
+#undef SKELGEN_INSTANTIATE
+
+} // namespace skelgen::applications

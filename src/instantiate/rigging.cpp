@@ -1,0 +1,52 @@
+// The applications that move a body, compiled once for each scalar.
+
+#include <skelgen/applications/impl/bind.hpp>
+#include <skelgen/applications/impl/bone_orientations.hpp>
+#include <skelgen/applications/impl/bones.hpp>
+#include <skelgen/applications/impl/heat_weights.hpp>
+#include <skelgen/applications/impl/pose_transfer.hpp>
+#include <skelgen/applications/impl/posing.hpp>
+#include <skelgen/applications/impl/rig.hpp>
+#include <skelgen/applications/impl/skinning.hpp>
+
+namespace skelgen::applications {
+
+#define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
+    template std::vector<Bone<Scalar>> bones_of(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&);            \
+    template Vector3<Scalar> bone_end(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&, int);                 \
+    template KinematicSkeleton<Scalar> rest_skeleton(const SkeletonTemplate&);                                         \
+    template Orientations<Scalar> rest_axes(const SkeletonTemplate&);                                                  \
+    template Orientations<Scalar> bone_orientations(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&);        \
+    template Orientations<Scalar> orientations_in(RestPose, const SkeletonTemplate&, const Orientations<Scalar>&,      \
+                                                  const Eigen::Quaternion<Scalar>&);                                   \
+    template std::vector<RigidMotion<Scalar>> motions(const KinematicSkeleton<Scalar>&, const Orientations<Scalar>&,   \
+                                                      const Orientations<Scalar>&, const Vector3<Scalar>&);            \
+    template KinematicSkeleton<Scalar> moved(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&,                \
+                                             const std::vector<RigidMotion<Scalar>>&);                                 \
+    template Skin<Scalar> strongest_influences(const Eigen::MatrixX<Scalar>&);                                         \
+    template Points<Scalar> skinned(const Points<Scalar>&, const Skin<Scalar>&,                                        \
+                                    const std::vector<RigidMotion<Scalar>>&);                                          \
+    template Points<Scalar> skinned_linearly(const Points<Scalar>&, const Skin<Scalar>&,                               \
+                                             const std::vector<RigidMotion<Scalar>>&);                                 \
+    template Outcome<JointWeights> heat_weights(const Body<Scalar>&, const std::vector<Bone<Scalar>>&, int);           \
+    template Outcome<Body<Scalar>> enclosing_body(const TriangleMesh<Scalar>&, const KinematicSkeleton<Scalar>&,       \
+                                                  const surface::PrepareOptions&);                                     \
+    template std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>&, const TriangleMesh<Scalar>&);            \
+    template Skin<Scalar> bind(const TriangleMesh<Scalar>&, const KinematicSkeleton<Scalar>&, const SkeletonTemplate&, \
+                               const surface::PrepareOptions&);                                                        \
+    template Scalar standing_height(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&);                        \
+    template Rig<Scalar> make_rig(const TriangleMesh<Scalar>&, const KinematicSkeleton<Scalar>&,                       \
+                                  const SkeletonTemplate&, const RigOptions&);                                         \
+    template PosedBody<Scalar> pose_like(const TriangleMesh<Scalar>&, const KinematicSkeleton<Scalar>&,                \
+                                         const KinematicSkeleton<Scalar>&, const SkeletonTemplate&,                    \
+                                         const surface::PrepareOptions&);                                              \
+    template Floor<Scalar> floor_of(const TriangleMesh<Scalar>&, const KinematicSkeleton<Scalar>&,                     \
+                                    const SkeletonTemplate&);                                                          \
+    template PosedBody<Scalar> put_on(PosedBody<Scalar>, const Floor<Scalar>&);
+
+SKELGEN_INSTANTIATE(float)
+SKELGEN_INSTANTIATE(double)
+
+#undef SKELGEN_INSTANTIATE
+
+} // namespace skelgen::applications

@@ -1,0 +1,99 @@
+#include <skelgen/io/coloured_ply.hpp>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include <skelgen/core/error.hpp>
+#include <skelgen/io/atomic_file.hpp>
+
+#include "little_endian.hpp"
+#include "number_text.hpp"
+
+namespace skelgen::io {
+namespace {
+
+void check(const TriangleMesh<double>& mesh, const MeshColours& colours) {
+    const auto n = static_cast<std::size_t>(mesh.vertices.rows()), m = static_cast<std::size_t>(mesh.faces.rows());
+    const bool right_sizes = colours.vertices.size() == n &&
+                             (colours.vertex_labels.empty() || colours.vertex_labels.size() == n) &&
+                             (colours.face_labels.empty() || colours.face_labels.size() == m);
+    if (!right_sizes) throw Error(ErrorCode::usage, "a coloured mesh needs one colour and label for each vertex");
+    if (!mesh.vertices.allFinite())
+        throw Error(ErrorCode::usage, "a coordinate is not a number or infinite; repair the mesh");
+}
+
+std::string header(const TriangleMesh<double>& mesh, const MeshColours& colours) {
+    std::string text = "ply\nformat binary_little_endian 1.0\nelement vertex ";
+    detail::append_number(text, mesh.vertices.rows());
+    for (const char* axis : {"x", "y", "z"}) text += std::string("\nproperty double ") + axis;
+    for (const char* channel : {"red", "green", "blue"}) text += std::string("\nproperty uchar ") + channel;
+    if (!colours.vertex_labels.empty()) text += "\nproperty int label";
+    text += "\nelement face ";
+    detail::append_number(text, mesh.faces.rows());
+    text += "\nproperty list uchar int vertex_indices";
+    if (!colours.face_labels.empty()) text += "\nproperty int label";
+    return text + "\nend_header\n";
+}
+
+} // namespace
+
+std::string format_coloured_ply(const TriangleMesh<double>& mesh, const MeshColours& colours) {
+    check(mesh, colours);
+    std::string bytes = header(mesh, colours);
+    for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v) {
+        const auto i = static_cast<std::size_t>(v);
+        for (int axis = 0; axis < 3; ++axis) detail::append_little_endian(bytes, mesh.vertices(v, axis));
+        for (const std::uint8_t channel : colours.vertices[i]) detail::append_little_endian(bytes, channel);
+        if (!colours.vertex_labels.empty())
+            detail::append_little_endian(bytes, static_cast<std::int32_t>(colours.vertex_labels[i]));
+    }
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+        detail::append_little_endian(bytes, std::uint8_t{3});
+        for (int corner = 0; corner < 3; ++corner)
+            detail::append_little_endian(bytes, static_cast<std::int32_t>(mesh.faces(f, corner)));
+        if (!colours.face_labels.empty())
+            detail::append_little_endian(bytes,
+                                         static_cast<std::int32_t>(colours.face_labels[static_cast<std::size_t>(f)]));
+    }
+    return bytes;
+}
+
+void write_coloured_ply(const std::filesystem::path& path, const TriangleMesh<double>& mesh,
+                        const MeshColours& colours) {
+    write_file_atomically(path, format_coloured_ply(mesh, colours));
+}
+
+std::vector<ByteColour> part_colours(const std::vector<std::string>& parts) {
+    // By name without its side: left, right. Neighbours differ in lightness, so that borders show without colours, too.
+    struct Pair {
+        std::string_view part;
+        ByteColour left, right;
+    };
+    static constexpr std::array<Pair, 13> colours{{{"head", {233, 225, 240}, {}},
+                                                   {"neck", {150, 120, 170}, {}},
+                                                   {"chest", {205, 196, 214}, {}},
+                                                   {"abdomen", {158, 150, 168}, {}},
+                                                   {"pelvis", {212, 206, 200}, {}},
+                                                   {"torso", {190, 188, 196}, {}},
+                                                   {"shoulder", {28, 90, 190}, {214, 120, 0}},
+                                                   {"upper_arm", {120, 180, 245}, {252, 196, 60}},
+                                                   {"forearm", {30, 120, 160}, {222, 90, 40}},
+                                                   {"hand", {130, 220, 220}, {255, 160, 130}},
+                                                   {"thigh", {60, 110, 230}, {240, 170, 20}},
+                                                   {"calf", {150, 200, 255}, {255, 215, 120}},
+                                                   {"foot", {40, 140, 130}, {200, 70, 50}}}};
+    std::vector<ByteColour> out;
+    for (const std::string& part : parts) {
+        const std::string_view name(part);
+        const bool left = name.starts_with("left_"), right = name.starts_with("right_");
+        const std::string_view plain = name.substr(left ? 5 : right ? 6 : 0);
+        const auto* const found =
+            std::find_if(colours.begin(), colours.end(), [&](const Pair& pair) { return pair.part == plain; });
+        if (found == colours.end()) throw Error(ErrorCode::usage, "there is no colour for the part '" + part + "'");
+        out.push_back(right ? found->right : found->left);
+    }
+    return out;
+}
+
+} // namespace skelgen::io

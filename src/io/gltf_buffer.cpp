@@ -1,0 +1,85 @@
+#include "gltf_buffer.hpp"
+
+#include "little_endian.hpp"
+
+namespace skelgen::io::detail {
+namespace {
+
+constexpr int type_unsigned_short = 5123, type_unsigned_int = 5125, type_float = 5126;
+
+const char* type_of(Eigen::Index columns) {
+    switch (columns) {
+    case 1:
+        return "SCALAR";
+    case 2:
+        return "VEC2";
+    case 3:
+        return "VEC3";
+    case 4:
+        return "VEC4";
+    default:
+        return "MAT4";
+    }
+}
+
+/// As doubles: JSON then has every digit, and the limits are exactly those of the data.
+Json to_list(const Eigen::RowVectorXf& row) {
+    Json list = Json::array();
+    for (const float value : row) list.push_back(static_cast<double>(value));
+    return list;
+}
+
+} // namespace
+
+std::size_t GltfBuffer::add_view(std::size_t begin, GltfTarget target) {
+    Json view{{"buffer", 0}, {"byteOffset", begin}, {"byteLength", bytes_.size() - begin}};
+    if (target != GltfTarget::none) view["target"] = static_cast<int>(target);
+    views_.push_back(std::move(view));
+    bytes_.resize((bytes_.size() + 3) / 4 * 4, '\0'); // what follows begins at a whole word
+    return views_.size() - 1;
+}
+
+std::size_t GltfBuffer::add_accessor(int component_type, std::size_t count, const char* type, std::size_t begin,
+                                     GltfTarget target) {
+    accessors_.push_back(
+        {{"bufferView", add_view(begin, target)}, {"componentType", component_type}, {"count", count}, {"type", type}});
+    return accessors_.size() - 1;
+}
+
+std::size_t GltfBuffer::add_floats(const FloatRows& rows, GltfTarget target, bool limits) {
+    const std::size_t begin = bytes_.size();
+    for (Eigen::Index i = 0; i < rows.size(); ++i) append_little_endian(bytes_, rows.data()[i]);
+    const std::size_t index =
+        add_accessor(type_float, static_cast<std::size_t>(rows.rows()), type_of(rows.cols()), begin, target);
+    if (limits) {
+        accessors_.back()["min"] = to_list(rows.colwise().minCoeff());
+        accessors_.back()["max"] = to_list(rows.colwise().maxCoeff());
+    }
+    return index;
+}
+
+std::size_t GltfBuffer::add_indices(std::span<const std::uint32_t> indices) {
+    const std::size_t begin = bytes_.size();
+    for (const std::uint32_t index : indices) append_little_endian(bytes_, index);
+    return add_accessor(type_unsigned_int, indices.size(), "SCALAR", begin, GltfTarget::indices);
+}
+
+std::size_t GltfBuffer::add_joints(std::span<const std::uint16_t> joints) {
+    const std::size_t begin = bytes_.size();
+    for (const std::uint16_t joint : joints) append_little_endian(bytes_, joint);
+    return add_accessor(type_unsigned_short, joints.size() / 4, "VEC4", begin, GltfTarget::vertices);
+}
+
+std::size_t GltfBuffer::add_bytes(std::string_view bytes) {
+    const std::size_t begin = bytes_.size();
+    bytes_ += bytes;
+    return add_view(begin, GltfTarget::none);
+}
+
+void GltfBuffer::describe_in(Json& scene) const {
+    scene["accessors"] = accessors_;
+    scene["bufferViews"] = views_;
+    scene["buffers"] = Json::array({{{"byteLength", bytes_.size()}}});
+}
+
+} // namespace skelgen::io::detail

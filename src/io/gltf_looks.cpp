@@ -1,0 +1,113 @@
+#include "gltf_looks.hpp"
+
+#include <array>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <skelgen/core/error.hpp>
+#include <skelgen/io/read_file.hpp>
+
+#include "companion_file.hpp"
+#include "data_uri.hpp"
+#include "gltf_primitive.hpp"
+#include "gzip.hpp"
+#include "json_values.hpp"
+
+namespace skelgen::io {
+namespace detail {
+namespace {
+
+constexpr std::string_view png_magic = "\x89PNG", jpeg_magic = "\xFF\xD8\xFF", webp_magic = "RIFF";
+
+/// An image's kind by its own bytes; what the file says of it where they are of none that glTF knows.
+std::string mime_type(std::string_view bytes, const GltfValue& image) {
+    if (bytes.starts_with(png_magic)) return "image/png";
+    if (bytes.starts_with(jpeg_magic)) return "image/jpeg";
+    if (bytes.starts_with(webp_magic)) return "image/webp";
+    const auto named = image.find("mimeType");
+    if (!named) image.fail("is no picture of a known kind; save it as PNG or JPEG");
+    return named->text();
+}
+
+std::string load_picture(GltfData& data, const GltfValue& image, const LoadCompanion& load) {
+    if (const auto view = image.find("bufferView")) return std::string(data.view(*view));
+    const std::string& uri = image.at("uri").text();
+    if (!is_data_uri(uri)) return load(percent_decoded(uri));
+    auto bytes = decode_data_uri(uri);
+    if (!bytes) image.fail("holds its bytes in another way than base64, or they are damaged");
+    return *std::move(bytes);
+}
+
+/// All keys of "extensions" objects anywhere in the JSON.
+void collect_extensions(const GltfValue::Json& json, std::set<std::string>& names) {
+    if (json.is_object())
+        for (const auto& [key, value] : json.items()) {
+            if (key == "extensions" && value.is_object())
+                for (const auto& extension : value.items()) names.insert(extension.key());
+            collect_extensions(value, names);
+        }
+    if (json.is_array())
+        for (const auto& value : json) collect_extensions(value, names);
+}
+
+/// Of a list of extensions in the file those that `needed` has.
+GltfValue::Json still_needed(const GltfFile& file, const char* list, const std::set<std::string>& needed) {
+    GltfValue::Json kept = GltfValue::Json::array();
+    const auto names = file.root().find(list);
+    for (std::size_t i = 0; names && i < names->size(); ++i)
+        if (needed.contains((*names)[i].text())) kept.push_back((*names)[i].text());
+    return kept;
+}
+
+} // namespace
+
+SceneLooks read_gltf_looks(std::string_view bytes, const LoadCompanion& load) {
+    const GltfFile file = open_gltf(bytes);
+    GltfData data(file, bytes.size(), load);
+    SceneLooks looks;
+    for (const GltfPart& found : gltf_parts(data)) {
+        ScenePart part{found.first_vertex, found.vertices, found.first_face, found.faces, std::nullopt, {}};
+        const GltfValue primitive = file.root().at("meshes")[found.mesh].at("primitives")[found.primitive];
+        if (const auto material = primitive.find("material")) {
+            static_cast<void>(file.referred("materials", *material)); // there it is
+            part.material = material->whole_number();
+        }
+        part.texture_coordinates = read_texture_coordinates(data, primitive);
+        for (const auto& set : part.texture_coordinates)
+            if (set.rows() != part.vertices) primitive.fail("has another number of texture coordinates than of vertices");
+        looks.parts.push_back(std::move(part));
+    }
+
+    GltfValue::Json json = GltfValue::Json::object();
+    for (const char* list : {"materials", "textures", "samplers"})
+        if (file.count(list) > 0) json[list] = file.json.at(list);
+    for (std::size_t i = 0; i < file.count("images"); ++i) {
+        const GltfValue image = file.root().at("images")[i];
+        looks.pictures.push_back(load_picture(data, image, load));
+        json["images"].push_back({{"mimeType", mime_type(looks.pictures.back(), image)}});
+    }
+    std::set<std::string> extensions;
+    collect_extensions(json, extensions);
+    for (const char* list : {"extensionsUsed", "extensionsRequired"})
+        if (auto kept = still_needed(file, list, extensions); !kept.empty()) json[list] = std::move(kept);
+    looks.json = json.dump();
+    return looks;
+}
+
+} // namespace detail
+
+std::optional<SceneLooks> read_looks(const std::filesystem::path& path) {
+    std::string bytes = read_file(path);
+    if (detail::is_gzip(bytes)) bytes = detail::gunzip(bytes, max_file_bytes);
+    if (!detail::is_glb(bytes) && !detail::is_gltf_json(bytes)) return std::nullopt;
+    try {
+        return detail::read_gltf_looks(bytes, [folder = path.parent_path()](const std::string& reference) {
+            return detail::read_companion(folder, reference);
+        });
+    } catch (const Error& error) {
+        throw Error(error.code(), detail::valid_utf8(error.what()));
+    }
+}
+
+} // namespace skelgen::io

@@ -1,0 +1,152 @@
+#include <cmath>
+#include <string>
+
+#include <skelgen/applications/bone_orientations.hpp>
+#include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/posing.hpp>
+#include <skelgen/core/builtin_templates.hpp>
+#include <skelgen/core/error.hpp>
+
+#include "catch.hpp"
+#include "mesh_changes.hpp"
+#include "shapes.hpp"
+
+namespace {
+
+using namespace skelgen;
+using namespace skelgen::applications;
+using Rotation = Eigen::Quaterniond;
+
+const SkeletonTemplate& human() { return builtin_template("human21"); }
+std::size_t index_of(const std::string& name) {
+    return static_cast<std::size_t>(find_joint(rest_skeleton<double>(human()), name));
+}
+
+Rotation about(double degrees, const Eigen::Vector3d& axis) {
+    return Rotation(Eigen::AngleAxisd(degrees * test::pi / 180, axis));
+}
+
+/// The rest pose with each joint turned, relative to its parent, by `turn` about its own axes, and all by `whole`.
+Orientations<double> pose_of(const std::vector<std::pair<std::string, Rotation>>& turns, const Rotation& whole) {
+    const Orientations<double> axes = rest_axes<double>(human());
+    Orientations<double> pose;
+    for (std::size_t j = 0; j < human().joints.size(); ++j) {
+        Rotation own = Rotation::Identity();
+        for (const auto& [name, turn] : turns)
+            if (name == human().joints[j].name) own = axes[j] * turn * axes[j].conjugate();
+        const int parent = human().joints[j].parent;
+        pose.push_back((parent < 0 ? whole : pose[static_cast<std::size_t>(parent)]) * own);
+    }
+    return pose;
+}
+
+KinematicSkeleton<double> posed(const Orientations<double>& pose) {
+    const auto rest = rest_skeleton<double>(human());
+    const Orientations<double> from(rest.joints.size(), Rotation::Identity());
+    return moved(rest, human(), motions<double>(rest, from, pose, {1, 2, 3}));
+}
+
+TEST_CASE("bones: each joint's children and the ends of limbs", "[applications][bones]") {
+    const auto rest = rest_skeleton<double>(human());
+    const auto bones = bones_of(rest, human());
+    CHECK(bones.size() == 20 + 5);
+    CHECK(next_joint(human(), 0) == 1); // from the crotch up, not into a leg
+    CHECK(bone_end(rest, human(), 4) == Eigen::Vector3d(0, 1.777, 0.02));
+    auto without_end = rest;
+    without_end.end_points.clear();
+    CHECK(bones_of(without_end, human()).size() == 20);
+    CHECK(bone_end(without_end, human(), 4) == rest.joints[4].position);
+    auto other = rest;
+    other.joints.pop_back();
+    CHECK_THROWS_AS(bones_of(other, human()), Error);
+    CHECK_THROWS_AS(bone_end(other, human(), 0), Error);
+}
+
+TEST_CASE("axes: along the bones, bending about x, mirrored from side to side", "[applications][axes]") {
+    const auto rest = rest_skeleton<double>(human());
+    const auto axes = rest_axes<double>(human());
+    const Eigen::Vector3d mirror(-1, 1, 1);
+    for (std::size_t j = 0; j < axes.size(); ++j) {
+        CAPTURE(human().joints[j].name);
+        const Eigen::Vector3d along = bone_end(rest, human(), static_cast<int>(j)) - rest.joints[j].position;
+        CHECK((axes[j] * Eigen::Vector3d::UnitY() - along.normalized()).norm() < 1e-12);
+        const int other = counterpart(human(), static_cast<int>(j));
+        if (other < 0) continue;
+        const Rotation& there = axes[static_cast<std::size_t>(other)];
+        CHECK((axes[j] * Eigen::Vector3d::UnitX() + mirror.cwiseProduct(there * Eigen::Vector3d::UnitX())).norm() <
+              1e-12);
+    }
+    // By a positive angle about x the forearm comes forwards, the calf goes backwards.
+    for (const std::string side : {"left_", "right_"}) {
+        const auto bent = posed(pose_of({{side + "elbow", about(90, Eigen::Vector3d::UnitX())},
+                                         {side + "knee", about(90, Eigen::Vector3d::UnitX())}},
+                                        Rotation::Identity()));
+        const auto place = [&](const std::string& name) { return bent.joints[index_of(side + name)].position; };
+        CHECK((place("wrist") - place("elbow")).normalized().z() == Approx(1));
+        CHECK((place("ankle") - place("knee")).normalized().z() < -0.9);
+    }
+}
+
+TEST_CASE("orientations: those of the rest pose are none, turned bodies' turn with them", "[applications][pose]") {
+    const Rotation whole(test::random_rotation(7));
+    const auto found = bone_orientations(posed(pose_of({}, whole)), human());
+    for (const Rotation& rotation : found) CHECK(rotation.angularDistance(whole) < 1e-6);
+}
+
+TEST_CASE("orientations: a bent elbow or knee shows how its limb is turned about itself", "[applications][pose]") {
+    const Rotation whole(test::random_rotation(3));
+    const auto x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
+    const Orientations<double> pose = pose_of({{"left_shoulder", about(-40, z) * about(50, y)},
+                                               {"left_elbow", about(80, x)},
+                                               {"right_shoulder", about(30, x) * about(-35, y)},
+                                               {"right_elbow", about(60, x)},
+                                               {"left_hip", about(-70, x) * about(20, y)},
+                                               {"left_knee", about(90, x)},
+                                               {"chest", about(25, y)}},
+                                              whole);
+    const auto found = bone_orientations(posed(pose), human());
+    for (const char* name : {"crotch", "chest", "left_shoulder", "left_elbow", "right_shoulder", "right_elbow",
+                             "left_hip", "left_knee", "left_ankle"}) {
+        CAPTURE(name);
+        // The least turn from the parent has its say, too: it is some degrees.
+        CHECK(found[index_of(name)].angularDistance(pose[index_of(name)]) * 180 / test::pi < 12);
+    }
+    // Bones lie exactly where they are.
+    const auto skeleton = posed(pose);
+    const auto axes = rest_axes<double>(human());
+    for (std::size_t j = 0; j < found.size(); ++j) {
+        const Eigen::Vector3d along = bone_end(skeleton, human(), static_cast<int>(j)) - skeleton.joints[j].position;
+        CHECK((found[j] * axes[j] * y - along.normalized()).norm() < 1e-9);
+    }
+}
+
+TEST_CASE("orientations: a skeleton turned back by them is in the rest pose", "[applications][pose]") {
+    const auto z = Eigen::Vector3d::UnitZ();
+    const auto skeleton = posed(
+        pose_of({{"left_shoulder", about(-80, z)}, {"right_hip", about(-30, z)}}, Rotation(test::random_rotation(5))));
+    const auto now = bone_orientations(skeleton, human());
+    const auto rest = rest_skeleton<double>(human());
+    const auto wanted = orientations_in<double>(RestPose::t_pose, human(), now, Rotation::Identity());
+    const auto back = moved(skeleton, human(), motions<double>(skeleton, now, wanted, rest.joints[0].position));
+    for (const char* name : {"left_elbow", "left_wrist", "right_knee", "right_ankle", "head"})
+        CHECK((back.joints[index_of(name)].position - rest.joints[index_of(name)].position).norm() < 1e-9);
+
+    const auto lowered = orientations_in<double>(RestPose::a_pose, human(), now, Rotation::Identity());
+    const auto a = moved(skeleton, human(), motions<double>(skeleton, now, lowered, {0, 0, 0}));
+    for (const std::string side : {"left_", "right_"}) {
+        const Eigen::Vector3d arm =
+            a.joints[index_of(side + "elbow")].position - a.joints[index_of(side + "shoulder")].position;
+        CHECK(arm.normalized().y() == Approx(-std::sqrt(0.5)));
+    }
+    CHECK_THROWS_AS(motions<double>(skeleton, {}, wanted, {0, 0, 0}), Error);
+}
+
+TEST_CASE("orientations: joints in one place turn with their parents", "[applications][pose]") {
+    auto skeleton = rest_skeleton<float>(human());
+    skeleton.joints[index_of("left_wrist")].position = skeleton.joints[index_of("left_elbow")].position;
+    skeleton.end_points.clear();
+    for (const auto& rotation : bone_orientations(skeleton, human()))
+        CHECK(rotation.angularDistance(Eigen::Quaternionf::Identity()) < 0.2F);
+}
+
+} // namespace

@@ -1,0 +1,72 @@
+#include <skelgen/applications/heat_weights.hpp>
+#include <skelgen/core/builtin_templates.hpp>
+
+#include "anatomy/rest_skeleton.hpp"
+#include "catch.hpp"
+#include "shapes.hpp"
+
+namespace {
+
+using namespace skelgen;
+using namespace skelgen::applications;
+
+/// Two bones along the axis of a capsule that reaches from z = -0.5 to 4.5.
+template <typename Scalar>
+std::vector<Bone<Scalar>> two_bones() {
+    return {{0, {0, 0, 0}, {0, 0, 2}, Scalar(0.5), Scalar(0.5)}, {1, {0, 0, 2}, {0, 0, 4}, Scalar(0.5), Scalar(0.5)}};
+}
+
+TEMPLATE_TEST_CASE("heat: halves where bones meet, all of a bone far from others", "[applications][weights]", float,
+                   double) {
+    const auto body = test::body_of<TestType>(test::capsule(0.5, 4));
+    const auto weights = heat_weights(body, two_bones<TestType>(), 3);
+    REQUIRE(weights);
+    CHECK((weights->rowwise().sum().array() - 1).abs().maxCoeff() < 1e-12);
+    CHECK(weights->minCoeff() >= 0);
+    CHECK(weights->col(2).maxCoeff() == 0); // has no bone
+    for (Eigen::Index v = 0; v < weights->rows(); ++v) {
+        const double z = static_cast<double>(body.mesh.vertices(v, 2)), first = (*weights)(v, 0);
+        if (z < 0.5) CHECK(first > 0.97);
+        if (z > 3.5) CHECK(first < 0.03);
+        if (z < 1.9) CHECK(first > 0.5);
+        if (z > 2.1) CHECK(first < 0.5);
+    }
+}
+
+TEST_CASE("heat: only bones in sight warm", "[applications][weights]") {
+    // Beside the capsule, and nearer to its one side than the bone within.
+    std::vector<Bone<double>> bones{{0, {0, 0, 0}, {0, 0, 4}, 0, 0}, {1, {0.6, 0, 0}, {0.6, 0, 4}, 0, 0}};
+    const auto body = test::body_of<double>(test::capsule(0.5, 4));
+    const auto weights = heat_weights(body, bones, 2);
+    REQUIRE(weights);
+    for (Eigen::Index v = 0; v < weights->rows(); ++v)
+        if (body.mesh.vertices(v, 0) < -0.1) CHECK((*weights)(v, 0) > 0.5);
+
+    bones = {{0, {100, 0, 0}, {100, 0, 1}, 0, 0}};
+    const auto inside_out = test::body_of<double>(test::capsule(0.5, 4));
+    CHECK(heat_weights(inside_out, bones, 1)); // seen from outside
+    CHECK_FALSE(heat_weights(inside_out, {}, 1));
+}
+
+TEST_CASE("one limb: where limbs meet the trunk takes what they lose", "[applications][weights]") {
+    const SkeletonTemplate& human = builtin_template("human21");
+    const int left = find_joint(human, JointRole::hip, Side::left),
+              right = find_joint(human, JointRole::hip, Side::right);
+    const int left_knee = find_joint(human, JointRole::knee, Side::left);
+    const int right_hand = find_joint(human, JointRole::hand, Side::right);
+    JointWeights weights = JointWeights::Zero(4, static_cast<Eigen::Index>(human.joints.size()));
+    weights(0, 0) = 0.4, weights(0, left) = 0.3, weights(0, right) = 0.3; // in the crotch
+    weights(1, 0) = 0.4, weights(1, left) = 0.5, weights(1, right) = 0.1;
+    weights(2, left) = 0.6, weights(2, right_hand) = 0.4; // a hand grown together with a thigh
+    weights(3, left) = 0.5, weights(3, left_knee) = 0.5;  // one limb alone: as it was
+    const JointWeights one = following_one_limb(weights, human);
+    CHECK(one(0, 0) == Approx(1));
+    CHECK(one(1, left) == Approx(0.4));
+    CHECK(one(1, right) == 0);
+    CHECK(one(1, 0) == Approx(0.6));
+    CHECK(one(2, left) == Approx(1));
+    CHECK(one.row(3) == weights.row(3));
+    CHECK((one.rowwise().sum().array() - 1).abs().maxCoeff() < 1e-12);
+}
+
+} // namespace

@@ -1,0 +1,82 @@
+#include <string>
+
+#include <skelgen/applications/bone_orientations.hpp>
+#include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/pose_transfer.hpp>
+#include <skelgen/applications/posing.hpp>
+#include <skelgen/extract.hpp>
+#include <skelgen/io/read_mesh.hpp>
+
+#include "catch.hpp"
+#include "mesh_changes.hpp"
+#include "shapes.hpp"
+
+namespace {
+
+using namespace skelgen;
+using namespace skelgen::applications;
+
+const SkeletonTemplate& human() { return builtin_template("human21"); }
+
+/// human21 at rest, turned as a whole and with its left upper arm lowered by 60 degrees.
+KinematicSkeleton<double> model(const Eigen::Quaterniond& whole) {
+    const auto rest = rest_skeleton<double>(human());
+    const Orientations<double> from(rest.joints.size(), Eigen::Quaterniond::Identity());
+    Orientations<double> to(rest.joints.size(), whole);
+    const Eigen::Quaterniond lowered(Eigen::AngleAxisd(-test::pi / 3, Eigen::Vector3d::UnitZ()));
+    for (const char* name : {"left_shoulder", "left_elbow", "left_wrist", "left_hand"})
+        to[static_cast<std::size_t>(find_joint(rest, name))] = whole * lowered;
+    return moved(rest, human(), motions<double>(rest, from, to, {3, 4, 5}));
+}
+
+double bone(const KinematicSkeleton<double>& skeleton, std::size_t j) {
+    const int parent = skeleton.joints[j].parent;
+    return (skeleton.joints[j].position - skeleton.joints[static_cast<std::size_t>(parent)].position).norm();
+}
+
+TEST_CASE("pose: bones point where the model's do, and keep their lengths", "[applications][pose]") {
+    const auto mesh = read_mesh(SKELGEN_DATA "/sample/body.off");
+    const auto skeleton = extract_skeleton(mesh).skeleton;
+    const auto wanted = model(Eigen::Quaterniond(test::random_rotation(2)));
+    const PosedBody<double> posed = pose_like(mesh, skeleton, wanted, human());
+    CHECK(posed.mesh.faces == mesh.faces);
+    CHECK((posed.skeleton.joints[0].position - wanted.joints[0].position).norm() < 1e-12);
+    for (std::size_t j = 1; j < skeleton.joints.size(); ++j)
+        CHECK(bone(posed.skeleton, j) == Approx(bone(skeleton, j)));
+    const auto direction = [](const KinematicSkeleton<double>& of, const char* a, const char* b) {
+        const auto place = [&](const char* name) {
+            return of.joints[static_cast<std::size_t>(find_joint(of, name))].position;
+        };
+        return (place(b) - place(a)).normalized().eval();
+    };
+    for (const auto& [a, b] : {std::pair{"left_shoulder", "left_elbow"},
+                               {"left_elbow", "left_wrist"},
+                               {"right_shoulder", "right_elbow"},
+                               {"left_hip", "left_knee"},
+                               {"right_knee", "right_ankle"},
+                               {"waist", "chest"}})
+        CHECK((direction(posed.skeleton, a, b) - direction(wanted, a, b)).norm() < 1e-9);
+
+    // The skin goes with the bones: the posed body, held as it was, is what it was.
+    const PosedBody<double> back = pose_like(posed.mesh, posed.skeleton, skeleton, human());
+    CHECK((back.mesh.vertices - mesh.vertices).rowwise().norm().mean() < 0.01);
+    CHECK((back.skeleton.joints[8].position - skeleton.joints[8].position).norm() < 1e-3);
+}
+
+TEST_CASE("pose: who stands stays on the floor", "[applications][pose]") {
+    auto standing = rest_skeleton<double>(human());
+    TriangleMesh<double> slab = test::box({1, 1.7, 0.4}, 1);
+    const Floor<double> floor = floor_of(slab, standing, human());
+    CHECK(floor.is_stood_on);
+    CHECK(floor.up == Eigen::Vector3d::UnitY());
+    CHECK(floor.height == 0);
+    slab.vertices.col(1).array() -= 0.5; // feet far above its lowest place
+    CHECK_FALSE(floor_of(slab, standing, human()).is_stood_on);
+
+    const PosedBody<double> put = put_on(PosedBody<double>{slab, standing}, floor);
+    CHECK(put.mesh.vertices.col(1).minCoeff() == Approx(0).margin(1e-12));
+    CHECK(put.skeleton.joints[0].position.y() == Approx(standing.joints[0].position.y() + 0.5));
+    CHECK(put.skeleton.end_points[0].second.y() == Approx(standing.end_points[0].second.y() + 0.5));
+}
+
+} // namespace

@@ -1,0 +1,159 @@
+#include <optional>
+#include <string>
+
+#include <skelgen/applications/bind.hpp>
+#include <skelgen/applications/rig.hpp>
+#include <skelgen/core/error.hpp>
+#include <skelgen/extract.hpp>
+#include <skelgen/io/read_mesh.hpp>
+
+#include "catch.hpp"
+#include "mesh_changes.hpp"
+#include "shapes.hpp"
+#include "weights.hpp"
+
+namespace {
+
+using namespace skelgen;
+using namespace skelgen::applications;
+
+const SkeletonTemplate& human() { return builtin_template("human21"); }
+
+struct Sample {
+    TriangleMesh<double> mesh = read_mesh(SKELGEN_DATA "/sample/body.off");
+    KinematicSkeleton<double> skeleton = extract_skeleton(mesh).skeleton;
+};
+
+/// Found once for all tests that this process runs.
+const Sample& sample_body() {
+    static const Sample sample;
+    return sample;
+}
+
+template <typename Scalar>
+KinematicSkeleton<Scalar> cast(const KinematicSkeleton<double>& skeleton) {
+    KinematicSkeleton<Scalar> out;
+    out.template_name = skeleton.template_name;
+    for (const auto& joint : skeleton.joints)
+        out.joints.push_back(
+            {joint.name, joint.parent, joint.position.cast<Scalar>(), static_cast<Scalar>(joint.radius)});
+    for (const auto& [name, place] : skeleton.end_points)
+        out.end_points.emplace_back(name, place.template cast<Scalar>());
+    out.frame = {skeleton.frame.origin.cast<Scalar>(), skeleton.frame.left.cast<Scalar>(),
+                 skeleton.frame.forward.cast<Scalar>(), skeleton.frame.up.cast<Scalar>()};
+    return out;
+}
+
+KinematicSkeleton<double> moved_by(KinematicSkeleton<double> skeleton, const test::Motion& motion) {
+    for (auto& joint : skeleton.joints) {
+        joint.position = motion.scale * (motion.rotation * joint.position) + motion.translation;
+        joint.radius *= motion.scale;
+    }
+    for (auto& [name, place] : skeleton.end_points)
+        place = motion.scale * (motion.rotation * place) + motion.translation;
+    for (auto* direction : {&skeleton.frame.left, &skeleton.frame.forward, &skeleton.frame.up})
+        *direction = motion.rotation * *direction;
+    return skeleton;
+}
+
+TEST_CASE("a rig in the T-pose: arms level, feet on the floor, metres, weights in order", "[applications][rig]") {
+    const Sample& sample = sample_body();
+    RigOptions options;
+    options.rest = RestPose::t_pose;
+    const Rig<double> rig = make_rig(sample.mesh, sample.skeleton, human(), options);
+    REQUIRE(rig.mesh.vertices.rows() == sample.mesh.vertices.rows());
+    CHECK(rig.mesh.faces == sample.mesh.faces);
+    CHECK(rig.mesh.vertices.col(1).minCoeff() == Approx(0).margin(1e-12));
+    CHECK(rig.unit_is_known);
+    CHECK(rig.metres_per_unit == 1);
+    const auto joint = [&](const std::string& name) {
+        return rig.joints[static_cast<std::size_t>(find_joint(sample.skeleton, name))];
+    };
+    CHECK(joint("crotch").position.x() == Approx(0).margin(1e-12));
+    CHECK(joint("crotch").position.z() == Approx(0).margin(1e-12));
+    for (const std::string side : {"left_", "right_"}) {
+        const Eigen::Vector3d arm = joint(side + "wrist").position - joint(side + "shoulder").position;
+        CHECK(std::abs(arm.normalized().y()) < 1e-9);
+        CHECK((side == "left_") == (arm.x() > 0));
+        CHECK((joint(side + "elbow").axes * Eigen::Vector3d::UnitY() - arm.normalized()).norm() < 1e-9);
+    }
+
+    int two_limbs = 0;
+    for (Eigen::Index v = 0; v < rig.mesh.vertices.rows(); ++v) {
+        CHECK(rig.skin.weights.row(v).sum() == Approx(1).margin(1e-12));
+        two_limbs += test::limbs_followed(rig.skin, v, human(), 0.01) > 1 ? 1 : 0;
+    }
+    CHECK(two_limbs == 0);
+    CHECK(test::islands(rig.skin, rig.mesh.faces) == 0);
+}
+
+TEST_CASE("a rig does not depend on how the body is turned, scaled and moved", "[applications][rig]") {
+    const Sample& sample = sample_body();
+    const test::Motion motion{test::random_rotation(11), 1000, {5, -7, 9}};
+    const Rig<double> rig = make_rig(sample.mesh, sample.skeleton, human());
+    const Rig<double> other = make_rig(test::moved(sample.mesh, motion), moved_by(sample.skeleton, motion), human());
+    CHECK(other.metres_per_unit == 0.001);
+    CHECK((other.mesh.vertices - rig.mesh.vertices).cwiseAbs().maxCoeff() < 1e-6);
+    CHECK((other.skin.weights - rig.skin.weights).cwiseAbs().maxCoeff() < 1e-6);
+    // As it is: no more than turned and put on the floor.
+    const double edge = (sample.mesh.vertices.row(0) - sample.mesh.vertices.row(100)).norm();
+    CHECK((rig.mesh.vertices.row(0) - rig.mesh.vertices.row(100)).norm() == Approx(edge));
+
+    const auto single =
+        make_rig<float>({sample.mesh.vertices.cast<float>(), sample.mesh.faces}, cast<float>(sample.skeleton), human());
+    CHECK((single.mesh.vertices.cast<double>() - rig.mesh.vertices).cwiseAbs().maxCoeff() < 1e-4);
+}
+
+TEST_CASE("pieces and seams are bound like what they lie on", "[applications][rig]") {
+    const Sample& sample = sample_body();
+    const Skin<double> whole = bind(sample.mesh, sample.skeleton, human());
+    // Each face with corners of its own, as in files with seams; and a button in front of the belly.
+    TriangleMesh<double> soup;
+    soup.vertices.resize(sample.mesh.faces.size(), 3);
+    soup.faces.resize(sample.mesh.faces.rows(), 3);
+    for (int i = 0; i < static_cast<int>(sample.mesh.faces.size()); ++i) {
+        soup.vertices.row(i) = sample.mesh.vertices.row(sample.mesh.faces.data()[i]);
+        soup.faces.data()[i] = i;
+    }
+    const BodyFrame<double>& frame = sample.skeleton.frame;
+    const auto waist = static_cast<std::size_t>(find_joint(sample.skeleton, "waist"));
+    const Joint<double>& middle = sample.skeleton.joints[waist];
+    TriangleMesh<double> button = test::sphere(0.01, 1);
+    button.vertices.rowwise() += (middle.position + 1.05 * middle.radius * frame.forward).transpose();
+    const Skin<double> skin = bind(test::side_by_side(soup, button), sample.skeleton, human());
+    REQUIRE(skin.weights.rows() == soup.vertices.rows() + button.vertices.rows());
+    for (int i = 0; i < static_cast<int>(sample.mesh.faces.size()); ++i) {
+        const int v = sample.mesh.faces.data()[i];
+        if ((skin.weights.row(i) - whole.weights.row(v)).cwiseAbs().maxCoeff() > 1e-9) FAIL("corner " << i);
+    }
+    for (Eigen::Index v = soup.vertices.rows(); v < skin.weights.rows(); ++v)
+        CHECK(part_of(human().joint(skin.joints(v, 0)).role) == BodyPart::trunk);
+}
+
+TEST_CASE("what cannot be bound is refused", "[applications][rig]") {
+    const Sample& sample = sample_body();
+    const test::Motion away{Eigen::Matrix3d::Identity(), 1, {50, 0, 0}};
+    const auto code = [](const auto& call) -> std::optional<ErrorCode> {
+        try {
+            static_cast<void>(call());
+        } catch (const Error& error) {
+            return error.code();
+        }
+        return std::nullopt;
+    };
+    CHECK(code([&] { return bind(sample.mesh, moved_by(sample.skeleton, away), human()); }) == ErrorCode::no_skeleton);
+    CHECK(code([&] { return bind(sample.mesh, sample.skeleton, builtin_template("pinocchio18")); }) ==
+          ErrorCode::usage);
+    CHECK(code([&] { return make_rig(TriangleMesh<double>{}, sample.skeleton, human()); }) == ErrorCode::bad_input);
+}
+
+TEST_CASE("the unit is known by a person's height", "[applications][rig]") {
+    CHECK(metres_per_unit(1.7) == 1);
+    CHECK(metres_per_unit(170) == 0.01);
+    CHECK(metres_per_unit(1700) == 0.001);
+    CHECK(metres_per_unit(0.2) == 0);
+    CHECK(metres_per_unit(20) == 0);
+    CHECK(metres_per_unit(1e6) == 0);
+}
+
+} // namespace

@@ -1,0 +1,203 @@
+#include <fstream>
+#include <set>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include <skelgen/applications/rig.hpp>
+#include <skelgen/core/error.hpp>
+#include <skelgen/extract.hpp>
+#include <skelgen/io/read_mesh.hpp>
+#include <skelgen/io/rig_formats.hpp>
+
+#include "catch.hpp"
+#include "gltf_builder.hpp"
+#include "io/tangents.hpp"
+#include "shapes.hpp"
+#include "temporary_folder.hpp"
+
+namespace {
+
+using namespace skelgen;
+using applications::Rig;
+
+/// A box with joints of human21 in its rest pose; which of them moves what does not matter here.
+Rig<double> small_rig() {
+    Rig<double> rig;
+    rig.mesh = test::box({0.2, 1.7, 0.3}, 2);
+    rig.rest = applications::RestPose::t_pose;
+    rig.unit_is_known = true;
+    const SkeletonTemplate& human = builtin_template("human21");
+    const auto axes = applications::rest_axes<double>(human);
+    for (std::size_t j = 0; j < human.joints.size(); ++j) {
+        const TemplateJoint& joint = human.joints[j];
+        rig.joints.push_back({joint.name, joint.parent, joint.role, joint.side, joint.position,
+                              joint.tip ? *joint.tip : joint.position, axes[j]});
+    }
+    Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(rig.mesh.vertices.rows(), 21);
+    weights.col(0).setConstant(1.0 / 3);
+    weights.col(3).setConstant(2.0 / 3);
+    rig.skin = applications::strongest_influences<double>(weights);
+    return rig;
+}
+
+nlohmann::json json_of(const std::string& glb) {
+    const auto length = static_cast<unsigned char>(glb[12]) + 256U * static_cast<unsigned char>(glb[13]) +
+                        65536U * static_cast<unsigned char>(glb[14]);
+    return nlohmann::json::parse(glb.substr(20, length));
+}
+
+TEST_CASE("GLB: read back the mesh is where it was, skinned by nodes at rest", "[io][rig]") {
+    const Rig<double> rig = small_rig();
+    const std::string glb = io::rig_to_glb(rig);
+    const auto back = io::parse_mesh<double>(glb); // applies nodes, skin, inverse bind matrices and weights
+    REQUIRE(back.faces == rig.mesh.faces);
+    CHECK((back.vertices - rig.mesh.vertices).cwiseAbs().maxCoeff() < 1e-6);
+    const auto json = json_of(glb);
+    CHECK(json.at("skins").at(0).at("joints").size() == 21);
+    CHECK(json.at("nodes").at(1).at("name") == "crotch");
+    CHECK(json.at("meshes").at(0).at("primitives").at(0).at("attributes").contains("NORMAL"));
+    CHECK_FALSE(json.contains("extensionsUsed"));
+}
+
+TEST_CASE("GLB: a turned joint moves the mesh", "[io][rig]") {
+    Rig<double> rig = small_rig();
+    Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(rig.mesh.vertices.rows(), 21);
+    weights.col(0).setOnes();
+    rig.skin = applications::strongest_influences<double>(weights);
+    const Rig<double> still = rig;
+    std::string glb = io::rig_to_glb(rig);
+    // The root's place in the file's JSON, moved by a metre: so is the whole mesh.
+    const std::string from = "\"translation\":[0.0,0.953,0.0]", to = "\"translation\":[1.0,0.953,0.0]";
+    const auto at = glb.find(from);
+    REQUIRE(at != std::string::npos);
+    glb.replace(at, from.size(), to);
+    const auto moved = io::parse_mesh<double>(glb);
+    CHECK(((moved.vertices - still.mesh.vertices).rowwise() - Eigen::RowVector3d(1, 0, 0)).cwiseAbs().maxCoeff() <
+          1e-6);
+}
+
+TEST_CASE("GLB: parts of a scene keep materials, texture coordinates and pictures", "[io][rig]") {
+    test::GltfBuilder scene;
+    scene.add_tetrahedron();
+    const auto coordinates = scene.add<float>("VEC2", {0, 0, 0.5F, 0.25F, 1, 0, 1, 1});
+    auto& primitive = scene.json["meshes"][0]["primitives"][0];
+    primitive["attributes"]["TEXCOORD_0"] = coordinates;
+    primitive["material"] = 0;
+    scene.json["materials"] = {{{"name", "skin"},
+                                {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
+                                {"extensions", {{"KHR_materials_unlit", nlohmann::json::object()}}}}};
+    scene.json["textures"] = {{{"source", 0}}};
+    scene.json["images"] = {{{"uri", "data:image/png;base64,iVBORw0KGgo="}}};
+    scene.json["extensionsUsed"] = {"KHR_materials_unlit", "KHR_lights_punctual"};
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "scene.glb", std::ios::binary) << scene.glb();
+    const auto looks = io::read_looks(folder / "scene.glb");
+    REQUIRE(looks);
+    REQUIRE(looks->parts.size() == 1);
+    CHECK(looks->parts[0].vertices == 4);
+    CHECK(looks->parts[0].faces == 4);
+    CHECK(looks->pictures == std::vector<std::string>{"\x89PNG\r\n\x1A\n"});
+
+    Rig<double> rig = small_rig();
+    CHECK_THROWS_WITH(io::rig_to_glb(rig, io::JointNames::skelgen, *looks), Catch::Matchers::Contains("another mesh"));
+    rig.mesh = io::read_mesh(folder / "scene.glb");
+    rig.skin.joints.conservativeResize(4, Eigen::NoChange);
+    rig.skin.weights.conservativeResize(4, Eigen::NoChange);
+    std::ofstream(folder / "rig.glb", std::ios::binary) << io::rig_to_glb(rig, io::JointNames::skelgen, *looks);
+    const auto again = io::read_looks(folder / "rig.glb");
+    REQUIRE(again);
+    CHECK(again->parts[0].texture_coordinates == looks->parts[0].texture_coordinates);
+    CHECK(again->pictures == looks->pictures);
+    CHECK(again->json == looks->json);
+    CHECK(again->json.find("KHR_materials_unlit") != std::string::npos);
+    CHECK(again->json.find("KHR_lights_punctual") == std::string::npos); // no material needs it
+    std::ofstream(folder / "mesh.off") << "OFF\n0 0 0\n";
+    CHECK_FALSE(io::read_looks(folder / "mesh.off"));
+
+    scene.json["images"][0]["uri"] = "missing.png";
+    std::ofstream(folder / "scene.glb", std::ios::binary) << scene.glb();
+    CHECK_THROWS_WITH(io::read_looks(folder / "scene.glb"), Catch::Matchers::Contains("missing.png"));
+    primitive["material"] = 1;
+    std::ofstream(folder / "scene.glb", std::ios::binary) << scene.glb();
+    CHECK_THROWS_AS(io::read_looks(folder / "scene.glb"), Error);
+}
+
+TEST_CASE("tangents: along the first texture coordinate, and which way the second one goes", "[io][rig]") {
+    io::detail::FloatRows places(4, 3), normals(4, 3), coordinates(4, 2);
+    places << 0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0;
+    normals << 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1;
+    coordinates << 0, 0, 1, 0, 1, 1, 0, 1;
+    const std::vector<std::uint32_t> faces{0, 1, 2, 0, 2, 3};
+    const auto plain = io::detail::tangents(places, normals, faces, coordinates);
+    coordinates.col(0) = 1 - coordinates.col(0).array();
+    const auto mirrored = io::detail::tangents(places, normals, faces, coordinates);
+    coordinates.setZero();
+    const auto unknown = io::detail::tangents(places, normals, faces, coordinates);
+    for (int v = 0; v < 4; ++v) {
+        CHECK((plain.row(v) - Eigen::RowVector4f(1, 0, 0, 1)).norm() < 1e-6F);
+        CHECK((mirrored.row(v) - Eigen::RowVector4f(-1, 0, 0, -1)).norm() < 1e-6F);
+        CHECK(unknown.row(v).head<3>().norm() == Approx(1));
+        CHECK(unknown(v, 2) == Approx(0).margin(1e-6));
+    }
+}
+
+TEST_CASE("names: each convention's own, all of them different", "[io][rig]") {
+    const auto joints = small_rig().joints;
+    const auto elbow = 6;
+    CHECK(io::names_of(joints, io::JointNames::skelgen)[elbow] == "left_elbow");
+    CHECK(io::names_of(joints, io::JointNames::smpl)[elbow] == "left_elbow");
+    CHECK(io::names_of(joints, io::JointNames::mixamo)[elbow] == "LeftForeArm");
+    CHECK(io::names_of(joints, io::JointNames::vrm)[elbow] == "leftLowerArm");
+    CHECK(io::names_of(joints, io::JointNames::smpl)[0] == "pelvis");
+    for (const auto names : {io::JointNames::smpl, io::JointNames::mixamo, io::JointNames::vrm}) {
+        const auto all = io::names_of(joints, names);
+        CHECK(std::set<std::string>(all.begin(), all.end()).size() == 21);
+    }
+    auto two_necks = joints;
+    two_necks.push_back(two_necks[3]);
+    two_necks.back().name = "upper_neck";
+    CHECK(io::names_of(two_necks, io::JointNames::mixamo).back() == "upper_neck");
+    CHECK(io::joint_names_named("mixamo") == io::JointNames::mixamo);
+    CHECK_FALSE(io::joint_names_named("maya"));
+}
+
+TEST_CASE("VRM: all bones of a humanoid; only in the T-pose and with a name", "[io][rig]") {
+    const auto vrm = json_of(io::rig_to_vrm(small_rig(), "someone")).at("extensions").at("VRMC_vrm");
+    CHECK(vrm.at("specVersion") == "1.0");
+    CHECK(vrm.at("meta").at("name") == "someone");
+    CHECK(vrm.at("humanoid").at("humanBones").size() == 21);
+    CHECK(vrm.at("humanoid").at("humanBones").at("leftMiddleProximal").at("node") == 9);
+    Rig<double> rig = small_rig();
+    CHECK_THROWS_AS(io::rig_to_vrm(rig, ""), Error);
+    rig.rest = applications::RestPose::as_is;
+    CHECK_THROWS_AS(io::rig_to_vrm(rig, "someone"), Error);
+    rig = small_rig();
+    rig.joints[1].role = JointRole::chest; // no spine any more
+    CHECK_THROWS_WITH(io::rig_to_vrm(rig, "someone"), Catch::Matchers::Contains("spine"));
+}
+
+TEST_CASE("BVH: offsets in centimetres, Z, X, Y", "[io][rig]") {
+    const std::string bvh = io::rig_to_bvh(small_rig(), io::JointNames::mixamo);
+    CHECK(bvh.rfind("HIERARCHY\nROOT Hips\n{\n\tOFFSET 0 0 0\n\tCHANNELS 6 Xposition Yposition Zposition "
+                    "Zrotation Xrotation Yrotation\n\tJOINT Spine\n",
+                    0) == 0);
+    CHECK(bvh.find("Frames: 1\nFrame Time: 0.033333\n0 95.3") != std::string::npos);
+    std::size_t ends = 0;
+    for (auto at = bvh.find("End Site"); at != std::string::npos; at = bvh.find("End Site", at + 1)) ++ends;
+    CHECK(ends == 5);
+    Rig<double> rig = small_rig();
+    rig.unit_is_known = false;
+    CHECK(io::rig_to_bvh(rig).find("\n0 0.953") != std::string::npos);
+}
+
+TEST_CASE("rigs that cannot be written", "[io][rig]") {
+    Rig<double> rig = small_rig();
+    CHECK_THROWS_AS(io::write_rig("rig.fbx", rig), Error);
+    rig.mesh.vertices(0, 0) = 1e300;
+    CHECK_THROWS_WITH(io::rig_to_glb(rig), Catch::Matchers::Contains("float"));
+    rig.mesh.faces.resize(0, 3);
+    CHECK_THROWS_AS(io::rig_to_glb(rig), Error);
+}
+
+} // namespace

@@ -1,0 +1,118 @@
+// skelgen-rigs FOLDER [--every N]: rigs of all bodies in a folder, and how well they bend.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include <skelgen/applications/rig.hpp>
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/extract.hpp>
+#include <skelgen/io/mesh_format.hpp>
+#include <skelgen/io/read_mesh.hpp>
+
+#include "quality.hpp"
+
+namespace {
+
+using namespace skelgen;
+namespace fs = std::filesystem;
+
+std::vector<fs::path> meshes_below(const fs::path& folder, std::size_t every) {
+    std::vector<fs::path> all, out;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file() && io::mesh_format_of(entry.path())) all.push_back(entry.path());
+    std::sort(all.begin(), all.end());
+    for (std::size_t i = 0; i < all.size(); i += every) out.push_back(all[i]);
+    return out;
+}
+
+/// Of one body.
+struct Row {
+    rigs::Quality quality;
+    double seconds = 0; ///< from file to rig
+    double arms = 0;    ///< degrees: the larger angle between level and an upper arm that is found in the un-posed body
+    double way_back = 0; ///< mean distance between the body and the un-posed one posed back, of the geodesic diameter
+};
+
+/// The larger angle of the upper arms from level, in degrees; 90 where no skeleton is found.
+double slope_of_arms(const TriangleMesh<double>& mesh) try {
+    const auto skeleton = extract_skeleton(mesh).skeleton;
+    double slope = 0;
+    for (const std::string side : {"left_", "right_"}) {
+        const auto place = [&](const char* name) {
+            return skeleton.joints[static_cast<std::size_t>(find_joint(skeleton, side + name))].position;
+        };
+        const Eigen::Vector3d arm = place("elbow") - place("shoulder");
+        slope = std::max(slope, std::abs(std::asin(arm.normalized().y())) * 180 / std::numbers::pi);
+    }
+    return slope;
+} catch (const Error&) {
+    return 90;
+}
+
+Row measure_file(const fs::path& file) {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    const auto mesh = read_mesh<double>(file);
+    const auto found = extract_skeleton(mesh);
+    const SkeletonTemplate& human = builtin_template(found.skeleton.template_name);
+    applications::RigOptions options;
+    options.rest = applications::RestPose::t_pose;
+    const auto rig = make_rig(mesh, found.skeleton, human, options);
+    Row row;
+    row.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    row.quality = rigs::measure(rig);
+    row.arms = slope_of_arms(rig.mesh);
+
+    const auto now = applications::bone_orientations(found.skeleton, human);
+    const auto t_pose = applications::orientations_in<double>(options.rest, human, now, Eigen::Quaterniond::Identity());
+    const auto there = applications::motions<double>(found.skeleton, now, t_pose, {0, 0, 0});
+    const auto at_rest = applications::moved(found.skeleton, human, there);
+    const auto back = applications::motions<double>(at_rest, t_pose, now, found.skeleton.joints[0].position);
+    const Points<double> returned =
+        applications::skinned(applications::skinned(mesh.vertices, rig.skin, there), rig.skin, back);
+    row.way_back = (returned - mesh.vertices).rowwise().norm().mean() / found.geodesic_diameter;
+    return row;
+}
+
+void print(const std::string& name, const Row& row) {
+    const rigs::Quality& q = row.quality;
+    std::printf("%-28s %7.3f %9.1e %7.2f%% %7d %8.2f %7.3f%% %7.1f%% %7.2f%% %6.1f %8.4f\n", name.c_str(), row.seconds,
+                q.worst_sum, 100 * q.two_limbs, q.islands, q.stretch, 100 * q.overstretched, 100 * q.volume,
+                100 * q.gap, row.arms, row.way_back);
+    std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    std::string folder;
+    std::size_t every = 1;
+    CLI::App app("Measures rigs of bodies.", "skelgen-rigs");
+    app.add_option("FOLDER", folder, "Folder of meshes")->required();
+    app.add_option("--every", every, "Only every so many-th")->check(CLI::Range(1, 1000));
+    CLI11_PARSE(app, argc, argv);
+    try {
+        std::printf("%-28s %7s %9s %8s %7s %8s %8s %8s %8s %6s %8s\n", "body", "seconds", "sums", "2 limbs", "islands",
+                    "stretch", "above 3", "volume", "gaps", "arms", "back");
+        for (const fs::path& file : meshes_below(folder, every)) {
+            try {
+                print(file.stem().string(), measure_file(file));
+            } catch (const Error& error) {
+                std::printf("%-28s refused: %s\n", file.stem().string().c_str(), error.what());
+            }
+        }
+        return 0;
+    } catch (const std::exception& error) {
+        std::cerr << "skelgen-rigs: error: " << error.what() << '\n';
+        return 1;
+    }
+}
