@@ -75,7 +75,8 @@ SceneLooks read_gltf_looks(std::string_view bytes, const LoadCompanion& load) {
         }
         part.texture_coordinates = read_texture_coordinates(data, primitive);
         for (const auto& set : part.texture_coordinates)
-            if (set.rows() != part.vertices) primitive.fail("has another number of texture coordinates than of vertices");
+            if (set.rows() != part.vertices)
+                primitive.fail("has another number of texture coordinates than of vertices");
         looks.parts.push_back(std::move(part));
     }
 

@@ -21,7 +21,7 @@ struct GltfPart {
     Eigen::Index first_face = 0, faces = 0;
 };
 
-/// The parts of the scene that `parse_gltf` reads, in the order of their faces. 	hrows Error bad_input as that does.
+/// The parts of the scene that `parse_gltf` reads, in the order of their faces. \throws Error bad_input as that does.
 [[nodiscard]] std::vector<GltfPart> gltf_parts(GltfData& data);
 
 /// glTF 2.0 (Khr21): JSON, GLB or VRM. All triangles of the scene that a viewer shows first, as it shows them: morph

@@ -44,8 +44,8 @@ struct GltfPrimitive {
 /// One row per vertex.
 using TextureCoordinates = Eigen::Matrix<float, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
-/// The sets of texture coordinates that a primitive has, in their order. \throws Error bad_input when their parts do not
-/// hold together.
+/// The sets of texture coordinates that a primitive has, in their order. \throws Error bad_input when their parts do
+/// not hold together.
 [[nodiscard]] std::vector<TextureCoordinates> read_texture_coordinates(GltfData& data, const GltfValue& primitive);
 
 } // namespace skelgen::io::detail

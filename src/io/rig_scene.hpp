@@ -16,9 +16,9 @@ struct RigScene {
     std::vector<std::size_t> joint_nodes; ///< per joint the index of its node
 };
 
-/// The rig as a scene: node 0 is the skinned mesh with its looks, then come the joints, by the given names. The buffer's own parts of
-/// the JSON are not in it yet. \throws Error usage when there are no faces, a coordinate is too large for a float, or the
-/// looks are those of another mesh.
+/// The rig as a scene: node 0 is the skinned mesh with its looks, then come the joints, by the given names. The
+/// buffer's own parts of the JSON are not in it yet. \throws Error usage when there are no faces, a coordinate is too
+/// large for a float, or the looks are those of another mesh.
 [[nodiscard]] RigScene make_rig_scene(const applications::Rig<double>& rig, const std::vector<std::string>& names,
                                       const SceneLooks& looks);
 

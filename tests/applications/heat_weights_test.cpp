@@ -69,4 +69,16 @@ TEST_CASE("one limb: where limbs meet the trunk takes what they lose", "[applica
     CHECK((one.rowwise().sum().array() - 1).abs().maxCoeff() < 1e-12);
 }
 
+TEST_CASE("islands: a vertex alone gets its neighbours' mean", "[applications][weights]") {
+    const TriangleMesh<double> mesh = test::sphere(1, 2);
+    JointWeights weights = JointWeights::Zero(mesh.vertices.rows(), 3);
+    for (Eigen::Index v = 0; v < weights.rows(); ++v) weights(v, mesh.vertices(v, 2) > 0 ? 0 : 1) = 1;
+    const JointWeights as_they_were = weights;
+    CHECK(without_islands(weights, mesh.faces) == as_they_were);
+    Eigen::Index top = 0;
+    mesh.vertices.col(2).maxCoeff(&top);
+    weights.row(top) << 0.1, 0.1, 0.8;
+    CHECK((without_islands(weights, mesh.faces) - as_they_were).cwiseAbs().maxCoeff() < 1e-12);
+}
+
 } // namespace

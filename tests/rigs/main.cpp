@@ -1,4 +1,5 @@
-// skelgen-rigs FOLDER [--every N]: rigs of all bodies in a folder, and how well they bend.
+// skelgen-rigs FOLDER [--every N] [--like FOLDER [--like-every N]]: rigs of all bodies in a folder, and how well they
+// bend; or how near their skeletons come to what they should be when they are held like the bodies of another folder.
 
 #include <algorithm>
 #include <chrono>
@@ -7,11 +8,13 @@
 #include <filesystem>
 #include <iostream>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include <skelgen/applications/pose_transfer.hpp>
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/extract.hpp>
@@ -91,25 +94,66 @@ void print(const std::string& name, const Row& row) {
     std::fflush(stdout);
 }
 
+/// Mean distance of the joints that are found in a posed body from where they went, of the geodesic diameter; none
+/// where no skeleton is found.
+std::optional<double> transfer_error(const fs::path& body, const fs::path& model) try {
+    const auto mesh = read_mesh<double>(body);
+    const auto own = extract_skeleton(mesh).skeleton;
+    const auto other = extract_skeleton(read_mesh<double>(model)).skeleton;
+    const auto posed = applications::pose_like(mesh, own, other, builtin_template(own.template_name));
+    const auto again = extract_skeleton(posed.mesh);
+    double sum = 0;
+    for (std::size_t j = 0; j < own.joints.size(); ++j)
+        sum += (again.skeleton.joints[j].position - posed.skeleton.joints[j].position).norm();
+    return sum / static_cast<double>(own.joints.size()) / again.geodesic_diameter;
+} catch (const Error&) {
+    return std::nullopt;
+}
+
+void compare_poses(const std::vector<fs::path>& bodies, const std::vector<fs::path>& models) {
+    constexpr double near = 0.03;
+    int good = 0, all = 0;
+    for (const fs::path& body : bodies)
+        for (const fs::path& model : models) {
+            const auto error = transfer_error(body, model);
+            good += error && *error <= near ? 1 : 0;
+            ++all;
+            std::printf("%-28s like %-28s %s\n", body.stem().string().c_str(), model.stem().string().c_str(),
+                        error ? std::to_string(*error).c_str() : "no skeleton");
+            std::fflush(stdout);
+        }
+    std::printf("within %.2f: %d of %d\n", near, good, all);
+}
+
+void print_table(const std::vector<fs::path>& bodies) {
+    std::printf("%-28s %7s %9s %8s %7s %8s %8s %8s %8s %6s %8s\n", "body", "seconds", "sums", "2 limbs", "islands",
+                "stretch", "above 3", "volume", "gaps", "arms", "back");
+    for (const fs::path& file : bodies) {
+        try {
+            print(file.stem().string(), measure_file(file));
+        } catch (const Error& error) {
+            std::printf("%-28s refused: %s\n", file.stem().string().c_str(), error.what());
+        }
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
-    std::string folder;
-    std::size_t every = 1;
+    std::string folder, like;
+    std::size_t every = 1, like_every = 1;
     CLI::App app("Measures rigs of bodies.", "skelgen-rigs");
     app.add_option("FOLDER", folder, "Folder of meshes")->required();
     app.add_option("--every", every, "Only every so many-th")->check(CLI::Range(1, 1000));
+    app.add_option("--like", like, "Folder of the bodies whose poses they are to take");
+    app.add_option("--like-every", like_every, "Only every so many-th of those")->check(CLI::Range(1, 1000));
     CLI11_PARSE(app, argc, argv);
     try {
-        std::printf("%-28s %7s %9s %8s %7s %8s %8s %8s %8s %6s %8s\n", "body", "seconds", "sums", "2 limbs", "islands",
-                    "stretch", "above 3", "volume", "gaps", "arms", "back");
-        for (const fs::path& file : meshes_below(folder, every)) {
-            try {
-                print(file.stem().string(), measure_file(file));
-            } catch (const Error& error) {
-                std::printf("%-28s refused: %s\n", file.stem().string().c_str(), error.what());
-            }
-        }
+        const auto bodies = meshes_below(folder, every);
+        if (like.empty())
+            print_table(bodies);
+        else
+            compare_poses(bodies, meshes_below(like, like_every));
         return 0;
     } catch (const std::exception& error) {
         std::cerr << "skelgen-rigs: error: " << error.what() << '\n';

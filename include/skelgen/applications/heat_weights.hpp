@@ -31,6 +31,11 @@ template <typename Scalar>
 /// latter. O(n joints).
 [[nodiscard]] JointWeights following_one_limb(JointWeights weights, const SkeletonTemplate& skeleton_template);
 
+/// The weights with no vertex that follows most a joint which none of its neighbours follows most, as may be left where
+/// the realms of several bones meet: it gets its neighbours' mean, in a few rounds. `faces` name the weights' rows.
+/// O(faces + n joints).
+[[nodiscard]] JointWeights without_islands(JointWeights weights, const Triangles& faces);
+
 } // namespace skelgen::applications
 
 #ifdef SKELGEN_HEADER_ONLY

@@ -27,8 +27,8 @@ enum class JointNames { skelgen, smpl, mixamo, vrm };
 
 /// A GLB file (Khr21) with the rig: one skinned mesh, its vertices in the rig's order, smooth normals but for edges
 /// sharper than 60 degrees between vertices at equal places, the joints as nodes with their axes, inverse bind
-/// matrices, four influences a vertex; with the looks of the scene that it was made of. Linear. \throws Error usage when
-/// there are no faces, a coordinate is too large for a float, or the looks are those of another mesh.
+/// matrices, four influences a vertex; with the looks of the scene that it was made of. Linear. \throws Error usage
+/// when there are no faces, a coordinate is too large for a float, or the looks are those of another mesh.
 [[nodiscard]] std::string rig_to_glb(const applications::Rig<double>& rig, JointNames names = JointNames::skelgen,
                                      const SceneLooks& looks = {});
 

@@ -29,8 +29,9 @@ struct SceneLooks {
     std::vector<std::string> pictures; ///< the bytes of the images, in their order
 };
 
-/// Reads how the mesh of a glTF, GLB or VRM file looks: of the vertices and faces that `read_mesh` gives. None for other
-/// files, which have looks of other kinds. \throws Error bad_input as `read_mesh`, also for pictures that are missing.
+/// Reads how the mesh of a glTF, GLB or VRM file looks: of the vertices and faces that `read_mesh` gives. None for
+/// other files, which have looks of other kinds. \throws Error bad_input as `read_mesh`, also for pictures that are
+/// missing.
 [[nodiscard]] std::optional<SceneLooks> read_looks(const std::filesystem::path& path);
 
 } // namespace skelgen::io

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -174,7 +175,7 @@ Skin<Scalar> bind(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton<Scal
     const Outcome<JointWeights> heat = heat_weights(*body, detail::heating_bones(bones, *body, skeleton_template),
                                                     static_cast<int>(skeleton.joints.size()));
     if (!heat) refuse(heat.failure());
-    const JointWeights weights = following_one_limb(*heat, skeleton_template);
+    const JointWeights weights = without_islands(following_one_limb(*heat, skeleton_template), body->mesh.faces);
 
     Eigen::MatrixX<Scalar> carried(mesh.vertices.rows(), weights.cols());
     const std::vector<SurfacePlace<Scalar>> places = places_on(*body, mesh);

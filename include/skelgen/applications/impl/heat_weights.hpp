@@ -166,4 +166,34 @@ SKELGEN_INLINE JointWeights following_one_limb(JointWeights weights, const Skele
     return weights;
 }
 
+SKELGEN_INLINE JointWeights without_islands(JointWeights weights, const Triangles& faces) {
+    constexpr int rounds = 4; // one does for nearly all
+    for (int round = 0; round < rounds; ++round) {
+        std::vector<int> strongest(static_cast<std::size_t>(weights.rows()));
+        for (Eigen::Index v = 0; v < weights.rows(); ++v)
+            weights.row(v).maxCoeff(&strongest[static_cast<std::size_t>(v)]);
+        std::vector<bool> is_island(strongest.size(), true);
+        std::vector<std::vector<int>> neighbours(strongest.size());
+        for (Eigen::Index f = 0; f < faces.rows(); ++f)
+            for (int k = 0; k < 3; ++k) {
+                const auto a = static_cast<std::size_t>(faces(f, k)),
+                           b = static_cast<std::size_t>(faces(f, (k + 1) % 3));
+                neighbours[a].push_back(static_cast<int>(b));
+                neighbours[b].push_back(static_cast<int>(a));
+                if (strongest[a] == strongest[b]) is_island[a] = is_island[b] = false;
+            }
+        const JointWeights before = weights;
+        bool any = false;
+        for (std::size_t v = 0; v < is_island.size(); ++v) {
+            if (!is_island[v] || neighbours[v].empty()) continue;
+            any = true;
+            Eigen::RowVectorX<core::Accumulator> sum = Eigen::RowVectorX<core::Accumulator>::Zero(weights.cols());
+            for (const int neighbour : neighbours[v]) sum += before.row(neighbour);
+            weights.row(static_cast<Eigen::Index>(v)) = sum / static_cast<core::Accumulator>(neighbours[v].size());
+        }
+        if (!any) break;
+    }
+    return weights;
+}
+
 } // namespace skelgen::applications

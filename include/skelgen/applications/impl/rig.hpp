@@ -3,8 +3,9 @@
 #include <skelgen/applications/rig.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <limits>
+#include <utility>
 
 #include <skelgen/applications/bind.hpp>
 #include <skelgen/applications/bone_orientations.hpp>
