@@ -283,10 +283,10 @@ Outcome<Fit<Scalar>> fit(const Body<Scalar>& body, const curve::CurveResult<Scal
 
 namespace detail {
 
-/// A surface that was made of pieces is not what was given: its limbs may have been fused or shortened. So much less
-/// can the skeleton be trusted: a working value, that of bodies which were cut.
+/// A surface that was made of pieces, or leaves some out, is not what was given: its limbs may have been fused or
+/// shortened. So much less can the skeleton be trusted: a working value, that of bodies which were cut.
 template <typename Scalar>
-Fit<Scalar> less_certain_for_envelope(Fit<Scalar> fit) {
+Fit<Scalar> less_certain(Fit<Scalar> fit) {
     constexpr double often_right = 0.75;
     fit.skeleton.quality.sides_confidence *= often_right;
     for (Joint<Scalar>& joint : fit.skeleton.joints) joint.confidence *= often_right;
@@ -334,7 +334,8 @@ Outcome<FittedBody<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh
         Outcome<Fit<Scalar>> found = fit_to_body(*body, curve, wanted, options, attempts);
         stage.lap();
         if (found) timings = timings + found->timings;
-        if (found && remedy != surface::Remedy::largest_piece) found = less_certain_for_envelope(*std::move(found));
+        const bool is_as_given = remedy == surface::Remedy::largest_piece && body->dropped_pieces == 0;
+        if (found && !is_as_given) found = less_certain(*std::move(found));
         const bool better = found && (!best || !*best || sureness(found->skeleton) > sureness((*best)->skeleton));
         if (better || !best) {
             best = std::move(found);
