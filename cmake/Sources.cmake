@@ -54,6 +54,7 @@ set(skelgen_core_headers
     include/skelgen/curve/centring.hpp
     include/skelgen/curve/contraction.hpp
     include/skelgen/curve/find_curve.hpp
+    include/skelgen/curve/inside_way.hpp
     include/skelgen/curve/laplacian.hpp
     include/skelgen/curve/leaf_extension.hpp
     include/skelgen/curve/meeting_axes.hpp
@@ -149,6 +150,7 @@ set(skelgen_core_definitions
     include/skelgen/curve/impl/centring.hpp
     include/skelgen/curve/impl/contraction.hpp
     include/skelgen/curve/impl/find_curve.hpp
+    include/skelgen/curve/impl/inside_way.hpp
     include/skelgen/curve/impl/laplacian.hpp
     include/skelgen/curve/impl/leaf_extension.hpp
     include/skelgen/curve/impl/meeting_axes.hpp

@@ -8,6 +8,7 @@
 #include <skelgen/curve/impl/centring.hpp>
 #include <skelgen/curve/impl/contraction.hpp>
 #include <skelgen/curve/impl/find_curve.hpp>
+#include <skelgen/curve/impl/inside_way.hpp>
 #include <skelgen/curve/impl/laplacian.hpp>
 #include <skelgen/curve/impl/leaf_extension.hpp>
 #include <skelgen/curve/impl/medial_balls.hpp>
@@ -41,6 +42,8 @@ namespace skelgen::curve {
     template PlacesOfKnots<Scalar> meeting_axes(const BranchedCurve<Scalar>&,                                          \
                                                 const std::vector<std::vector<BranchSection<Scalar>>>&,                \
                                                 const Body<Scalar>&, double);                                          \
+    template BranchedCurve<Scalar> led_inside(                                                                         \
+        BranchedCurve<Scalar>, const std::vector<std::vector<BranchSection<Scalar>>>&, const Body<Scalar>&);           \
     template BranchedCurve<Scalar> reattach_branches(BranchedCurve<Scalar>, const PlacesOfKnots<Scalar>&,              \
                                                      const Body<Scalar>&, Scalar);                                     \
     template BranchedCurve<Scalar> merge_parallel_branches(BranchedCurve<Scalar>, const Body<Scalar>&);                \

@@ -19,6 +19,21 @@ struct BranchSection {
     surface::Contour<Scalar> contour;
 };
 
+/// Does the point lie outside the contour that was found near it?
+template <typename Scalar>
+[[nodiscard]] bool is_outside(const BranchSection<Scalar>& section) {
+    return section.thickness > 0 && !section.encloses;
+}
+
+/// How far off its section's centre a point is, relative to the section's thickness; of one outside ten times that, so
+/// that no way leads there that there is another one for.
+template <typename Scalar>
+[[nodiscard]] Scalar off_centre(const BranchSection<Scalar>& section, const Vector3<Scalar>& place) {
+    constexpr auto outside = Scalar(10);
+    if (!section.encloses || !(section.thickness > 0)) return outside;
+    return (section.centre - place).norm() / section.thickness;
+}
+
 /// Sections of at least this weight are their branch's own.
 template <typename Scalar>
 inline constexpr Scalar sure_section = Scalar(0.5);

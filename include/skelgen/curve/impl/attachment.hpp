@@ -14,15 +14,7 @@
 namespace skelgen::curve {
 namespace detail {
 
-/// How far off its section's centre a point is, relative to the section's thickness.
-template <typename Scalar>
-Scalar off_centre(const BranchSection<Scalar>& section, const Vector3<Scalar>& place) {
-    constexpr auto outside = Scalar(10); // no way leads there that there is another one for
-    if (!section.encloses || !(section.thickness > 0)) return outside;
-    return (section.centre - place).norm() / section.thickness;
-}
-
-/// The same summed over a line's length.
+/// How far off their sections' centres a line's points are, summed over its length.
 template <typename Scalar>
 Scalar off_centre_along(const Body<Scalar>& body, const Points<Scalar>& line, Scalar spacing) {
     const std::vector<BranchSection<Scalar>> sections = sections_across(body, line, reach_in_spacings * spacing);

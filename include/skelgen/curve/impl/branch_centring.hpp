@@ -13,6 +13,7 @@
 #include <skelgen/core/precision.hpp>
 #include <skelgen/curve/attachment.hpp>
 #include <skelgen/curve/axis_ends.hpp>
+#include <skelgen/curve/inside_way.hpp>
 #include <skelgen/curve/meeting_axes.hpp>
 #include <skelgen/curve/parallel_branches.hpp>
 #include <skelgen/curve/pruning.hpp>
@@ -112,12 +113,6 @@ Vector3<Scalar> place_within(const surface::Contour<Scalar>& contour, const Vect
 /// Moving a point in turns the sections of its neighbours: some rounds.
 inline constexpr int pulls = 4;
 
-/// Does a point lie outside its section?
-template <typename Scalar>
-bool is_outside(const BranchSection<Scalar>& section) {
-    return section.thickness > 0 && !section.encloses;
-}
-
 template <typename Scalar>
 bool any_outside(const SectionsOfBranches<Scalar>& sections) {
     for (const auto& of_branch : sections)
@@ -141,6 +136,51 @@ BranchedCurve<Scalar> pulled_inside(BranchedCurve<Scalar> branched, const Sectio
     return branched;
 }
 
+/// The whole way from branches to the middle of the surface. \param lead_inside whether pieces outside are led around
+/// inside before branches that run along each other become one.
+template <typename Scalar>
+CentredBranches<Scalar> centred(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
+                                const BranchCentringOptions& options, Scalar spacing, bool lead_inside) {
+    const std::vector<Vector3<Scalar>> tips = branched.knots; // of those knots that are ends, and stay the same knots
+    const int first_merge = (options.rounds + 2) / 3;
+    for (int round = 0; round < options.rounds; ++round) {
+        const bool coarse = 3 * round < 2 * options.rounds;
+        const Scalar step = coarse ? 2 * spacing : spacing;
+        branched = resampled(std::move(branched), step);
+        auto sections = all_sections(branched, body, spacing);
+        if (lead_inside && round == first_merge) {
+            branched = resampled(led_inside(std::move(branched), sections, body), step);
+            sections = all_sections(branched, body, spacing);
+        }
+        const auto junctions = meeting_axes(branched, sections, body, coarse ? straight_at_first : straight_at_last);
+        branched = smoothing_spline(std::move(branched), beyond_junctions(sections, branched, body, junctions), tips,
+                                    junctions, options.stiffness);
+        branched = ends_on_axes(std::move(branched), sections, body);
+        if (round >= first_merge) branched = merge_parallel_branches(std::move(branched), body);
+    }
+    branched = resampled(std::move(branched), spacing);
+    const auto junctions = meeting_axes(branched, all_sections(branched, body, spacing), body, straight_at_last);
+    branched = reattach_branches(std::move(branched), junctions, body, spacing);
+    branched = prune_twigs(std::move(branched), body, options.least_relief);
+    branched = smoothed(resampled(std::move(branched), spacing));
+    auto sections = all_sections(branched, body, spacing);
+    return {std::move(branched), std::move(sections)};
+}
+
+/// Mean over all points of how far off their sections' centres they are.
+template <typename Scalar>
+Scalar mean_off_centre(const CentredBranches<Scalar>& curve) {
+    Scalar sum = 0, count = 0;
+    for (std::size_t b = 0; b < curve.sections.size(); ++b)
+        for (std::size_t i = 0; i < curve.sections[b].size(); ++i) {
+            const BranchSection<Scalar>& section = curve.sections[b][i];
+            if (!(section.thickness > 0)) continue;
+            sum += off_centre(section, core::point(curve.branched.branches[b].line, static_cast<Eigen::Index>(i)));
+            count += 1;
+        }
+    return count > 0 ? sum / count : Scalar(0);
+}
+
 } // namespace detail
 
 SKELGEN_INLINE void validate(const BranchCentringOptions& options) {
@@ -156,30 +196,15 @@ CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Bo
     validate(options);
     const Scalar spacing = std::max(static_cast<Scalar>(options.spacing) * core::bounding_diagonal(body.mesh.vertices),
                                     detail::total_length(branched) / detail::most_points);
-    const std::vector<Vector3<Scalar>> tips = branched.knots; // of those knots that are ends, and stay the same knots
-    for (int round = 0; round < options.rounds; ++round) {
-        const bool coarse = 3 * round < 2 * options.rounds;
-        branched = resampled(std::move(branched), coarse ? 2 * spacing : spacing);
-        const auto sections = detail::all_sections(branched, body, spacing);
-        const auto junctions =
-            meeting_axes(branched, sections, body, coarse ? detail::straight_at_first : detail::straight_at_last);
-        branched = smoothing_spline(std::move(branched), detail::beyond_junctions(sections, branched, body, junctions),
-                                    tips, junctions, options.stiffness);
-        branched = ends_on_axes(std::move(branched), sections, body);
-        if (3 * round >= options.rounds) branched = merge_parallel_branches(std::move(branched), body);
+    CentredBranches<Scalar> out = detail::centred(branched, body, options, spacing, false);
+    if (!detail::any_outside(out.sections)) return out;
+    CentredBranches<Scalar> led = detail::centred(std::move(branched), body, options, spacing, true);
+    if (detail::mean_off_centre(led) < detail::mean_off_centre(out)) out = std::move(led);
+    for (int round = 0; round < detail::pulls && detail::any_outside(out.sections); ++round) {
+        out.branched = detail::pulled_inside(std::move(out.branched), out.sections, spacing);
+        out.sections = detail::all_sections(out.branched, body, spacing);
     }
-    branched = resampled(std::move(branched), spacing);
-    const auto junctions =
-        meeting_axes(branched, detail::all_sections(branched, body, spacing), body, detail::straight_at_last);
-    branched = reattach_branches(std::move(branched), junctions, body, spacing);
-    branched = prune_twigs(std::move(branched), body, options.least_relief);
-    branched = detail::smoothed(resampled(std::move(branched), spacing));
-    auto sections = detail::all_sections(branched, body, spacing);
-    for (int round = 0; round < detail::pulls && detail::any_outside(sections); ++round) {
-        branched = detail::pulled_inside(std::move(branched), sections, spacing);
-        sections = detail::all_sections(branched, body, spacing);
-    }
-    return {std::move(branched), std::move(sections)};
+    return out;
 }
 
 } // namespace skelgen::curve

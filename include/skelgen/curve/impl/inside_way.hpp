@@ -1,0 +1,124 @@
+#pragma once
+
+#include <skelgen/curve/inside_way.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/curve/medial_balls.hpp>
+
+namespace skelgen::curve {
+namespace detail {
+
+/// Inscribed balls as a graph, in which those are neighbours whose vertices are, and of which one has the other's
+/// centre.
+template <typename Scalar>
+struct BallGraph {
+    MedialBalls<Scalar> balls;
+    core::CurveGraph<Scalar> graph; ///< a node per ball, lengths between centres
+};
+
+template <typename Scalar>
+BallGraph<Scalar> ball_graph(const Body<Scalar>& body) {
+    // No ball of a surface of unit area is larger than a sphere of that area.
+    const Scalar largest = Scalar(0.5) / std::sqrt(std::numbers::pi_v<Scalar>);
+    BallGraph<Scalar> out{medial_balls(body.mesh, largest), {}};
+    out.graph.neighbours.resize(static_cast<std::size_t>(body.mesh.vertices.rows()));
+    for (int u = 0; u < body.graph.size(); ++u)
+        for (const auto& [v, along] : body.graph.neighbours[static_cast<std::size_t>(u)]) {
+            const Scalar length = (core::point(out.balls.centres, u) - core::point(out.balls.centres, v)).norm();
+            if (length < std::max(out.balls.radii[u], out.balls.radii[v]))
+                out.graph.neighbours[static_cast<std::size_t>(u)].emplace_back(v, length);
+        }
+    return out;
+}
+
+/// The deepest ball that holds a place, -1 where none does.
+template <typename Scalar>
+int ball_around(const MedialBalls<Scalar>& balls, const Vector3<Scalar>& place) {
+    int best = -1;
+    Scalar deepest = 0;
+    for (Eigen::Index v = 0; v < balls.radii.size(); ++v) {
+        const Scalar depth = balls.radii[v] - (core::point(balls.centres, v) - place).norm();
+        if (!(depth > deepest)) continue;
+        deepest = depth;
+        best = static_cast<int>(v);
+    }
+    return best;
+}
+
+/// The way from one place inside to another, both included, k x 3.
+template <typename Scalar>
+std::optional<Points<Scalar>> way_inside(const BallGraph<Scalar>& graph, const Vector3<Scalar>& from,
+                                         const Vector3<Scalar>& to) {
+    const int first = ball_around(graph.balls, from), last = ball_around(graph.balls, to);
+    if (first < 0 || last < 0) return std::nullopt;
+    const auto paths = core::shortest_paths(graph.graph, first);
+    if (!std::isfinite(paths.distance[static_cast<std::size_t>(last)])) return std::nullopt;
+    const std::vector<int> nodes = paths.path_to(last);
+    Points<Scalar> way(static_cast<Eigen::Index>(nodes.size()) + 2, 3);
+    way.row(0) = from.transpose();
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        way.row(static_cast<Eigen::Index>(i) + 1) = graph.balls.centres.row(nodes[i]);
+    way.row(way.rows() - 1) = to.transpose();
+    return way;
+}
+
+/// A piece of a line from one of its points to another one.
+struct LinePiece {
+    Eigen::Index first, last;
+};
+
+/// The next piece from point `begin` on whose points lie outside but for its ends; none beside the line's own ends.
+template <typename Scalar>
+std::optional<LinePiece> outside_piece(const std::vector<BranchSection<Scalar>>& sections, Eigen::Index begin) {
+    const auto size = static_cast<Eigen::Index>(sections.size());
+    const auto is_out = [&](Eigen::Index i) { return is_outside(sections[static_cast<std::size_t>(i)]); };
+    Eigen::Index first = begin;
+    while (first + 1 < size && (is_out(first) || !is_out(first + 1))) ++first;
+    Eigen::Index last = first + 1;
+    while (last < size && is_out(last)) ++last;
+    if (last >= size) return std::nullopt;
+    return LinePiece{first, last};
+}
+
+} // namespace detail
+
+template <typename Scalar>
+BranchedCurve<Scalar> led_inside(BranchedCurve<Scalar> branched,
+                                 const std::vector<std::vector<BranchSection<Scalar>>>& sections,
+                                 const Body<Scalar>& body) {
+    std::optional<detail::BallGraph<Scalar>> graph;
+    for (std::size_t b = 0; b < sections.size(); ++b) {
+        const Points<Scalar> line = branched.branches[b].line;
+        Points<Scalar> led(0, 3);
+        Eigen::Index kept = 0; // of the line
+        const auto append = [&](const Points<Scalar>& points) {
+            const Eigen::Index rows = led.rows();
+            led.conservativeResize(rows + points.rows(), 3);
+            led.bottomRows(points.rows()) = points;
+        };
+        for (auto piece = detail::outside_piece(sections[b], 0); piece;
+             piece = detail::outside_piece(sections[b], piece->last)) {
+            if (!graph) graph = detail::ball_graph(body);
+            const auto way =
+                detail::way_inside<Scalar>(*graph, core::point(line, piece->first), core::point(line, piece->last));
+            if (!way) continue;
+            append(line.middleRows(kept, piece->first - kept));
+            append(way->topRows(way->rows() - 1));
+            kept = piece->last;
+        }
+        if (kept == 0) continue;
+        append(line.bottomRows(line.rows() - kept));
+        branched.branches[b].line = std::move(led);
+    }
+    return branched;
+}
+
+} // namespace skelgen::curve
