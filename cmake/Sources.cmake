@@ -241,6 +241,7 @@ set(skelgen_render_headers
     include/skelgen/render/image.hpp
     include/skelgen/render/png.hpp
     include/skelgen/render/render_scene.hpp
+    include/skelgen/render/report_page.hpp
     include/skelgen/render/scene.hpp
     include/skelgen/render/view.hpp
 )
@@ -349,6 +350,7 @@ set(skelgen_render_sources
     src/render/layout.cpp
     src/render/png.cpp
     src/render/render_scene.cpp
+    src/render/report_page.cpp
     src/render/shading.cpp
     src/render/stroke_font.cpp
     src/render/surface_light.cpp
@@ -398,6 +400,7 @@ set(skelgen_cli_sources
     animate.cpp
     batch.cpp
     batch_inputs.cpp
+    batch_parts.cpp
     batch_summary.cpp
     clip_input.cpp
     console.cpp
@@ -419,6 +422,7 @@ set(skelgen_cli_sources
     worker_pool.cpp
 )
 set(skelgen_cli_render_sources
+    batch_report.cpp
     load_scene.cpp
     render.cpp
 )

@@ -24,12 +24,6 @@ struct AnimateCommand {
     bool quiet = false;
 };
 
-/// What a scene looks like; nothing of its own for other meshes, and for what came through standard input.
-io::SceneLooks looks_of(const MeshInput& mesh) {
-    if (mesh.file == "-") return {};
-    return io::read_looks(mesh.file).value_or(io::SceneLooks{});
-}
-
 struct Character {
     applications::Rig<double> rig;
     io::SceneLooks looks;
@@ -39,7 +33,7 @@ struct Character {
 Character make_character(const MeshInput& input) {
     const TriangleMesh<double> mesh = load_mesh(input);
     const KinematicSkeleton<double> skeleton = extract_skeleton(mesh).skeleton;
-    return {applications::make_rig(mesh, skeleton, builtin_template(skeleton.template_name)), looks_of(input),
+    return {applications::make_rig(mesh, skeleton, builtin_template(skeleton.template_name)), load_looks(input),
             skeleton.quality.warnings};
 }
 

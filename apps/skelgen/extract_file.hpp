@@ -13,7 +13,8 @@ namespace skelgen::cli {
 
 /// What came out of one mesh file.
 struct FileExtraction {
-    Extraction<double> extraction;
+    TriangleMesh<double> mesh;
+    FittedBody<double> found;
     io::SkeletonProvenance provenance;
     std::string json; ///< the skeleton file's text
 };

@@ -36,12 +36,6 @@ RestPose rest_pose(const RigCommand& command, io::RigFormat format) {
     return rest;
 }
 
-/// What a scene looks like; nothing of its own for other meshes, and for what came through standard input.
-io::SceneLooks looks_of(const MeshInput& mesh) {
-    if (mesh.file == "-") return {};
-    return io::read_looks(mesh.file).value_or(io::SceneLooks{});
-}
-
 void print_warnings(const RigCommand& command, const KinematicSkeleton<double>& skeleton,
                     const applications::Rig<double>& rig) {
     const std::string file = command.mesh.file.string() + ": ";
@@ -63,7 +57,7 @@ void run(const RigCommand& command) {
         const TriangleMesh<double> mesh = load_mesh(command.mesh);
         const KinematicSkeleton<double> skeleton = extract_skeleton(mesh, extraction).skeleton;
         const auto rig = applications::make_rig(mesh, skeleton, builtin_template(skeleton.template_name), options);
-        const io::SceneLooks looks = looks_of(command.mesh);
+        const io::SceneLooks looks = load_looks(command.mesh);
         in_file(command.output, [&] { write_rig(command.output, rig, *io::joint_names_named(command.names), looks); });
         if (!command.quiet) print_warnings(command, skeleton, rig);
     });
