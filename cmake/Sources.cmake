@@ -403,15 +403,19 @@ set(skelgen_cli_sources
     batch_parts.cpp
     batch_summary.cpp
     clip_input.cpp
+    command_outline.cpp
+    completions.cpp
     console.cpp
     convert.cpp
     correspond.cpp
     curve.cpp
+    documentation.cpp
     extract.cpp
     extract_file.cpp
     fingerprint.cpp
     fitted_inputs.cpp
     main.cpp
+    manual_page.cpp
     measure.cpp
     mesh_input.cpp
     pose.cpp

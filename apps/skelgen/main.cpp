@@ -61,6 +61,7 @@ void add_commands(CLI::App& app) {
 #if SKELGEN_WITH_SYNTH
     add_synth_command(app);
 #endif
+    add_documentation_command(app);
 }
 
 std::string footer() {
