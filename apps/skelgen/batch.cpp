@@ -130,7 +130,7 @@ SummaryLine process(const BatchItem& item, const ExtractOptions& options, std::s
         in_file(item.output, [&] { io::write_file_atomically(item.output, result.json); });
         line.status = "ok";
         line.faces = result.provenance.mesh->faces;
-        const KinematicSkeleton<double>& skeleton = result.found.extraction.skeleton;
+        const KinematicSkeleton<double>& skeleton = result.skeleton();
         line.warnings = skeleton.quality.warnings;
         line.sides_confidence = skeleton.quality.sides_confidence;
         line.least_confidence = least_confidence(skeleton);

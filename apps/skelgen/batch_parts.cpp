@@ -18,6 +18,7 @@
 #include <skelgen/io/transform_json.hpp>
 
 #include "console.hpp"
+#include "parts.hpp"
 
 #if SKELGEN_WITH_RENDER
 #include <skelgen/render/png.hpp>
@@ -30,36 +31,31 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What a part's file holds, as bytes.
-using Format = std::string (*)(const BatchItem&, const FileExtraction&, const SkeletonTemplate&);
+using Format = std::string (*)(const BatchItem&, const FittedFile&, const SkeletonTemplate&);
 
-std::string rig_text(const BatchItem& item, const FileExtraction& found, const SkeletonTemplate& skeleton_template) {
-    const auto rig = applications::make_rig(found.mesh, found.found.extraction.skeleton, skeleton_template);
+std::string rig_text(const BatchItem& item, const FittedFile& body, const SkeletonTemplate& skeleton_template) {
+    const auto rig = applications::make_rig(body.mesh, body.found.body, body.skeleton(), skeleton_template);
     return io::rig_to_glb(rig, io::JointNames::skelgen, load_looks({item.mesh, {}}));
 }
 
-applications::Segmentation parts_of(const FileExtraction& found) {
-    return applications::segment(found.found.body, found.found.extraction.skeleton);
+std::string segmentation_text(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
+    return io::segmentation_to_json(parts_of(body.mesh, body.found, "bones"), body.source, body.skeleton().quality);
 }
 
-std::string segmentation_text(const BatchItem&, const FileExtraction& found, const SkeletonTemplate&) {
-    const auto parts = applications::to_input(parts_of(found), found.found.body, found.mesh);
-    return io::segmentation_to_json(parts, *found.provenance.mesh, found.found.extraction.skeleton.quality);
-}
-
-std::string measurements_text(const BatchItem& item, const FileExtraction& found, const SkeletonTemplate&) {
-    const KinematicSkeleton<double>& skeleton = found.found.extraction.skeleton;
-    io::SourceMesh source = *found.provenance.mesh;
+std::string measurements_text(const BatchItem& item, const FittedFile& body, const SkeletonTemplate&) {
+    io::SourceMesh source = body.source;
     source.file = item.file;
+    const auto parts = applications::segment(body.found.body, body.skeleton());
     return io::measurements_to_json(
-        {{source, skeleton.quality, applications::measure(found.found.body, skeleton, parts_of(found))}});
+        {{source, body.skeleton().quality, applications::measure(body.found.body, body.skeleton(), parts)}});
 }
 
-std::string transform_text(const BatchItem&, const FileExtraction& found, const SkeletonTemplate&) {
-    return io::transform_to_json(applications::alignment(found.found.extraction.skeleton, found.mesh.vertices, {}));
+std::string transform_text(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
+    return io::transform_to_json(applications::alignment(body.skeleton(), body.mesh.vertices, {}));
 }
 
-std::string curve_text(const BatchItem&, const FileExtraction& found, const SkeletonTemplate&) {
-    return io::curve_to_json(found.found.extraction.curve);
+std::string curve_text(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
+    return io::curve_to_json(body.found.extraction.curve);
 }
 
 #if SKELGEN_WITH_RENDER
@@ -69,11 +65,11 @@ std::string picture(const render::Scene& scene) {
     return render::encode_png(render::render_scene(scene, options));
 }
 
-std::string picture_text(const BatchItem&, const FileExtraction& found, const SkeletonTemplate&) {
+std::string picture_text(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
     render::Scene scene;
-    scene.mesh = found.mesh;
-    scene.skeleton = found.found.extraction.skeleton;
-    scene.curve = found.found.extraction.curve;
+    scene.mesh = body.mesh;
+    scene.skeleton = body.skeleton();
+    scene.curve = body.found.extraction.curve;
     return picture(scene);
 }
 #endif
@@ -162,9 +158,9 @@ void require_own_files(const std::vector<BatchItem>& items, const std::vector<st
         }
 }
 
-void write_part(std::string_view part, const BatchItem& item, const FileExtraction& found,
+void write_part(std::string_view part, const BatchItem& item, const FittedFile& body,
                 const SkeletonTemplate& skeleton_template) {
-    const std::string text = in_file(item.mesh, [&] { return find_part(part).format(item, found, skeleton_template); });
+    const std::string text = in_file(item.mesh, [&] { return find_part(part).format(item, body, skeleton_template); });
     const fs::path file = part_file(item, part);
     in_file(file, [&] { io::write_file_atomically(file, text); });
 }

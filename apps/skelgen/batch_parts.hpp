@@ -8,7 +8,7 @@
 #include <skelgen/core/skeleton_template.hpp>
 
 #include "batch_inputs.hpp"
-#include "extract_file.hpp"
+#include "fitted_file.hpp"
 
 namespace skelgen::cli {
 
@@ -30,7 +30,7 @@ namespace skelgen::cli {
 void require_own_files(const std::vector<BatchItem>& items, const std::vector<std::string>& parts);
 
 /// Writes a part to its file. \throws Error as the command of its name, with the file's name in front.
-void write_part(std::string_view part, const BatchItem& item, const FileExtraction& found,
+void write_part(std::string_view part, const BatchItem& item, const FittedFile& body,
                 const SkeletonTemplate& skeleton_template);
 
 /// Draws a mesh in which no skeleton was found, as the part render, with the reason below. \throws Error as

@@ -17,8 +17,9 @@ FileExtraction extract_file(const MeshInput& input, const ExtractOptions& option
     const Extraction<double>& extraction = result.found.extraction;
     io::FileTimings timings{read_ms, extraction.timings};
     timings.stages.total = ms_since_start();
-    result.provenance.mesh = io::SourceMesh{input.file.filename().string(), result.mesh.vertices.rows(),
-                                            result.mesh.faces.rows(), extraction.geodesic_diameter};
+    result.source = {input.file.filename().string(), result.mesh.vertices.rows(), result.mesh.faces.rows(),
+                     extraction.geodesic_diameter};
+    result.provenance.mesh = result.source;
     result.provenance.timings_ms = timings;
     result.json = skeleton_to_json(extraction.skeleton, result.provenance);
     return result;

@@ -18,8 +18,6 @@ using namespace skelgen::test;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-const fs::path sample_body = SKELGEN_DATA "/sample/body.off";
-
 Json summary_of(const fs::path& folder, const std::string& mesh) {
     std::istringstream text(read_file(folder / "summary.jsonl"));
     for (std::string line; std::getline(text, line);)
@@ -89,8 +87,7 @@ TEST_CASE("batch --also: further results beside each skeleton, as the commands w
 TEST_CASE("batch --also: a part that fails costs itself alone", "[cli][batch]") {
     const TemporaryFolder folder;
     write_file(folder / "out/body.transform.json/in/the/way", "");
-    const CliResult result =
-        run_cli(folder.path(), {"batch", sample_body.string(), "-o", "out", "--also", "align,curve"});
+    const CliResult result = run_cli(folder.path(), {"batch", sample_body, "-o", "out", "--also", "align,curve"});
     INFO(result.err);
     CHECK(result.status == 5);
     CHECK(result.err.find("skelgen: error: out/body.transform.json: ") != std::string::npos);
