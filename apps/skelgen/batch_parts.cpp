@@ -112,6 +112,7 @@ fs::path place_of(const fs::path& file) {
 const std::vector<std::string>& batch_part_names() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> all;
+        all.reserve(parts.size());
         for (const Part& part : parts) all.emplace_back(part.name);
         return all;
     }();

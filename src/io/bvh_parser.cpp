@@ -133,7 +133,7 @@ private:
         scanner_.skip_line(); // "Site"
         expect("{");
         expect("OFFSET");
-        const Vector3<double> end = read_offset();
+        Vector3<double> end = read_offset();
         expect("}");
         return end;
     }
