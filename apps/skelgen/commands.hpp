@@ -19,7 +19,9 @@ void add_measure_command(CLI::App& app);
 void add_correspond_command(CLI::App& app);
 void add_rig_command(CLI::App& app);
 void add_pose_command(CLI::App& app);
+void add_animate_command(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_synth_command(CLI::App& app);
+void add_documentation_command(CLI::App& app);
 
 } // namespace skelgen::cli

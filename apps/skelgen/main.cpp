@@ -54,12 +54,14 @@ void add_commands(CLI::App& app) {
     add_correspond_command(app);
     add_rig_command(app);
     add_pose_command(app);
+    add_animate_command(app);
 #if SKELGEN_WITH_RENDER
     add_render_command(app);
 #endif
 #if SKELGEN_WITH_SYNTH
     add_synth_command(app);
 #endif
+    add_documentation_command(app);
 }
 
 std::string footer() {

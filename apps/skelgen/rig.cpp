@@ -35,12 +35,6 @@ RestPose rest_pose(const RigCommand& command, io::RigFormat format) {
     return rest;
 }
 
-/// What a scene looks like; nothing of its own for other meshes, and for what came through standard input.
-io::SceneLooks looks_of(const MeshInput& mesh) {
-    if (mesh.file == "-") return {};
-    return io::read_looks(mesh.file).value_or(io::SceneLooks{});
-}
-
 void run(const RigCommand& command) {
     require_different_files(command.mesh.file, command.output);
     const auto format = io::rig_format_of(command.output);
@@ -52,7 +46,7 @@ void run(const RigCommand& command) {
         const FittedFile body = fit_file(command.mesh, options);
         const SkeletonTemplate& human = builtin_template(body.skeleton().template_name);
         const auto rig = applications::make_rig(body.mesh, body.found.body, body.skeleton(), human, rest);
-        const io::SceneLooks looks = looks_of(command.mesh);
+        const io::SceneLooks looks = load_looks(command.mesh);
         in_file(command.output, [&] { write_rig(command.output, rig, *io::joint_names_named(command.names), looks); });
         if (command.quiet) return;
         print_warnings(command.mesh.file, body.skeleton());
