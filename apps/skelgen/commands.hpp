@@ -21,5 +21,6 @@ void add_rig_command(CLI::App& app);
 void add_pose_command(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_synth_command(CLI::App& app);
+void add_view_command(CLI::App& app);
 
 } // namespace skelgen::cli
