@@ -10,20 +10,24 @@ set(skelgen_core_headers
     include/skelgen/anatomy/joint_offsets.hpp
     include/skelgen/anatomy/radii.hpp
     include/skelgen/applications/alignment.hpp
+    include/skelgen/applications/animation.hpp
     include/skelgen/applications/bind.hpp
     include/skelgen/applications/body_coordinates.hpp
     include/skelgen/applications/bone_orientations.hpp
     include/skelgen/applications/bone_sections.hpp
     include/skelgen/applications/bones.hpp
     include/skelgen/applications/canonical_frame.hpp
+    include/skelgen/applications/clip_body.hpp
     include/skelgen/applications/correspondence.hpp
     include/skelgen/applications/curve_skin.hpp
     include/skelgen/applications/heat_weights.hpp
     include/skelgen/applications/laplace_basis.hpp
     include/skelgen/applications/measurement.hpp
+    include/skelgen/applications/motion_clip.hpp
     include/skelgen/applications/part_shares.hpp
     include/skelgen/applications/pose_transfer.hpp
     include/skelgen/applications/posing.hpp
+    include/skelgen/applications/retarget.hpp
     include/skelgen/applications/rig.hpp
     include/skelgen/applications/segmentation.hpp
     include/skelgen/applications/skinning.hpp
@@ -121,19 +125,23 @@ set(skelgen_core_definitions
     include/skelgen/anatomy/impl/joint_offsets.hpp
     include/skelgen/anatomy/impl/radii.hpp
     include/skelgen/applications/impl/alignment.hpp
+    include/skelgen/applications/impl/animation.hpp
     include/skelgen/applications/impl/bind.hpp
     include/skelgen/applications/impl/body_coordinates.hpp
     include/skelgen/applications/impl/bone_orientations.hpp
     include/skelgen/applications/impl/bone_sections.hpp
     include/skelgen/applications/impl/bones.hpp
+    include/skelgen/applications/impl/clip_body.hpp
     include/skelgen/applications/impl/correspondence.hpp
     include/skelgen/applications/impl/curve_skin.hpp
     include/skelgen/applications/impl/heat_weights.hpp
     include/skelgen/applications/impl/laplace_basis.hpp
     include/skelgen/applications/impl/measurement.hpp
+    include/skelgen/applications/impl/motion_clip.hpp
     include/skelgen/applications/impl/part_shares.hpp
     include/skelgen/applications/impl/pose_transfer.hpp
     include/skelgen/applications/impl/posing.hpp
+    include/skelgen/applications/impl/retarget.hpp
     include/skelgen/applications/impl/rig.hpp
     include/skelgen/applications/impl/segmentation.hpp
     include/skelgen/applications/impl/skinning.hpp
@@ -209,6 +217,7 @@ set(skelgen_core_definitions
 set(skelgen_io_headers
     include/skelgen/io/atomic_file.hpp
     include/skelgen/io/axis_json.hpp
+    include/skelgen/io/bvh.hpp
     include/skelgen/io/cgal_adaptor.hpp
     include/skelgen/io/coloured_ply.hpp
     include/skelgen/io/correspondence_json.hpp
@@ -262,6 +271,7 @@ set(skelgen_synth_headers
 
 set(skelgen_sources
     src/instantiate/anatomy.cpp
+    src/instantiate/animation.cpp
     src/instantiate/applications_correspondence.cpp
     src/instantiate/applications_parts.cpp
     src/instantiate/core.cpp
@@ -276,6 +286,8 @@ set(skelgen_sources
     src/io/atomic_file.cpp
     src/io/axis_json.cpp
     src/io/base64.cpp
+    src/io/bvh_parser.cpp
+    src/io/bvh_writer.cpp
     src/io/coloured_ply.cpp
     src/io/companion_file.cpp
     src/io/correspondence_json.cpp
@@ -311,6 +323,7 @@ set(skelgen_sources
     src/io/read_file.cpp
     src/io/read_mesh.cpp
     src/io/rig_formats.cpp
+    src/io/rig_motion.cpp
     src/io/rig_scene.cpp
     src/io/scene_pose.cpp
     src/io/segmentation_json.cpp
@@ -389,9 +402,11 @@ set(skelgen_synth_sources
 # Relative to apps/skelgen.
 set(skelgen_cli_sources
     align.cpp
+    animate.cpp
     batch.cpp
     batch_inputs.cpp
     batch_summary.cpp
+    clip_input.cpp
     console.cpp
     convert.cpp
     correspond.cpp

@@ -19,6 +19,7 @@ void add_measure_command(CLI::App& app);
 void add_correspond_command(CLI::App& app);
 void add_rig_command(CLI::App& app);
 void add_pose_command(CLI::App& app);
+void add_animate_command(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_synth_command(CLI::App& app);
 void add_view_command(CLI::App& app);

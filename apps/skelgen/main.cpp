@@ -58,6 +58,7 @@ void add_commands(CLI::App& app) {
     add_correspond_command(app);
     add_rig_command(app);
     add_pose_command(app);
+    add_animate_command(app);
 #if SKELGEN_WITH_RENDER
     add_render_command(app);
 #endif

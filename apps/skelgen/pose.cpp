@@ -1,13 +1,17 @@
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include <skelgen/applications/pose_transfer.hpp>
+#include <skelgen/applications/rig.hpp>
 #include <skelgen/extract.hpp>
 #include <skelgen/io/mesh_format.hpp>
 #include <skelgen/io/read_mesh.hpp>
 #include <skelgen/io/skeleton_json.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
+#include "clip_input.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "mesh_input.hpp"
@@ -21,6 +25,8 @@ struct PoseCommand {
     MeshInput mesh;
     std::string like; ///< mesh of the body to be held like
     std::string pose; ///< or the skeleton of one
+    std::string clip; ///< or a motion, of which one frame is taken
+    int frame = 0;
     std::string output;
     bool quiet = false;
 };
@@ -52,24 +58,56 @@ Model load_model(const PoseCommand& command) {
     });
 }
 
+struct FoundBody {
+    TriangleMesh<double> mesh;
+    KinematicSkeleton<double> skeleton;
+};
+
+FoundBody load_body(const MeshInput& input) {
+    return in_file(input.file, [&] {
+        FoundBody body{load_mesh(input), {}};
+        body.skeleton = extract_skeleton(body.mesh).skeleton;
+        return body;
+    });
+}
+
+TriangleMesh<double> held_like_model(const PoseCommand& command, const FoundBody& body, const Model& model) {
+    return in_file(command.mesh.file, [&] {
+        auto posed = applications::pose_like(body.mesh, body.skeleton, model.skeleton, human());
+        if (model.floor) posed = put_on(std::move(posed), *model.floor);
+        return posed.mesh;
+    });
+}
+
+/// The body as the clip's skeleton is in the frame: +y up, on the floor, in the mesh's unit.
+TriangleMesh<double> held_as_in_clip(const PoseCommand& command, const FoundBody& body) {
+    const auto rig =
+        in_file(command.mesh.file, [&] { return applications::make_rig(body.mesh, body.skeleton, human()); });
+    const auto animation = follow_clip(command.clip, rig);
+    const auto frame = static_cast<std::size_t>(command.frame);
+    if (frame >= animation.frames.size())
+        throw Error(ErrorCode::usage, command.clip + ": has no frame " + std::to_string(command.frame) + ", but " +
+                                          std::to_string(animation.frames.size()) + ", counted from 0");
+    TriangleMesh<double> held = posed(rig, animation.frames[frame]);
+    held.vertices /= rig.metres_per_unit;
+    return held;
+}
+
 void run(const PoseCommand& command) {
     require_different_files(command.mesh.file, command.output);
-    require_different_files(command.like, command.output);
-    require_different_files(command.pose, command.output);
+    for (const std::string& file : {command.like, command.pose, command.clip})
+        require_different_files(file, command.output);
     const auto format = io::mesh_format_of(command.output);
     if (!format || !io::is_written(*format))
         throw Error(ErrorCode::usage, command.output + ": its name must end in " + io::written_mesh_extensions_text());
-    const Model model = load_model(command);
-    in_file(command.mesh.file, [&] {
-        const TriangleMesh<double> mesh = load_mesh(command.mesh);
-        const KinematicSkeleton<double> skeleton = extract_skeleton(mesh).skeleton;
-        auto posed = applications::pose_like(mesh, skeleton, model.skeleton, human());
-        if (model.floor) posed = put_on(std::move(posed), *model.floor);
-        in_file(command.output, [&] { write_mesh(command.output, posed.mesh); });
-        if (command.quiet) return;
-        for (const std::string& warning : skeleton.quality.warnings)
-            print_warning(command.mesh.file.string() + ": " + warning);
-    });
+    std::optional<Model> model;
+    if (command.clip.empty()) model = load_model(command);
+    const FoundBody body = load_body(command.mesh);
+    const TriangleMesh<double> held = model ? held_like_model(command, body, *model) : held_as_in_clip(command, body);
+    in_file(command.output, [&] { write_mesh(command.output, held); });
+    if (command.quiet) return;
+    for (const std::string& warning : body.skeleton.quality.warnings)
+        print_warning(command.mesh.file.string() + ": " + warning);
 }
 
 } // namespace
@@ -81,11 +119,17 @@ void add_pose_command(CLI::App& app) {
     CLI::Option_group* model = sub->add_option_group("pose", "Whose pose it gets");
     model->add_option("--like", command->like, "Mesh of another body, of any shape and unit");
     model->add_option("--pose", command->pose, "Skeleton of another body, as extract writes it");
+    CLI::Option* clip = model->add_option("--bvh", command->clip, "Motion of a skeleton, as animate takes it");
     model->require_option(1);
+    sub->add_option("--frame", command->frame, "Which of the motion's frames, counted from 0")
+        ->needs(clip)
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     sub->add_option("-o,--output", command->output, "Mesh to write: " + io::written_mesh_extensions_text())->required();
     sub->add_flag("-q,--quiet", command->quiet, "No warnings");
     sub->footer("Examples:\n  skelgen pose woman.off --like walking_man.ply -o walking_woman.off\n"
-                "  skelgen pose character.glb --pose walking.json -o walking.glb");
+                "  skelgen pose character.glb --pose walking.json -o walking.glb\n"
+                "  skelgen pose scan.ply --bvh dance.bvh --frame 120 -o dancing.ply");
     sub->callback([command] { run(*command); });
 }
 

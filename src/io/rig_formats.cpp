@@ -5,14 +5,17 @@
 
 #include <skelgen/core/error.hpp>
 #include <skelgen/io/atomic_file.hpp>
+#include <skelgen/io/bvh.hpp>
 
 #include "file_extension.hpp"
-#include "number_text.hpp"
+#include "rig_motion.hpp"
 #include "rig_scene.hpp"
 
 namespace skelgen::io {
 namespace {
 
+using applications::ClipJoint;
+using applications::MotionClip;
 using applications::Rig;
 using applications::RigJoint;
 using detail::Json;
@@ -38,71 +41,34 @@ Json describe_humanoid(const std::vector<std::string>& names, const std::vector<
     return bones;
 }
 
-/// The lines of a joint and of all below it.
-class BvhWriter {
-public:
-    BvhWriter(const Rig<double>& rig, const std::vector<std::string>& names)
-        : rig_(&rig), names_(&names), scale_(rig.unit_is_known ? 100.0 : 1.0) {}
-
-    std::string write() {
-        text_ = "HIERARCHY\n";
-        append_joint(0, "");
-        text_ += "MOTION\nFrames: 1\nFrame Time: 0.033333\n";
-        append_place(scale_ * rig_->joints.front().position);
-        for (std::size_t j = 0; j < rig_->joints.size(); ++j) append_place(Eigen::Vector3d::Zero());
-        text_.back() = '\n';
-        return text_;
-    }
-
-private:
-    [[nodiscard]] Eigen::Vector3d offset_from_parent(const RigJoint<double>& joint) const {
-        return joint.position - rig_->joints[static_cast<std::size_t>(joint.parent)].position;
-    }
-
-    void append_place(const Eigen::Vector3d& place) {
-        detail::append_point(text_, place);
-        text_ += ' ';
-    }
-
-    void append_offset(const std::string& indent, const Eigen::Vector3d& offset) {
-        text_ += indent + "OFFSET ";
-        detail::append_point(text_, Eigen::Vector3d(scale_ * offset));
-        text_ += '\n';
-    }
-
-    void append_joint(std::size_t j, const std::string& indent) {
-        const RigJoint<double>& joint = rig_->joints[j];
-        const bool is_root = joint.parent < 0;
-        const std::string inner = indent + "\t";
-        text_ += indent + (is_root ? "ROOT " : "JOINT ") + (*names_)[j] + "\n" + indent + "{\n";
+/// The rig's skeleton as a clip of one frame that moves nothing, by these names.
+MotionClip clip_of(const Rig<double>& rig, const std::vector<std::string>& names) {
+    using enum applications::ClipChannel;
+    const double scale = rig.unit_is_known ? 100 : 1; // centimetres
+    MotionClip clip;
+    for (std::size_t j = 0; j < rig.joints.size(); ++j) {
+        const RigJoint<double>& joint = rig.joints[j];
+        ClipJoint out{names[j], joint.parent, {}, {z_rotation, x_rotation, y_rotation}, std::nullopt};
         // Where the root is, the motion says: readers disagree on whether its offset comes on top.
-        append_offset(inner, is_root ? Eigen::Vector3d::Zero() : offset_from_parent(joint));
-        text_ += inner + (is_root ? "CHANNELS 6 Xposition Yposition Zposition " : "CHANNELS 3 ") +
-                 "Zrotation Xrotation Yrotation\n";
-        bool is_end = true;
-        for (std::size_t child = j + 1; child < rig_->joints.size(); ++child) {
-            if (rig_->joints[child].parent != static_cast<int>(j)) continue;
-            append_joint(child, inner);
-            is_end = false;
-        }
-        if (is_end) {
-            text_ += inner + "End Site\n" + inner + "{\n";
-            append_offset(inner + "\t", joint.end - joint.position);
-            text_ += inner + "}\n";
-        }
-        text_ += indent + "}\n";
+        if (joint.parent < 0)
+            out.channels = {x_position, y_position, z_position, z_rotation, x_rotation, y_rotation};
+        else
+            out.offset = scale * (joint.position - rig.joints[static_cast<std::size_t>(joint.parent)].position);
+        if (ends_limb(joint.role)) out.end = scale * (joint.end - joint.position);
+        clip.joints.push_back(std::move(out));
     }
-
-    const Rig<double>* rig_;
-    const std::vector<std::string>* names_;
-    double scale_;
-    std::string text_;
-};
+    clip.frames.setZero(1, static_cast<Eigen::Index>(3 + 3 * rig.joints.size()));
+    clip.frames.leftCols<3>() = scale * rig.joints.front().position.transpose();
+    return clip;
+}
 
 } // namespace
 
-std::string rig_to_glb(const Rig<double>& rig, JointNames names, const SceneLooks& looks) {
-    return detail::format_scene(detail::make_rig_scene(rig, names_of(rig.joints, names), looks));
+std::string rig_to_glb(const Rig<double>& rig, JointNames names, const SceneLooks& looks,
+                       const std::vector<applications::Animation<double>>& animations) {
+    detail::RigScene scene = detail::make_rig_scene(rig, names_of(rig.joints, names), looks);
+    detail::add_animations(scene, rig, animations);
+    return detail::format_scene(std::move(scene));
 }
 
 std::string rig_to_vrm(const Rig<double>& rig, const std::string& name, const SceneLooks& looks) {
@@ -120,8 +86,7 @@ std::string rig_to_vrm(const Rig<double>& rig, const std::string& name, const Sc
 }
 
 std::string rig_to_bvh(const Rig<double>& rig, JointNames names) {
-    const std::vector<std::string> all = names_of(rig.joints, names);
-    return BvhWriter(rig, all).write();
+    return clip_to_bvh(clip_of(rig, names_of(rig.joints, names)));
 }
 
 std::optional<RigFormat> rig_format_of(const std::filesystem::path& path) {

@@ -5,12 +5,14 @@
 
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/io/atomic_file.hpp>
+#include <skelgen/io/bvh.hpp>
 #include <skelgen/io/curve_formats.hpp>
 #include <skelgen/io/skeleton_json.hpp>
 #include <skelgen/io/template_json.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
 #include "io/gltf_builder.hpp"
+#include "walking_clip.hpp"
 
 using namespace skelgen;
 using namespace skelgen::io;
@@ -123,6 +125,10 @@ void make_corpus(const fs::path& folder) {
     curve.add('\1' + curve_to_obj(fork_curve()));
     curve.add('\2' + curve_to_ply(fork_curve()));
     curve.add('\3' + curve_to_swc(fork_curve()));
+    Corpus bvh(folder, "bvh");
+    bvh.add(clip_to_bvh(test::standing_clip()));
+    bvh.add("HIERARCHY\nROOT a b{\nOFFSET 1 2 3\nCHANNELS 1 Yrotation\nEnd Site\n{ OFFSET 0 0 1 } }\n"
+            "MOTION\nFrames: 2\nFrame Time: .1\n0\n90\n");
     Corpus(folder, "template_json").add(template_to_json(builtin_template("pinocchio18")));
     Corpus(folder, "skeleton_json").add(skeleton_to_json(small_skeleton()));
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include <skelgen/io/bvh.hpp>
 #include <skelgen/io/curve_formats.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
@@ -216,4 +217,42 @@ TEST_CASE("curve parsers: random changes and random bytes", "[io][fuzz]") {
     CHECK_FALSE(
         parses_curve(R"({"format": "skelgen-curve", "version": 1, "nodes": [[1e999, 0, 0]], "edges": []})", json));
     CHECK_FALSE(parses_curve(R"({"format": "skelgen-curve\xff", "version": 1})", json));
+}
+
+namespace {
+
+/// Whether a clip came out; then it must be a sound one.
+bool parses_clip(const std::string& bytes) {
+    try {
+        const auto clip = parse_bvh(bytes);
+        REQUIRE(clip.frames.rows() > 0);
+        REQUIRE(clip.frames.allFinite());
+        REQUIRE(pose_in(clip, 0).positions.size() == clip.joints.size());
+        for (std::size_t j = 0; j < clip.joints.size(); ++j) REQUIRE(clip.joints[j].parent < static_cast<int>(j));
+        return true;
+    } catch (const Error& error) {
+        REQUIRE(error.code() == ErrorCode::bad_input);
+        REQUIRE(std::string(error.what()).size() > 10);
+        return false;
+    }
+}
+
+} // namespace
+
+TEST_CASE("BVH parser: cut short, every byte changed, random changes", "[io][fuzz]") {
+    const std::string clip = "HIERARCHY\nROOT a b\n{\n OFFSET 1 2 3\n CHANNELS 2 Yrotation Xposition\n JOINT c{\n"
+                             "  OFFSET 0 0 1\n  CHANNELS 1 Zrotation\n  End Site\n  {\n   OFFSET 0 0 1\n  }\n }\n}\n"
+                             "MOTION\nFrames: 2\nFrame Time: 0.04\n1 2 3\n4 5 6\n";
+    REQUIRE(parses_clip(clip));
+    for (std::size_t size = 0; size + 2 < clip.size(); ++size) CHECK_FALSE(parses_clip(clip.substr(0, size)));
+    for (std::size_t i = 0; i < clip.size(); ++i)
+        for (const char byte : {'\0', '-', '9', ' ', '\n', '}', '\x7f', '\xff'}) {
+            std::string changed = clip;
+            changed[i] = byte;
+            static_cast<void>(parses_clip(changed));
+        }
+    std::mt19937 random(2023);
+    int refused = 0;
+    for (int trial = 0; trial < 3000; ++trial) refused += !parses_clip(mutated(clip, random));
+    CHECK(refused > 100);
 }

@@ -211,7 +211,7 @@ TEST_CASE("BVH: offsets in centimetres, Z, X, Y", "[io][rig]") {
     CHECK(bvh.rfind("HIERARCHY\nROOT Hips\n{\n\tOFFSET 0 0 0\n\tCHANNELS 6 Xposition Yposition Zposition "
                     "Zrotation Xrotation Yrotation\n\tJOINT Spine\n",
                     0) == 0);
-    CHECK(bvh.find("Frames: 1\nFrame Time: 0.033333\n0 95.3") != std::string::npos);
+    CHECK(bvh.find("Frames: 1\nFrame Time: 0.03333333333333333\n0 95.3") != std::string::npos);
     std::size_t ends = 0;
     for (auto at = bvh.find("End Site"); at != std::string::npos; at = bvh.find("End Site", at + 1)) ++ends;
     CHECK(ends == 5);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include <skelgen/applications/animation.hpp>
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/io/scene_looks.hpp>
 
@@ -27,10 +28,12 @@ enum class JointNames { skelgen, smpl, mixamo, vrm };
 
 /// A GLB file (Khr21) with the rig: one skinned mesh, its vertices in the rig's order, smooth normals but for edges
 /// sharper than 60 degrees between vertices at equal places, the joints as nodes with their axes, inverse bind
-/// matrices, four influences a vertex; with the looks of the scene that it was made of. Linear. \throws Error usage
-/// when there are no faces, a coordinate is too large for a float, or the looks are those of another mesh.
+/// matrices, four influences a vertex; with the looks of the scene that it was made of, and animations: those without
+/// frames are left out. Linear. \throws Error usage when there are no faces, a coordinate is too large for a float, the
+/// looks are those of another mesh, or an animation is that of another rig.
 [[nodiscard]] std::string rig_to_glb(const applications::Rig<double>& rig, JointNames names = JointNames::skelgen,
-                                     const SceneLooks& looks = {});
+                                     const SceneLooks& looks = {},
+                                     const std::vector<applications::Animation<double>>& animations = {});
 
 /// The same with VRM 1.0's extension VRMC_vrm: which node is which bone of a humanoid, and a name for the avatar.
 /// Joints are named as VRM names them. \throws Error usage also when the rig does not stand in the T-pose, which VRM

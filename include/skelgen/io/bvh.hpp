@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include <skelgen/applications/motion_clip.hpp>
+
+namespace skelgen::io {
+
+/// Reads a BVH file (MM01): one hierarchy of joints with offsets and channels in any order, and at least one frame.
+/// Linear. \throws Error bad_input, naming the line, where it is damaged: words or numbers that are missing, too many,
+/// or no usable numbers, a channel that a joint has twice, fewer or more numbers than frames and channels make, several
+/// roots.
+[[nodiscard]] applications::MotionClip parse_bvh(std::string_view text);
+
+/// The same of a file. \throws Error also as `read_file`.
+[[nodiscard]] applications::MotionClip read_bvh(const std::filesystem::path& path);
+
+/// The clip as a BVH file, which reads back as the same but for the order of joints: each is followed by all that is
+/// below it. O(joints + numbers).
+[[nodiscard]] std::string clip_to_bvh(const applications::MotionClip& clip);
+
+} // namespace skelgen::io
+
+namespace skelgen {
+using io::read_bvh;
+} // namespace skelgen

@@ -1,0 +1,76 @@
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <skelgen/io/read_mesh.hpp>
+#include <skelgen/io/write_mesh.hpp>
+
+#include "catch.hpp"
+#include "run_cli.hpp"
+#include "shapes.hpp"
+
+namespace {
+
+using namespace skelgen;
+using namespace skelgen::test;
+
+const std::string sample_body = SKELGEN_DATA "/sample/body.off", walk = SKELGEN_DATA "/sample/walk.bvh";
+
+TEST_CASE("animate: a walk as the animation of a character, and one of its frames as a pose", "[cli][animate]") {
+    const TemporaryFolder folder;
+    const CliResult animated =
+        run_cli(folder.path(), {"animate", sample_body, "--bvh", walk, "-o", "walking.glb", "--names", "mixamo"});
+    INFO(animated.err);
+    REQUIRE(animated.status == 0);
+    CHECK((animated.out + animated.err).empty());
+    const CliResult held =
+        run_cli(folder.path(), {"pose", sample_body, "--bvh", walk, "--frame", "15", "-o", "held.off"});
+    INFO(held.err);
+    REQUIRE(held.status == 0);
+
+    // The file's animation, as other readers see it, at the time of that frame: the same, but where skinning differs.
+    io::ReadMeshOptions options;
+    options.animation = "walk";
+    options.time = 15.0 / 30;
+    const auto mesh = read_mesh(sample_body), pose = read_mesh(folder / "held.off");
+    const auto shown = read_mesh(folder / "walking.glb", options);
+    REQUIRE(shown.faces == mesh.faces);
+    REQUIRE(pose.faces == mesh.faces);
+    CHECK((shown.vertices - pose.vertices).rowwise().norm().mean() < 0.003);
+    CHECK((shown.vertices - pose.vertices).rowwise().norm().maxCoeff() < 0.05);
+    CHECK(shown.vertices.col(1).minCoeff() == Approx(0).margin(0.03)); // feet on the floor
+    CHECK(shown.vertices.col(2).mean() > 0.4);                         // half of the way
+    CHECK(shown.vertices.col(2).mean() < 0.8);
+    CHECK(shown.vertices.col(1).maxCoeff() > 1.6);
+}
+
+TEST_CASE("animate and pose: what cannot be done is one line and no file", "[cli][animate]") {
+    const TemporaryFolder folder;
+    write_mesh(folder / "capsule.off", capsule(0.2, 2));
+    test::write_file(folder / "odd.bvh", "HIERARCHY\n");
+    test::write_file(folder / "arm.bvh",
+                     "HIERARCHY ROOT arm\n{ OFFSET 0 0 0 CHANNELS 1 Xrotation }\nMOTION\nFrames: 1\n"
+                     "Frame Time: 0.1\n0\n");
+    const auto fails = [&](const std::vector<std::string>& arguments, int status, const std::string& reason) {
+        const CliResult result = run_cli(folder.path(), arguments);
+        INFO(result.err);
+        CHECK(result.status == status);
+        CHECK(result.err.rfind("skelgen: error: " + reason, 0) == 0);
+        CHECK(result.err.find('\n') == result.err.size() - 1);
+        CHECK(files_below(folder.path()) == std::vector<std::string>{"arm.bvh", "capsule.off", "odd.bvh"});
+    };
+    fails({"animate", "capsule.off", "--bvh", walk, "-o", "x.glb"}, 4, "capsule.off: ");
+    fails({"animate", sample_body, "--bvh", "missing.bvh", "-o", "x.glb"}, 3, "missing.bvh: ");
+    fails({"animate", sample_body, "--bvh", "odd.bvh", "-o", "x.glb"}, 3, "odd.bvh: line 2: the file ends too early");
+    fails({"animate", sample_body, "--bvh", "arm.bvh", "-o", "x.glb"}, 3, "arm.bvh: the clip's skeleton is not known");
+    fails({"animate", sample_body, "--bvh", walk, "-o", "x.bvh"}, 2, "x.bvh: its name must end in .glb");
+    fails({"animate", sample_body, "-o", "x.glb"}, 2, "animate: --bvh is required");
+    fails({"animate", sample_body, "--bvh", "arm.bvh", "-o", "arm.bvh"}, 2, "arm.bvh: is the input");
+    fails({"pose", sample_body, "--bvh", walk, "--frame", "30", "-o", "x.off"}, 2, walk + ": has no frame 30");
+    fails({"pose", sample_body, "--bvh", "odd.bvh", "-o", "x.off"}, 3, "odd.bvh: ");
+    fails({"pose", sample_body, "--like", "capsule.off", "--frame", "1", "-o", "x.off"}, 2,
+          "pose: --frame requires --bvh");
+    fails({"pose", sample_body, "--bvh", walk, "--frame", "-1", "-o", "x.off"}, 2, "pose: ");
+}
+
+} // namespace
