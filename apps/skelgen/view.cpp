@@ -5,9 +5,11 @@
 #include <skelgen/applications/bone_sections.hpp>
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/extract.hpp>
+#include <skelgen/io/bvh.hpp>
 #include <skelgen/io/scene_looks.hpp>
 #include <skelgen/io/view_page.hpp>
 
+#include "clip_input.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "fitted_inputs.hpp"
@@ -24,6 +26,7 @@ constexpr int status_some_failed = 5;
 struct ViewCommand {
     FittedInputs inputs;
     std::string output = "-";
+    std::string clip; ///< empty: none
 };
 
 io::SceneLooks looks_of(const fs::path& file) {
@@ -45,25 +48,32 @@ io::ViewedBody viewed(const BatchItem& item, const TriangleMesh<double>& mesh) {
     return body;
 }
 
-/// A mesh as the page shows it, with or without a skeleton. \throws Error when it cannot be read.
+/// A mesh as the page shows it, with or without a skeleton. \throws Error when it cannot be read, or a clip not be
+/// followed.
 std::string shown(const ViewCommand& command, const BatchItem& item) {
     if (!item.fault.empty()) throw Error(ErrorCode::bad_input, item.fault);
     const TriangleMesh<double> mesh = load_mesh({item.mesh, {}});
+    io::ViewedBody body;
     try {
-        const io::ViewedBody body = viewed(item, mesh);
-        if (!command.inputs.quiet)
-            for (const std::string& warning : body.skeleton.quality.warnings)
-                print_warning(item.mesh.string() + ": " + warning);
-        return viewed_body_to_json(body);
+        body = viewed(item, mesh);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::no_skeleton && error.code() != ErrorCode::bad_input) throw;
         const std::string failure = std::string("no skeleton: ") + error.what();
         print_warning(item.mesh.string() + ": " + failure);
         return io::refused_body_to_json(item.file, failure, mesh);
     }
+    if (!command.clip.empty()) body.animations = {follow_clip(command.clip, body.rig)};
+    if (!command.inputs.quiet)
+        for (const std::string& warning : body.skeleton.quality.warnings)
+            print_warning(item.mesh.string() + ": " + warning);
+    return viewed_body_to_json(body);
 }
 
 void run(const ViewCommand& command) {
+    if (!command.clip.empty()) {
+        require_different_files(command.clip, command.output);
+        in_file(command.clip, [&] { (void)read_bvh(command.clip); }); // one that is damaged is no fault of any body's
+    }
     const std::vector<BatchItem> items = find_items(command.inputs, {});
     std::vector<std::string> bodies;
     std::size_t failed = 0;
@@ -92,9 +102,10 @@ void add_view_command(CLI::App& app) {
     add_fitted_inputs(*sub, command->inputs);
     sub->add_option("-o,--output", command->output, "Page to write (.html), whole in itself; - for standard output")
         ->capture_default_str();
+    sub->add_option("--bvh", command->clip, "Motion for the bodies to follow in the page: a BVH file, as in `animate`");
     sub->footer("The page shows bodies side by side: skeleton, curve, sections, sides, weights; joints can be bent.\n"
                 "What has no skeleton is there, too, and says why.\n\n"
-                "Examples:\n  skelgen view body.off -o body.html\n  skelgen view scans/ -o scans.html");
+                "Examples:\n  skelgen view body.off -o body.html\n  skelgen view scans/ --bvh walk.bvh -o scans.html");
     sub->callback([command] { run(*command); });
 }
 

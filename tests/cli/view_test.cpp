@@ -32,6 +32,10 @@ TEST_CASE("view: a page that is whole in itself, with those that have no skeleto
     CHECK(count(page, "<script") == count(page, "</script"));
     CHECK(count(page, "<script src") + count(page, "<link rel=\"stylesheet") + count(page, "@import") == 0);
 
+    REQUIRE(run_cli(folder.path(), {"view", "--bvh", SKELGEN_DATA "/sample/walk.bvh", sample_body, "-o", "walk.html"})
+                .status == 0);
+    CHECK(test::read_file(folder / "walk.html").size() > page.size()); // by the motion
+
     test::write_file(folder / "cube.off", cube_off());
     const CliResult refused = run_cli(folder.path(), {"view", "cube.off"});
     CHECK(refused.status == 0);
@@ -47,16 +51,19 @@ TEST_CASE("view: a page that is whole in itself, with those that have no skeleto
 TEST_CASE("view: what cannot be done is one line and no page", "[cli][view]") {
     const TemporaryFolder folder;
     test::write_file(folder / "torn.off", "OFF\n");
+    const std::vector<std::string> files = files_below(folder.path());
     const auto fails = [&](const std::vector<std::string>& arguments, int status) {
         const CliResult result = run_cli(folder.path(), arguments);
         CHECK(result.status == status);
         CHECK(result.err.rfind("skelgen: error: ", 0) == 0);
         CHECK(result.err.find('\n') == result.err.size() - 1);
-        CHECK(files_below(folder.path()) == std::vector<std::string>{"torn.off"});
+        CHECK(files_below(folder.path()) == files);
     };
     fails({"view", "torn.off", "-o", "x.html"}, 3);
     fails({"view", "torn.off", "-o", "torn.off"}, 2);
     fails({"view", "-o", "x.html"}, 2);
+    fails({"view", sample_body, "--bvh", "torn.off", "-o", "x.html"}, 3);
+    fails({"view", sample_body, "--bvh", "torn.off", "-o", "torn.off"}, 2);
     fails({"view", sample_body, "-o", "no/such/folder/x.html"}, 2);
 }
 

@@ -60,6 +60,7 @@ TEST_CASE("a viewed body: the rig as GLB, and all else in its coordinates", "[io
     const auto json = nlohmann::json::parse(io::viewed_body_to_json(body));
     CHECK(json.at("name") == "a<b>.off");
     CHECK(json.at("warnings").at(0) == "told");
+    CHECK(json.at("has_looks") == false);
     REQUIRE(json.at("joints").size() == 21);
     CHECK(json.at("joints").at(3).at("name") == body.rig.joints[3].name);
     CHECK(json.at("joints").at(3).at("confidence") == 0.5);
@@ -80,6 +81,22 @@ TEST_CASE("a viewed body: the rig as GLB, and all else in its coordinates", "[io
     REQUIRE(glb);
     const auto mesh = io::parse_mesh<double>(*glb);
     CHECK((mesh.vertices - body.rig.mesh.vertices).cwiseAbs().maxCoeff() < 1e-6);
+}
+
+TEST_CASE("a viewed body: materials and animations go along", "[io][view]") {
+    io::ViewedBody body = small_body();
+    const auto vertices = body.rig.mesh.vertices.rows(), faces = body.rig.mesh.faces.rows();
+    body.looks.parts = {{0, vertices, 0, faces, 0, {}}};
+    body.looks.json = R"({"materials": [{"name": "paint"}]})";
+    applications::RigPose<double> pose;
+    pose.axes.assign(21, Eigen::Quaterniond::Identity());
+    body.animations = {{"nod", 0.1, {pose, pose}}};
+    const auto json = nlohmann::json::parse(io::viewed_body_to_json(body));
+    CHECK(json.at("has_looks") == true);
+    const auto glb = io::detail::decode_data_uri("data:;base64," + json.at("glb").get<std::string>());
+    REQUIRE(glb);
+    CHECK(glb->find("\"paint\"") != std::string::npos);
+    CHECK(glb->find("\"nod\"") != std::string::npos);
 }
 
 TEST_CASE("a viewed body: a rig in another pose or of another skeleton is refused", "[io][view]") {

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include <skelgen/applications/animation.hpp>
 #include <skelgen/applications/bone_sections.hpp>
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/core/curve_skeleton.hpp>
@@ -21,6 +22,7 @@ struct ViewedBody {
     KinematicSkeleton<double> skeleton; ///< that the rig was made of
     CurveSkeleton<double> curve;
     std::vector<applications::BoneSection<double>> sections;
+    std::vector<applications::Animation<double>> animations; ///< of the rig
 };
 
 /// A body as the page takes it: JSON, an object. The rig is there as a GLB file in base64 ("glb"), its joints in the
