@@ -25,10 +25,13 @@ function ramp_colour(weight, out) {
 /// Fills a geometry's colours by a function of each vertex's joints and weights.
 function paint(geometry, colour_of) {
   const { position, skinIndex, skinWeight } = geometry.attributes;
-  const colours = new Float32Array(3 * position.count);
+  if (!geometry.userData.painted) // one buffer for all colourings
+    geometry.userData.painted = new THREE.BufferAttribute(new Float32Array(3 * position.count), 3);
+  const { painted } = geometry.userData;
   const colour = new THREE.Color();
-  for (let v = 0; v < position.count; ++v) colour_of(skinIndex, skinWeight, v, colour).toArray(colours, 3 * v);
-  geometry.setAttribute("color", new THREE.BufferAttribute(colours, 3));
+  for (let v = 0; v < position.count; ++v) colour_of(skinIndex, skinWeight, v, colour).toArray(painted.array, 3 * v);
+  painted.needsUpdate = true;
+  geometry.setAttribute("color", painted);
 }
 
 /// How much of a vertex's weight is on joints that `counts` names.

@@ -51,26 +51,22 @@ export class Figure {
     this.inner = gltf.scene;
     this.root.add(gltf.scene);
     gltf.scene.traverse((node) => node.isMesh && this.meshes.push(node));
-    const own = this.meshes.length;
-    for (const mesh of this.meshes.slice(0, own)) {
+    for (const mesh of this.meshes) {
       if (!mesh.geometry.attributes.normal) mesh.geometry.computeVertexNormals();
-      mesh.userData.looks = mesh.material;
-      mesh.userData.plain = new THREE.MeshLambertMaterial({ vertexColors: true, transparent: true });
-      mesh.frustumCulled = false; // poses leave the box of the rest
-      mesh.renderOrder = 2;
-      this.layers.body.push(mesh);
       // Depth first, so that of a translucent body the nearest surface alone is seen.
       const depth = mesh.clone();
       if (depth.isSkinnedMesh) depth.bind(mesh.skeleton, mesh.bindMatrix);
       depth.material = new THREE.MeshBasicMaterial({ colorWrite: false });
+      depth.frustumCulled = mesh.frustumCulled = false; // poses leave the box of the rest
       depth.renderOrder = 1;
+      mesh.renderOrder = 2;
+      const plain = new THREE.MeshLambertMaterial({ vertexColors: true, transparent: true });
+      mesh.userData = { looks: mesh.material, plain, depth };
       mesh.parent.add(depth);
-      this.layers.body.push(depth);
-      mesh.userData.depth = depth;
+      this.layers.body.push(mesh, depth);
     }
     const skinned = this.meshes.find((mesh) => mesh.isSkinnedMesh);
     if (!skinned) return;
-    this.skeleton = skinned.skeleton;
     this.bones = skinned.skeleton.bones;
     this.rest = this.bones.map((bone) => bone.quaternion.clone());
     this.rest_places = this.bones.map((bone) => bone.position.clone());
@@ -194,18 +190,23 @@ export class Figure {
   }
 
   /// `scheme`: plain, sides, weights (of `joint`) or looks (the file's own).
-  colour(scheme, joint, opacity) {
+  colour(scheme, joint) {
+    this.scheme = scheme;
     for (const mesh of this.meshes) {
-      const { looks, plain, depth } = mesh.userData;
       const own = scheme === "looks" && this.data.has_looks;
-      mesh.material = own ? looks : plain;
-      plain.opacity = scheme === "plain" ? opacity : Math.max(opacity, 0.75); // faint colours say nothing
-      depth.material.visible = !own;
+      mesh.material = own ? mesh.userData.looks : mesh.userData.plain;
+      mesh.userData.depth.material.visible = !own;
       if (own) continue;
       if (!mesh.isSkinnedMesh || scheme === "plain" || scheme === "looks") colours.paint_plain(mesh.geometry);
       else if (scheme === "sides") colours.paint_sides(mesh.geometry, this.data.joints);
       else colours.paint_weights(mesh.geometry, joint, this.data.joints);
     }
+  }
+
+  /// Colours that say something do not get as faint as the plain one.
+  fade(opacity) {
+    for (const { userData } of this.meshes)
+      userData.plain.opacity = this.scheme === "plain" ? opacity : Math.max(opacity, 0.75);
   }
 
   select(joint) {

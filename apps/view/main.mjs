@@ -67,8 +67,8 @@ class Viewer {
   }
 
   recolour() {
-    for (const figure of this.figures) figure.colour(this.scheme, this.joint, this.opacity);
-    this.changed();
+    for (const figure of this.figures) figure.colour(this.scheme, this.joint);
+    this.set_opacity(this.opacity);
   }
 
   colour(scheme) {
@@ -78,7 +78,8 @@ class Viewer {
 
   set_opacity(opacity) {
     this.opacity = opacity;
-    this.recolour();
+    for (const figure of this.figures) figure.fade(opacity);
+    this.changed();
   }
 
   select(joint) {
@@ -105,8 +106,7 @@ class Viewer {
   }
 
   scrub(part) {
-    const [first] = this.poses.clips();
-    if (this.poses.clip === null && first !== undefined) this.poses.choose(document.getElementById("clip").value);
+    if (this.poses.clip === null) this.poses.choose(document.getElementById("clip").value);
     this.poses.playing = false;
     this.poses.go_to(part * this.poses.duration());
     this.changed();

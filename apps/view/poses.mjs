@@ -5,6 +5,7 @@ export class Poses {
   constructor(figures) {
     this.figures = figures.filter((figure) => figure.bones.length > 0);
     this.bends = [];
+    this.tracks = []; // of the bodies that follow the clip
     this.clip = null;
     this.playing = false;
     this.time = 0;
@@ -33,7 +34,7 @@ export class Poses {
   }
 
   stop() {
-    for (const { mixer } of this.tracks ?? []) mixer.stopAllAction();
+    for (const { mixer } of this.tracks) mixer.stopAllAction();
     this.tracks = [];
     this.clip = null;
     this.playing = false;
@@ -54,7 +55,7 @@ export class Poses {
   }
 
   duration() {
-    return Math.max(0, ...(this.tracks ?? []).map(({ duration }) => duration));
+    return Math.max(0, ...(this.tracks).map(({ duration }) => duration));
   }
 
   go_to(seconds) {
