@@ -31,6 +31,7 @@ set(skelgen_core_headers
     include/skelgen/applications/rig.hpp
     include/skelgen/applications/segmentation.hpp
     include/skelgen/applications/skinning.hpp
+    include/skelgen/applications/surface_laplacian.hpp
     include/skelgen/core/adjacency.hpp
     include/skelgen/core/builtin_templates.hpp
     include/skelgen/core/curve_graph.hpp
@@ -41,6 +42,7 @@ set(skelgen_core_headers
     include/skelgen/core/geometry.hpp
     include/skelgen/core/header_only.hpp
     include/skelgen/core/join_curves.hpp
+    include/skelgen/core/line.hpp
     include/skelgen/core/kinematic_skeleton.hpp
     include/skelgen/core/mesh.hpp
     include/skelgen/core/options.hpp
@@ -149,6 +151,7 @@ set(skelgen_core_definitions
     include/skelgen/core/impl/curve_graph.hpp
     include/skelgen/core/impl/geodesics.hpp
     include/skelgen/core/impl/geometry.hpp
+    include/skelgen/core/impl/line.hpp
     include/skelgen/core/impl/template_rules.hpp
     include/skelgen/curve/impl/attachment.hpp
     include/skelgen/curve/impl/axis_ends.hpp
@@ -246,6 +249,7 @@ set(skelgen_render_headers
     include/skelgen/render/image.hpp
     include/skelgen/render/png.hpp
     include/skelgen/render/render_scene.hpp
+    include/skelgen/render/report_page.hpp
     include/skelgen/render/scene.hpp
     include/skelgen/render/view.hpp
 )
@@ -356,6 +360,7 @@ set(skelgen_render_sources
     src/render/layout.cpp
     src/render/png.cpp
     src/render/render_scene.cpp
+    src/render/report_page.cpp
     src/render/shading.cpp
     src/render/stroke_font.cpp
     src/render/surface_light.cpp
@@ -405,19 +410,26 @@ set(skelgen_cli_sources
     animate.cpp
     batch.cpp
     batch_inputs.cpp
+    batch_parts.cpp
     batch_summary.cpp
     clip_input.cpp
+    command_outline.cpp
+    completions.cpp
     console.cpp
     convert.cpp
     correspond.cpp
     curve.cpp
+    documentation.cpp
     extract.cpp
     extract_file.cpp
     fingerprint.cpp
+    fitted_file.cpp
     fitted_inputs.cpp
     main.cpp
+    manual_page.cpp
     measure.cpp
     mesh_input.cpp
+    parts.cpp
     pose.cpp
     progress_bar.cpp
     rig.cpp
@@ -426,6 +438,7 @@ set(skelgen_cli_sources
     worker_pool.cpp
 )
 set(skelgen_cli_render_sources
+    batch_report.cpp
     load_scene.cpp
     render.cpp
 )

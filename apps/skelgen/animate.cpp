@@ -1,17 +1,15 @@
 #include <memory>
 #include <string>
-#include <vector>
 
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/core/builtin_templates.hpp>
-#include <skelgen/extract.hpp>
 #include <skelgen/io/atomic_file.hpp>
 #include <skelgen/io/rig_formats.hpp>
 
 #include "clip_input.hpp"
 #include "commands.hpp"
 #include "console.hpp"
-#include "mesh_input.hpp"
+#include "fitted_file.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -21,26 +19,23 @@ struct AnimateCommand {
     std::string clip;
     std::string output;
     std::string names = "skelgen";
+    int component = 0;
     bool quiet = false;
 };
-
-/// What a scene looks like; nothing of its own for other meshes, and for what came through standard input.
-io::SceneLooks looks_of(const MeshInput& mesh) {
-    if (mesh.file == "-") return {};
-    return io::read_looks(mesh.file).value_or(io::SceneLooks{});
-}
 
 struct Character {
     applications::Rig<double> rig;
     io::SceneLooks looks;
-    std::vector<std::string> warnings;
+    KinematicSkeleton<double> skeleton;
 };
 
-Character make_character(const MeshInput& input) {
-    const TriangleMesh<double> mesh = load_mesh(input);
-    const KinematicSkeleton<double> skeleton = extract_skeleton(mesh).skeleton;
-    return {applications::make_rig(mesh, skeleton, builtin_template(skeleton.template_name)), looks_of(input),
-            skeleton.quality.warnings};
+Character make_character(const AnimateCommand& command) {
+    ExtractOptions options;
+    options.prepare.component = command.component;
+    const FittedFile body = fit_file(command.mesh, options);
+    const SkeletonTemplate& human = builtin_template(body.skeleton().template_name);
+    return {applications::make_rig(body.mesh, body.found.body, body.skeleton(), human), load_looks(command.mesh),
+            body.skeleton()};
 }
 
 void run(const AnimateCommand& command) {
@@ -48,14 +43,13 @@ void run(const AnimateCommand& command) {
     require_different_files(command.clip, command.output);
     if (io::rig_format_of(command.output) != io::RigFormat::glb)
         throw Error(ErrorCode::usage, command.output + ": its name must end in .glb");
-    const Character character = in_file(command.mesh.file, [&] { return make_character(command.mesh); });
+    const Character character = in_file(command.mesh.file, [&] { return make_character(command); });
     const auto animation = follow_clip(command.clip, character.rig);
     const auto names = *io::joint_names_named(command.names);
     in_file(command.output, [&] {
         io::write_file_atomically(command.output, rig_to_glb(character.rig, names, character.looks, {animation}));
     });
-    if (command.quiet) return;
-    for (const std::string& warning : character.warnings) print_warning(command.mesh.file.string() + ": " + warning);
+    if (!command.quiet) print_warnings(command.mesh.file, character.skeleton);
 }
 
 } // namespace
@@ -73,6 +67,8 @@ void add_animate_command(CLI::App& app) {
     sub->add_option("--names", command->names, "Whose names the joints get")
         ->check(CLI::IsMember({"skelgen", "smpl", "mixamo", "vrm"}))
         ->capture_default_str();
+    sub->add_option("--component", command->component, "Which of several bodies that stand apart; 1 is the largest")
+        ->check(CLI::Range(1, 1000));
     sub->add_flag("-q,--quiet", command->quiet, "No warnings");
     sub->footer("Example:\n  skelgen animate body.off --bvh walk.bvh -o walking.glb");
     sub->callback([command] { run(*command); });

@@ -10,6 +10,7 @@
 #include <skelgen/io/template_json.hpp>
 
 #include "batch_inputs.hpp"
+#include "batch_parts.hpp"
 #include "batch_summary.hpp"
 #include "commands.hpp"
 #include "console.hpp"
@@ -17,6 +18,10 @@
 #include "fingerprint.hpp"
 #include "progress_bar.hpp"
 #include "worker_pool.hpp"
+
+#if SKELGEN_WITH_RENDER
+#include "batch_report.hpp"
+#endif
 
 namespace skelgen::cli {
 namespace {
@@ -30,6 +35,8 @@ struct BatchCommand {
     std::string output_folder;
     std::string skeleton_template = "human21";
     std::string shard = "1/1";
+    std::string also;   ///< further results, as `parse_batch_parts` takes them
+    std::string report; ///< page to write; empty: none
     std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
     double timeout_seconds = 600;
     std::size_t memory = 0; ///< mebibytes
@@ -74,24 +81,66 @@ FileExtraction extract_within_memory(const BatchItem& item, const ExtractOptions
     }
 }
 
+/// Writes the further results; what fails costs itself alone. Returns the reasons, empty where there is none.
+std::map<std::string, std::string> write_parts(const BatchItem& item, const FileExtraction& found,
+                                               const SkeletonTemplate& skeleton_template,
+                                               const std::vector<std::string>& parts) {
+    std::map<std::string, std::string> faults;
+    for (const std::string& part : parts) {
+        std::string& fault = faults[part];
+        try {
+            write_part(part, item, found, skeleton_template);
+        } catch (const Error& error) {
+            fault = error.what() + (" (--also " + part + ")");
+        }
+    }
+    return faults;
+}
+
+/// Draws a refused mesh where pictures are wanted; what cannot be drawn has its reason for that in the summary already.
+std::map<std::string, std::string> draw_failure(const BatchItem& item, const std::vector<std::string>& parts,
+                                                const Error& reason) {
+    if (reason.code() != ErrorCode::no_skeleton || std::find(parts.begin(), parts.end(), "render") == parts.end())
+        return {};
+    try {
+        draw_refused(item, reason.what());
+        return {{"render", ""}};
+    } catch (const Error& error) {
+        return {{"render", error.what()}};
+    }
+}
+
+double least_confidence(const KinematicSkeleton<double>& skeleton) {
+    double least = 1;
+    for (const Joint<double>& joint : skeleton.joints) least = std::min(least, joint.confidence);
+    return least;
+}
+
 /// Extracts one mesh to its output file.
-SummaryLine process(const BatchItem& item, const ExtractOptions& options, std::size_t mebibytes) {
+SummaryLine process(const BatchItem& item, const ExtractOptions& options, std::size_t mebibytes,
+                    const std::vector<std::string>& parts) {
     SummaryLine line;
     line.file = item.file;
     try {
         if (!item.fault.empty()) throw Error(ErrorCode::bad_input, item.mesh.string() + ": " + item.fault);
         const std::string input = input_fingerprint(item.mesh, options.skeleton_template);
-        const auto result = in_file(item.mesh, [&] { return extract_within_memory(item, options, mebibytes, line); });
+        const FileExtraction result =
+            in_file(item.mesh, [&] { return extract_within_memory(item, options, mebibytes, line); });
         make_folder(item.output.parent_path());
         in_file(item.output, [&] { io::write_file_atomically(item.output, result.json); });
         line.status = "ok";
         line.faces = result.provenance.mesh->faces;
-        line.warnings = result.extraction.skeleton.quality.warnings;
+        const KinematicSkeleton<double>& skeleton = result.skeleton();
+        line.warnings = skeleton.quality.warnings;
+        line.sides_confidence = skeleton.quality.sides_confidence;
+        line.least_confidence = least_confidence(skeleton);
         line.input = input;
-        line.output = result_fingerprint(result.extraction.skeleton, result.provenance.mesh);
+        line.output = result_fingerprint(skeleton, result.provenance.mesh);
+        line.also = write_parts(item, result, options.skeleton_template, parts);
     } catch (const Error& error) {
         if (line.status.empty()) line.status = to_status(error.code());
         line.error = error.what();
+        line.also = draw_failure(item, parts, error);
     }
     return line;
 }
@@ -110,31 +159,50 @@ std::vector<std::string> names(const std::vector<BatchItem>& items) {
     return files;
 }
 
+/// Removes further results that an earlier run says it has written.
+void remove_parts(const BatchItem& item, const std::map<std::string, std::string>& written) {
+    std::error_code error;
+    for (const std::string& part : batch_part_names())
+        if (written.contains(part)) fs::remove(part_file(item, part), error);
+}
+
 /// Without --resume a batch starts over: nothing that an earlier run left may pass for a result of this one.
-void start_over(const std::vector<BatchItem>& items, const BatchSummary& summary) {
+void start_over(const std::vector<BatchItem>& items, const BatchSummary& summary,
+                const std::vector<std::string>& parts) {
     std::error_code error; // what cannot be removed cannot be replaced either: its mesh will fail
-    for (const BatchItem& item : items) fs::remove(item.output, error);
+    const SummaryLines known = summary.read();
+    for (const BatchItem& item : items) {
+        fs::remove(item.output, error);
+        for (const std::string& part : parts) fs::remove(part_file(item, part), error);
+        if (const auto line = known.find(item.file); line != known.end()) remove_parts(item, line->second.also);
+    }
     summary.update(names(items), {});
 }
 
 /// Whether an earlier run has found the skeleton in what the mesh is now, with the same template and the same skelgen,
-/// and its file is still as it was written. One that was killed between a skeleton and its line has to find it again.
-bool is_done(const BatchItem& item, const SummaryLine& line, const SkeletonTemplate& skeleton_template) {
-    return line.status == "ok" && !line.input.empty() && !line.output.empty() &&
+/// its file is still as it was written, and the further results are there. One that was killed between a skeleton and
+/// its line has to find it again.
+bool is_done(const BatchItem& item, const SummaryLine& line, const SkeletonTemplate& skeleton_template,
+             const std::vector<std::string>& parts) {
+    const bool has_parts = std::all_of(parts.begin(), parts.end(), [&](const std::string& part) {
+        const auto known = line.also.find(part);
+        return known != line.also.end() && known->second.empty() && fs::exists(part_file(item, part));
+    });
+    return has_parts && line.status == "ok" && !line.input.empty() && !line.output.empty() &&
            line.output == result_fingerprint(item.output) &&
            line.input == input_fingerprint(item.mesh, skeleton_template);
 }
 
 /// Brings the summary in order after a run that was cut off. Returns the items still to be done.
 std::vector<BatchItem> resume(const std::vector<BatchItem>& items, const BatchSummary& summary,
-                              const SkeletonTemplate& skeleton_template) {
+                              const SkeletonTemplate& skeleton_template, const std::vector<std::string>& parts) {
     const SummaryLines known = summary.read();
     std::vector<BatchItem> left;
     for (const BatchItem& item : items) {
         const auto line = known.find(item.file);
-        if (line == known.end() || !is_done(item, line->second, skeleton_template)) left.push_back(item);
+        if (line == known.end() || !is_done(item, line->second, skeleton_template, parts)) left.push_back(item);
     }
-    start_over(left, summary);
+    start_over(left, summary, parts);
     return left;
 }
 
@@ -143,21 +211,24 @@ std::vector<BatchItem> resume(const std::vector<BatchItem>& items, const BatchSu
 /// Takes down what becomes of each mesh.
 class Recorder {
 public:
-    Recorder(const std::vector<BatchItem>& items, const BatchSummary& summary, const BatchCommand& command)
-        : items_(items), summary_(summary), timeout_seconds_(command.timeout_seconds), memory_(command.memory),
-          bar_(items.size(), !command.quiet) {
+    Recorder(const std::vector<BatchItem>& items, const BatchSummary& summary, const BatchCommand& command,
+             const std::vector<std::string>& parts)
+        : items_(items), summary_(summary), parts_(parts), timeout_seconds_(command.timeout_seconds),
+          memory_(command.memory), bar_(items.size(), !command.quiet) {
         bar_.show(0, 0);
     }
 
     void record(std::size_t index, const JobOutcome& outcome) {
         const SummaryLine line = to_line(items_[index], outcome);
         if (line.status != "ok") take_failure(items_[index], line);
+        take_failed_parts(line);
         summary_.append(line);
         bar_.show(++done_, failed_);
     }
 
     [[nodiscard]] std::size_t done() const { return done_; }
     [[nodiscard]] std::size_t failed() const { return failed_; }
+    [[nodiscard]] std::size_t failed_parts() const { return failed_parts_; }
     void clear_bar() const { bar_.clear(); }
 
 private:
@@ -189,24 +260,53 @@ private:
         ++failed_;
         std::error_code error;
         fs::remove(item.output, error); // a worker may have been killed just after it wrote the file
+        for (const std::string& part : parts_)
+            if (!line.also.contains(part)) fs::remove(part_file(item, part), error);
         io::remove_leftovers(item.output.parent_path());
         bar_.clear();
         print_error(line.error);
     }
 
+    void take_failed_parts(const SummaryLine& line) {
+        for (const auto& [part, fault] : line.also) {
+            if (fault.empty()) continue;
+            ++failed_parts_;
+            bar_.clear();
+            print_error(fault);
+        }
+    }
+
     const std::vector<BatchItem>& items_;
     const BatchSummary& summary_;
+    const std::vector<std::string>& parts_;
     double timeout_seconds_;
     std::size_t memory_;
     ProgressBar bar_;
     std::size_t done_ = 0;
     std::size_t failed_ = 0;
+    std::size_t failed_parts_ = 0;
 };
 
 void clean_up(const std::vector<BatchItem>& items, const fs::path& output_folder) {
     io::remove_leftovers(output_folder);
     for (const fs::path& folder : output_folders(items)) io::remove_leftovers(folder);
 }
+
+/// The further results that are wanted; a report shows pictures.
+std::vector<std::string> parts_of(const BatchCommand& command) {
+    std::vector<std::string> parts = parse_batch_parts(command.also);
+    if (!command.report.empty() && std::find(parts.begin(), parts.end(), "render") == parts.end())
+        parts.emplace_back("render");
+    return parts;
+}
+
+#if SKELGEN_WITH_RENDER
+void write_report(const BatchCommand& command, const std::vector<BatchItem>& items, const SummaryLines& lines) {
+    write_result(command.report, batch_report("skelgen batch: " + command.output_folder, items, lines));
+}
+#else
+void write_report(const BatchCommand&, const std::vector<BatchItem>&, const SummaryLines&) {}
+#endif
 
 /// Returns the exit status.
 int run(const BatchCommand& command) {
@@ -215,31 +315,38 @@ int run(const BatchCommand& command) {
     const fs::path folder = command.output_folder;
     const auto all = find_batch_items(command.inputs, folder);
     const auto items = take_shard(all, parse_shard(command.shard));
+    const std::vector<std::string> parts = parts_of(command);
+    require_own_files(all, parts);
+    for (const BatchItem& item : all) require_different_files(item.mesh, command.report);
     make_folder(folder);
     clean_up(items, folder);
 
     const BatchSummary summary(folder);
     std::vector<BatchItem> left = items;
     if (command.resume)
-        left = resume(items, summary, options.skeleton_template);
+        left = resume(items, summary, options.skeleton_template, parts);
     else
-        start_over(items, summary);
+        start_over(items, summary, parts);
 
-    Recorder recorder(left, summary, command);
+    Recorder recorder(left, summary, command, parts);
     const int signal = run_in_workers(
         left.size(), {command.jobs, command.timeout_seconds, command.memory << 20U},
-        [&](std::size_t i) { return to_json(process(left[i], options, command.memory)); },
+        [&](std::size_t i) { return to_json(process(left[i], options, command.memory, parts)); },
         [&](std::size_t i, const JobOutcome& outcome) { recorder.record(i, outcome); });
 
     recorder.clear_bar();
     clean_up(left, folder);
-    summary.update({}, {});
+    const SummaryLines lines = summary.update({}, {});
+    if (!command.report.empty()) write_report(command, all, lines);
+    const std::string failed_parts =
+        recorder.failed_parts() > 0 ? ", " + std::to_string(recorder.failed_parts()) + " further results failed" : "";
     if (!command.quiet)
-        std::fprintf(stderr, "%zu meshes: %zu done now, %zu done before, %zu failed%s; see %s\n", items.size(),
+        std::fprintf(stderr, "%zu meshes: %zu done now, %zu done before, %zu failed%s%s; see %s\n", items.size(),
                      recorder.done() - recorder.failed(), items.size() - left.size(), recorder.failed(),
-                     signal != 0 ? ", the rest interrupted (continue with --resume)" : "", summary.file().c_str());
+                     failed_parts.c_str(), signal != 0 ? ", the rest interrupted (continue with --resume)" : "",
+                     summary.file().c_str());
     if (signal != 0) return 128 + signal; // as shells tell it
-    return recorder.failed() > 0 ? status_some_failed : 0;
+    return recorder.failed() + recorder.failed_parts() > 0 ? status_some_failed : 0;
 }
 
 } // namespace
@@ -257,6 +364,14 @@ void add_batch_command(CLI::App& app) {
         ->capture_default_str();
     sub->add_flag("--resume", command->resume,
                   "Leave out what an earlier run has done and what has not changed since; try again what has failed");
+    sub->add_option("--also", command->also,
+                    "Further results beside each skeleton, separated by commas: " + batch_parts_text())
+        ->type_name("PART,...");
+#if SKELGEN_WITH_RENDER
+    sub->add_option("--report", command->report,
+                    "Page to write (HTML, one file): pictures, failures first, times, confidences; filter and sort")
+        ->type_name("FILE");
+#endif
     sub->add_option("--shard", command->shard, "Do part K of N only, for several machines")->type_name("K/N");
     sub->add_option("--timeout", command->timeout_seconds, "Seconds after which a mesh is given up; 0: never")
         ->check(CLI::Range(0.0, 1e9))
@@ -270,6 +385,7 @@ void add_batch_command(CLI::App& app) {
     sub->footer("Examples:\n"
                 "  skelgen batch scans/ -o skeletons/ --jobs 8\n"
                 "  skelgen batch scans/ -o skeletons/ --resume\n"
+                "  skelgen batch scans/ -o bodies/ --also rig,measure --report bodies/report.html\n"
                 "  skelgen batch 'scans/*.ply' -o skeletons/ --shard 2/4");
     sub->callback([command] {
         if (const int status = run(*command)) throw CLI::RuntimeError(status);

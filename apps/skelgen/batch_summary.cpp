@@ -74,32 +74,56 @@ bool ends_in_half_line(int descriptor) {
     return size > 0 && ::pread(descriptor, &last, 1, size - 1) == 1 && last != '\n';
 }
 
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+std::string read_text(const Json& value) { return value.is_null() ? "" : value.get<std::string>(); }
+
+/// To a thousandth.
+Json number_or_null(const std::optional<double>& number) {
+    return number ? Json(std::round(*number * 1000) / 1000) : Json(nullptr);
+}
+
+std::optional<double> read_number(const Json& fields, const char* key) {
+    if (!fields.contains(key) || fields.at(key).is_null()) return std::nullopt;
+    return fields.at(key).get<double>();
+}
+
 } // namespace
 
 std::string to_json(const SummaryLine& line) {
+    Json also = Json::object();
+    for (const auto& [part, error] : line.also) also[part] = text_or_null(error);
     const Json json{{"file", line.file},
                     {"status", line.status},
-                    {"error", line.error.empty() ? Json(nullptr) : Json(line.error)},
+                    {"error", text_or_null(line.error)},
                     {"seconds", std::round(line.seconds * 1000) / 1000},
                     {"faces", line.faces},
                     {"warnings", line.warnings},
                     {"input", line.input},
-                    {"output", line.output}};
+                    {"output", line.output},
+                    {"sides_confidence", number_or_null(line.sides_confidence)},
+                    {"least_confidence", number_or_null(line.least_confidence)},
+                    {"also", also}};
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 SummaryLine parse_summary_line(const std::string& json) {
     try {
         const Json fields = Json::parse(json);
-        const Json& error = fields.at("error");
-        return {fields.at("file").get<std::string>(),
-                fields.at("status").get<std::string>(),
-                error.is_null() ? "" : error.get<std::string>(),
-                fields.at("seconds").get<double>(),
-                fields.at("faces").get<std::int64_t>(),
-                fields.at("warnings").get<std::vector<std::string>>(),
-                fields.value("input", std::string()),
-                fields.value("output", std::string())};
+        SummaryLine line;
+        line.file = fields.at("file").get<std::string>();
+        line.status = fields.at("status").get<std::string>();
+        line.error = read_text(fields.at("error"));
+        line.seconds = fields.at("seconds").get<double>();
+        line.faces = fields.at("faces").get<std::int64_t>();
+        line.warnings = fields.at("warnings").get<std::vector<std::string>>();
+        // Earlier versions did not write what follows.
+        line.input = fields.value("input", std::string());
+        line.output = fields.value("output", std::string());
+        line.sides_confidence = read_number(fields, "sides_confidence");
+        line.least_confidence = read_number(fields, "least_confidence");
+        const Json also = fields.value("also", Json::object());
+        for (const auto& [part, error] : also.items()) line.also[part] = read_text(error);
+        return line;
     } catch (const Json::exception& error) {
         throw Error(ErrorCode::bad_input, std::string("no summary line: ") + error.what());
     }

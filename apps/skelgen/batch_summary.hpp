@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct SummaryLine {
     std::vector<std::string> warnings;
     std::string input;  ///< `input_fingerprint` of what the skeleton was found in; empty where it could not be taken
     std::string output; ///< `result_fingerprint` of the skeleton's file; empty where there is none
+    std::optional<double> sides_confidence;  ///< Quality::sides_confidence
+    std::optional<double> least_confidence;  ///< of the joint that is least certain
+    std::map<std::string, std::string> also; ///< by further result: why it could not be had; empty: it was written
 };
 
 /// By file.

@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "extract_file.hpp"
+#include "fitted_file.hpp"
 #include "stages.hpp"
 
 namespace skelgen::cli {
@@ -26,7 +27,7 @@ struct ExtractCommand {
 void print_details(const FileExtraction& result) {
     const auto& mesh = *result.provenance.mesh;
     const auto& timings = *result.provenance.timings_ms;
-    const auto& quality = result.extraction.skeleton.quality;
+    const auto& quality = result.skeleton().quality;
     std::fprintf(stderr, "%s: %lld vertices, %lld faces, geodesic diameter %.6g\n", mesh.file.c_str(),
                  static_cast<long long>(mesh.vertices), static_cast<long long>(mesh.faces), mesh.geodesic_diameter);
     std::fprintf(stderr, "%s: %d template nodes matched, sides told apart with confidence %.2f\n", mesh.file.c_str(),
@@ -54,12 +55,12 @@ void run(const ExtractCommand& command) {
         }
     });
 
-    if (!command.curve.empty()) in_file(command.curve, [&] { write_curve(command.curve, result.extraction.curve); });
+    if (!command.curve.empty())
+        in_file(command.curve, [&] { write_curve(command.curve, result.found.extraction.curve); });
     write_result(command.output, result.json);
     if (command.verbose) print_details(result);
     if (command.quiet) return;
-    for (const std::string& warning : result.extraction.skeleton.quality.warnings)
-        print_warning(command.mesh.file.string() + ": " + warning);
+    print_warnings(command.mesh.file, result.skeleton());
 }
 
 } // namespace

@@ -9,17 +9,19 @@ FileExtraction extract_file(const MeshInput& input, const ExtractOptions& option
     const auto start = Clock::now();
     const auto ms_since_start = [&] { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); };
 
-    const TriangleMesh<double> mesh = load_mesh(input);
+    FileExtraction result;
+    result.mesh = load_mesh(input);
     const double read_ms = ms_since_start();
 
-    FileExtraction result;
-    result.extraction = extract_skeleton(mesh, options);
-    io::FileTimings timings{read_ms, result.extraction.timings};
+    result.found = extract_body(result.mesh, options);
+    const Extraction<double>& extraction = result.found.extraction;
+    io::FileTimings timings{read_ms, extraction.timings};
     timings.stages.total = ms_since_start();
-    result.provenance.mesh = io::SourceMesh{input.file.filename().string(), mesh.vertices.rows(), mesh.faces.rows(),
-                                            result.extraction.geodesic_diameter};
+    result.source = {input.file.filename().string(), result.mesh.vertices.rows(), result.mesh.faces.rows(),
+                     extraction.geodesic_diameter};
+    result.provenance.mesh = result.source;
     result.provenance.timings_ms = timings;
-    result.json = skeleton_to_json(result.extraction.skeleton, result.provenance);
+    result.json = skeleton_to_json(extraction.skeleton, result.provenance);
     return result;
 }
 

@@ -7,13 +7,12 @@
 #include <skelgen/extract.hpp>
 #include <skelgen/io/skeleton_json.hpp>
 
-#include "mesh_input.hpp"
+#include "fitted_file.hpp"
 
 namespace skelgen::cli {
 
 /// What came out of one mesh file.
-struct FileExtraction {
-    Extraction<double> extraction;
+struct FileExtraction : FittedFile {
     io::SkeletonProvenance provenance;
     std::string json; ///< the skeleton file's text
 };

@@ -68,6 +68,7 @@ void add_commands(CLI::App& app) {
 #if SKELGEN_WITH_VIEW
     add_view_command(app);
 #endif
+    add_documentation_command(app);
 }
 
 std::string footer() {

@@ -43,4 +43,9 @@ TriangleMesh<double> load_mesh(const MeshInput& input) {
     return io::parse_mesh<double>(io::read_file("/dev/stdin"), input.options);
 }
 
+io::SceneLooks load_looks(const MeshInput& input) {
+    if (input.file == "-") return {};
+    return io::read_looks(input.file).value_or(io::SceneLooks{});
+}
+
 } // namespace skelgen::cli

@@ -7,6 +7,7 @@
 
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/io/read_mesh.hpp>
+#include <skelgen/io/scene_looks.hpp>
 
 namespace skelgen::cli {
 
@@ -21,5 +22,9 @@ void add_mesh_input(CLI::App& command, MeshInput& input, const std::string& help
 
 /// \throws Error as `io::read_mesh`, without the file's name.
 [[nodiscard]] TriangleMesh<double> load_mesh(const MeshInput& input);
+
+/// What the mesh looks like: nothing of its own where it is no scene, or came through standard input. \throws Error as
+/// `io::read_looks`, without the file's name.
+[[nodiscard]] io::SceneLooks load_looks(const MeshInput& input);
 
 } // namespace skelgen::cli

@@ -5,16 +5,14 @@
 
 #include <skelgen/applications/pose_transfer.hpp>
 #include <skelgen/applications/rig.hpp>
-#include <skelgen/extract.hpp>
 #include <skelgen/io/mesh_format.hpp>
-#include <skelgen/io/read_mesh.hpp>
 #include <skelgen/io/skeleton_json.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
 #include "clip_input.hpp"
 #include "commands.hpp"
 #include "console.hpp"
-#include "mesh_input.hpp"
+#include "fitted_file.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -28,6 +26,7 @@ struct PoseCommand {
     std::string clip; ///< or a motion, of which one frame is taken
     int frame = 0;
     std::string output;
+    int component = 0;
     bool quiet = false;
 };
 
@@ -50,39 +49,27 @@ Model load_model(const PoseCommand& command) {
         });
     }
     return in_file(command.like, [&] {
-        const TriangleMesh<double> mesh = read_mesh<double>(command.like);
-        Model model{extract_skeleton(mesh).skeleton, std::nullopt};
-        const Floor<double> floor = applications::floor_of(mesh, model.skeleton, human());
+        const FittedFile other = fit_file({command.like, {}});
+        Model model{other.skeleton(), std::nullopt};
+        const Floor<double> floor = applications::floor_of(other.mesh, model.skeleton, human());
         if (floor.is_stood_on) model.floor = floor;
         return model;
     });
 }
 
-struct FoundBody {
-    TriangleMesh<double> mesh;
-    KinematicSkeleton<double> skeleton;
-};
-
-FoundBody load_body(const MeshInput& input) {
-    return in_file(input.file, [&] {
-        FoundBody body{load_mesh(input), {}};
-        body.skeleton = extract_skeleton(body.mesh).skeleton;
-        return body;
-    });
-}
-
-TriangleMesh<double> held_like_model(const PoseCommand& command, const FoundBody& body, const Model& model) {
+TriangleMesh<double> held_like_model(const PoseCommand& command, const FittedFile& body, const Model& model) {
     return in_file(command.mesh.file, [&] {
-        auto posed = applications::pose_like(body.mesh, body.skeleton, model.skeleton, human());
+        auto posed = applications::pose_like(body.mesh, body.found.body, body.skeleton(), model.skeleton, human());
         if (model.floor) posed = put_on(std::move(posed), *model.floor);
         return posed.mesh;
     });
 }
 
 /// The body as the clip's skeleton is in the frame: +y up, on the floor, in the mesh's unit.
-TriangleMesh<double> held_as_in_clip(const PoseCommand& command, const FoundBody& body) {
-    const auto rig =
-        in_file(command.mesh.file, [&] { return applications::make_rig(body.mesh, body.skeleton, human()); });
+TriangleMesh<double> held_as_in_clip(const PoseCommand& command, const FittedFile& body) {
+    const auto rig = in_file(command.mesh.file, [&] {
+        return applications::make_rig(body.mesh, body.found.body, body.skeleton(), human());
+    });
     const auto animation = follow_clip(command.clip, rig);
     const auto frame = static_cast<std::size_t>(command.frame);
     if (frame >= animation.frames.size())
@@ -102,12 +89,12 @@ void run(const PoseCommand& command) {
         throw Error(ErrorCode::usage, command.output + ": its name must end in " + io::written_mesh_extensions_text());
     std::optional<Model> model;
     if (command.clip.empty()) model = load_model(command);
-    const FoundBody body = load_body(command.mesh);
+    ExtractOptions options;
+    options.prepare.component = command.component;
+    const FittedFile body = in_file(command.mesh.file, [&] { return fit_file(command.mesh, options); });
     const TriangleMesh<double> held = model ? held_like_model(command, body, *model) : held_as_in_clip(command, body);
     in_file(command.output, [&] { write_mesh(command.output, held); });
-    if (command.quiet) return;
-    for (const std::string& warning : body.skeleton.quality.warnings)
-        print_warning(command.mesh.file.string() + ": " + warning);
+    if (!command.quiet) print_warnings(command.mesh.file, body.skeleton());
 }
 
 } // namespace
@@ -126,6 +113,8 @@ void add_pose_command(CLI::App& app) {
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     sub->add_option("-o,--output", command->output, "Mesh to write: " + io::written_mesh_extensions_text())->required();
+    sub->add_option("--component", command->component, "Which of several bodies that stand apart; 1 is the largest")
+        ->check(CLI::Range(1, 1000));
     sub->add_flag("-q,--quiet", command->quiet, "No warnings");
     sub->footer("Examples:\n  skelgen pose woman.off --like walking_man.ply -o walking_woman.off\n"
                 "  skelgen pose character.glb --pose walking.json -o walking.glb\n"

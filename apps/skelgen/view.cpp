@@ -6,20 +6,18 @@
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/extract.hpp>
 #include <skelgen/io/bvh.hpp>
-#include <skelgen/io/scene_looks.hpp>
 #include <skelgen/io/view_page.hpp>
 
 #include "clip_input.hpp"
 #include "commands.hpp"
 #include "console.hpp"
+#include "fitted_file.hpp"
 #include "fitted_inputs.hpp"
 #include "mesh_input.hpp"
 #include "view_bundle.hpp"
 
 namespace skelgen::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int status_some_failed = 5;
 
@@ -29,11 +27,6 @@ struct ViewCommand {
     std::string clip; ///< empty: none
 };
 
-io::SceneLooks looks_of(const fs::path& file) {
-    if (file == "-") return {};
-    return io::read_looks(file).value_or(io::SceneLooks{});
-}
-
 io::ViewedBody viewed(const BatchItem& item, const TriangleMesh<double>& mesh) {
     FittedBody<double> found = extract_body(mesh);
     KinematicSkeleton<double>& skeleton = found.extraction.skeleton;
@@ -41,8 +34,8 @@ io::ViewedBody viewed(const BatchItem& item, const TriangleMesh<double>& mesh) {
     io::ViewedBody body;
     body.name = item.file;
     body.sections = applications::bone_sections(found.body, skeleton, skeleton_template);
-    body.rig = applications::make_rig(mesh, skeleton, skeleton_template);
-    body.looks = looks_of(item.mesh);
+    body.rig = applications::make_rig(mesh, found.body, skeleton, skeleton_template);
+    body.looks = load_looks({item.mesh, {}});
     body.skeleton = std::move(skeleton);
     body.curve = std::move(found.extraction.curve);
     return body;
@@ -63,9 +56,7 @@ std::string shown(const ViewCommand& command, const BatchItem& item) {
         return io::refused_body_to_json(item.file, failure, mesh);
     }
     if (!command.clip.empty()) body.animations = {follow_clip(command.clip, body.rig)};
-    if (!command.inputs.quiet)
-        for (const std::string& warning : body.skeleton.quality.warnings)
-            print_warning(item.mesh.string() + ": " + warning);
+    if (!command.inputs.quiet) print_warnings(item.mesh, body.skeleton);
     return viewed_body_to_json(body);
 }
 

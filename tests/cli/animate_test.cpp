@@ -14,7 +14,7 @@ namespace {
 using namespace skelgen;
 using namespace skelgen::test;
 
-const std::string sample_body = SKELGEN_DATA "/sample/body.off", walk = SKELGEN_DATA "/sample/walk.bvh";
+const std::string walk = SKELGEN_DATA "/sample/walk.bvh";
 
 TEST_CASE("animate: a walk as the animation of a character, and one of its frames as a pose", "[cli][animate]") {
     const TemporaryFolder folder;

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <utility>
 
-#include <skelgen/applications/body_coordinates.hpp>
 #include <skelgen/applications/bones.hpp>
 #include <skelgen/core/options.hpp>
 #include <skelgen/surface/contours.hpp>
@@ -17,7 +16,7 @@ std::vector<BoneSection<Scalar>> bone_sections(const Body<Scalar>& body, const K
                                                const SkeletonTemplate& skeleton_template, int per_bone) {
     core::require_in_range("bone_sections.per_bone", per_bone, 1, 100);
     constexpr Scalar reach = Scalar(0.02); // of a bone that has come out of a thin limb, on a body of unit area
-    const KinematicSkeleton<Scalar> inside = to_body(body, skeleton);
+    const KinematicSkeleton<Scalar> inside = surface::to_body(body, skeleton);
     std::vector<BoneSection<Scalar>> sections;
     for (std::size_t j = 0; j < inside.joints.size(); ++j) {
         const Vector3<Scalar> from = inside.joints[j].position;

@@ -110,7 +110,7 @@ inline std::optional<Side> side_word(std::string_view word) {
 }
 
 /// A side written in front of a part without a gap: "lfemur", "rightarm".
-inline ReadName split_side(const std::string& word) {
+inline ReadName split_prefix(const std::string& word) {
     if (!is_part_name(word))
         for (const std::string_view prefix : {"left", "right", "l", "r"})
             if (word.starts_with(prefix) && is_part_name(std::string_view(word).substr(prefix.size())))
@@ -136,7 +136,7 @@ inline std::optional<ReadName> read_name(const std::string& name) {
     for (std::size_t first = 0; first < words.size(); ++first) {
         std::string joined;
         for (std::size_t i = first; i < words.size(); ++i) joined += words[i];
-        const ReadName split = split_side(joined);
+        const ReadName split = split_prefix(joined);
         if (!is_part_name(split.part)) continue;
         out.part = split.part;
         if (split.side != Side::none) out.side = split.side;

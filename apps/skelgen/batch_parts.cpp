@@ -1,0 +1,181 @@
+#include "batch_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include <skelgen/applications/alignment.hpp>
+#include <skelgen/applications/measurement.hpp>
+#include <skelgen/applications/rig.hpp>
+#include <skelgen/applications/segmentation.hpp>
+#include <skelgen/io/atomic_file.hpp>
+#include <skelgen/io/curve_formats.hpp>
+#include <skelgen/io/measurements_text.hpp>
+#include <skelgen/io/rig_formats.hpp>
+#include <skelgen/io/segmentation_json.hpp>
+#include <skelgen/io/transform_json.hpp>
+
+#include "console.hpp"
+#include "parts.hpp"
+
+#if SKELGEN_WITH_RENDER
+#include <skelgen/render/png.hpp>
+#include <skelgen/render/render_scene.hpp>
+#endif
+
+namespace skelgen::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a part's file holds, as bytes.
+using Format = std::string (*)(const BatchItem&, const FittedFile&, const SkeletonTemplate&);
+
+std::string rig_text(const BatchItem& item, const FittedFile& body, const SkeletonTemplate& skeleton_template) {
+    const auto rig = applications::make_rig(body.mesh, body.found.body, body.skeleton(), skeleton_template);
+    return io::rig_to_glb(rig, io::JointNames::skelgen, load_looks({item.mesh, {}}));
+}
+
+std::string segmentation_text(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
+    return io::segmentation_to_json(parts_of(body.mesh, body.found, "bones"), body.source, body.skeleton().quality);
+}
+
+std::string measurements_text(const BatchItem& item, const FittedFile& body, const SkeletonTemplate&) {
+    io::SourceMesh source = body.source;
+    source.file = item.file;
+    const auto parts = applications::segment(body.found.body, body.skeleton());
+    return io::measurements_to_json(
+        {{source, body.skeleton().quality, applications::measure(body.found.body, body.skeleton(), parts)}});
+}
+
+std::string transform_text(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
+    return io::transform_to_json(applications::alignment(body.skeleton(), body.mesh.vertices, {}));
+}
+
+std::string curve_text(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
+    return io::curve_to_json(body.found.extraction.curve);
+}
+
+#if SKELGEN_WITH_RENDER
+std::string picture(const render::Scene& scene) {
+    render::RenderOptions options;
+    options.width = 320, options.height = 400; // as in contact sheets
+    return render::encode_png(render::render_scene(scene, options));
+}
+
+std::string picture_text(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
+    render::Scene scene;
+    scene.mesh = body.mesh;
+    scene.skeleton = body.skeleton();
+    scene.curve = body.found.extraction.curve;
+    return picture(scene);
+}
+#endif
+
+struct Part {
+    std::string_view name;
+    std::string_view extension;
+    std::string_view what; ///< for the help
+    Format format;
+};
+
+constexpr std::array parts {
+    Part{"rig", ".glb", "the character", rig_text},
+        Part{"segment", ".segmentation.json", "a part for each vertex and face", segmentation_text},
+        Part{"measure", ".measurements.json", "height, bones, girths, volume", measurements_text},
+        Part{"align", ".transform.json", "the 4x4 that has it face +Z", transform_text},
+        Part{"curve", ".curve.json", "the curve skeleton", curve_text},
+#if SKELGEN_WITH_RENDER
+        Part{"render", ".png", "a picture", picture_text},
+#endif
+};
+
+const Part& find_part(std::string_view name) {
+    const auto* const found =
+        std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return part.name == name; });
+    if (found != parts.end()) return *found;
+    std::string names;
+    for (const Part& part : parts) names += (names.empty() ? "" : ", ") + std::string(part.name);
+    throw Error(ErrorCode::usage, "--also: '" + std::string(name) + "' is none of " + names);
+}
+
+/// The place that a path names, whatever way it is written.
+fs::path place_of(const fs::path& file) {
+    std::error_code error;
+    return fs::weakly_canonical(fs::absolute(file, error), error);
+}
+
+} // namespace
+
+const std::vector<std::string>& batch_part_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const Part& part : parts) all.emplace_back(part.name);
+        return all;
+    }();
+    return names;
+}
+
+std::string batch_parts_text() {
+    std::string text;
+    for (const Part& part : parts)
+        text += (text.empty() ? "" : "; ") + std::string(part.name) + " (" + std::string(part.extension) + ": " +
+                std::string(part.what) + ")";
+    return text;
+}
+
+std::vector<std::string> parse_batch_parts(const std::string& text) {
+    std::vector<std::string> names;
+    std::istringstream words(text);
+    for (std::string name; std::getline(words, name, ',');) {
+        static_cast<void>(find_part(name)); // there it is
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    return names;
+}
+
+fs::path part_file(const BatchItem& item, std::string_view part) {
+    return fs::path(item.output).replace_extension(find_part(part).extension);
+}
+
+void require_own_files(const std::vector<BatchItem>& items, const std::vector<std::string>& names) {
+    std::set<fs::path> meshes, results;
+    for (const BatchItem& item : items) {
+        meshes.insert(place_of(item.mesh));
+        results.insert(place_of(item.output));
+    }
+    for (const BatchItem& item : items)
+        for (const std::string& part : names) {
+            const fs::path file = part_file(item, part);
+            if (meshes.contains(place_of(file)))
+                throw Error(ErrorCode::usage, file.string() + ": is a mesh that --also " + part +
+                                                  " would replace; choose another folder with -o");
+            if (!results.insert(place_of(file)).second)
+                throw Error(ErrorCode::usage,
+                            file.string() + ": would be written twice; give the meshes names that differ in more");
+        }
+}
+
+void write_part(std::string_view part, const BatchItem& item, const FittedFile& body,
+                const SkeletonTemplate& skeleton_template) {
+    const std::string text = in_file(item.mesh, [&] { return find_part(part).format(item, body, skeleton_template); });
+    const fs::path file = part_file(item, part);
+    in_file(file, [&] { io::write_file_atomically(file, text); });
+}
+
+#if SKELGEN_WITH_RENDER
+void draw_refused(const BatchItem& item, const std::string& reason) {
+    render::Scene scene;
+    scene.mesh = load_mesh({item.mesh, {}});
+    scene.failure = reason;
+    const fs::path file = part_file(item, "render");
+    make_folder(file.parent_path());
+    in_file(file, [&] { io::write_file_atomically(file, picture(scene)); });
+}
+#else
+void draw_refused(const BatchItem&, const std::string&) {}
+#endif
+
+} // namespace skelgen::cli

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <skelgen/core/skeleton_template.hpp>
+
+#include "batch_inputs.hpp"
+#include "fitted_file.hpp"
+
+namespace skelgen::cli {
+
+/// The names of the further results that a batch can write beside each skeleton, as --also takes them: those of the
+/// commands that write them alone. Without pictures where the program is built without them.
+[[nodiscard]] const std::vector<std::string>& batch_part_names();
+
+/// What each of them is and what its files are called, for the help.
+[[nodiscard]] std::string batch_parts_text();
+
+/// Splits "rig,measure", each part once. \throws Error usage when one is no such name.
+[[nodiscard]] std::vector<std::string> parse_batch_parts(const std::string& text);
+
+/// Where a part goes: beside the skeleton's file, with an extension of its own in place of .json.
+[[nodiscard]] std::filesystem::path part_file(const BatchItem& item, std::string_view part);
+
+/// Refuses parts that would replace one of the meshes, or two results that would have the same file. \throws Error
+/// usage, naming the file.
+void require_own_files(const std::vector<BatchItem>& items, const std::vector<std::string>& parts);
+
+/// Writes a part to its file. \throws Error as the command of its name, with the file's name in front.
+void write_part(std::string_view part, const BatchItem& item, const FittedFile& body,
+                const SkeletonTemplate& skeleton_template);
+
+/// Draws a mesh in which no skeleton was found, as the part render, with the reason below. \throws Error as
+/// `read_mesh`, and as `write_part`.
+void draw_refused(const BatchItem& item, const std::string& reason);
+
+} // namespace skelgen::cli

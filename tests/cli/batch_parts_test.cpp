@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <skelgen/io/read_mesh.hpp>
+
+#include "catch.hpp"
+#include "run_cli.hpp"
+
+namespace {
+
+using namespace skelgen::test;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+Json summary_of(const fs::path& folder, const std::string& mesh) {
+    std::istringstream text(read_file(folder / "summary.jsonl"));
+    for (std::string line; std::getline(text, line);)
+        if (const Json json = Json::parse(line); json.at("file") == mesh) return json;
+    return {};
+}
+
+TEST_CASE("batch --also: further results beside each skeleton, as the commands write them", "[cli][batch]") {
+    const TemporaryFolder folder;
+    fs::create_directories(folder / "in/set");
+    fs::copy_file(sample_body, folder / "in/set/body.off");
+    write_file(folder / "in/ball.off", sphere_off());
+    const CliResult result =
+        run_cli(folder.path(), {"batch", "in", "-o", "out", "--also", "rig,segment,measure,align,curve,rig", "--report",
+                                "out/report.html"});
+    INFO(result.err);
+    CHECK(result.status == 5); // the ball is no body
+    CHECK(files_below(folder / "out") ==
+          std::vector<std::string>{"ball.png", "report.html", "set/body.curve.json", "set/body.glb", "set/body.json",
+                                   "set/body.measurements.json", "set/body.png", "set/body.segmentation.json",
+                                   "set/body.transform.json", "summary.jsonl"});
+    const Json line = summary_of(folder / "out", "set/body.off");
+    CHECK(line.at("status") == "ok");
+    CHECK(line.at("also").size() == 6);
+    for (const auto& [part, error] : line.at("also").items()) CHECK(error.is_null());
+    CHECK(line.at("sides_confidence").get<double>() > 0.8);
+    CHECK(line.at("least_confidence").get<double>() <= 1);
+
+    const auto alone = [&](const std::vector<std::string>& arguments) {
+        REQUIRE(run_cli(folder.path(), arguments).status == 0);
+    };
+    alone({"rig", "in/set/body.off", "-o", "rig.glb"});
+    alone({"segment", "in/set/body.off", "-o", "parts.json"});
+    alone({"curve", "in/set/body.off", "-o", "curve.json"});
+    CHECK(read_file(folder / "out/set/body.glb") == read_file(folder / "rig.glb"));
+    CHECK(Json::parse(read_file(folder / "out/set/body.segmentation.json")) ==
+          Json::parse(read_file(folder / "parts.json")));
+    CHECK(Json::parse(read_file(folder / "out/set/body.measurements.json")).dump().find("height") != std::string::npos);
+
+    const std::string page = read_file(folder / "out/report.html");
+    CHECK(page.find("<h2>ball.off</h2>") < page.find("<h2>set/body.off</h2>"));
+    CHECK(page.find("no_skeleton") != std::string::npos);
+    CHECK(std::count(page.begin(), page.end(), '\n') > 50);
+    std::size_t pictures = 0;
+    for (auto at = page.find("data:image/png"); at != std::string::npos; at = page.find("data:image/png", at + 1))
+        ++pictures;
+    CHECK(pictures == 2);
+
+    // What is there is not done again; what has been taken away is; without --also no results of old are left.
+    const auto again = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"batch", "in/set", "-o", "out/set"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const CliResult run = run_cli(folder.path(), arguments);
+        CHECK(run.status == 0);
+        return run.err;
+    };
+    CHECK(again({"--also", "curve"}).find("1 done now") != std::string::npos);
+    CHECK(again({"--also", "curve", "--resume"}).find("1 done before") != std::string::npos);
+    CHECK(again({"--resume"}).find("1 done before") != std::string::npos);
+    fs::remove(folder / "out/set/body.curve.json");
+    CHECK(again({"--also", "curve", "--resume"}).find("1 done now") != std::string::npos);
+    CHECK(fs::exists(folder / "out/set/body.curve.json"));
+    again({});
+    CHECK_FALSE(fs::exists(folder / "out/set/body.curve.json"));
+}
+
+TEST_CASE("batch --also: a part that fails costs itself alone", "[cli][batch]") {
+    const TemporaryFolder folder;
+    write_file(folder / "out/body.transform.json/in/the/way", "");
+    const CliResult result = run_cli(folder.path(), {"batch", sample_body, "-o", "out", "--also", "align,curve"});
+    INFO(result.err);
+    CHECK(result.status == 5);
+    CHECK(result.err.find("skelgen: error: out/body.transform.json: ") != std::string::npos);
+    CHECK(result.err.find("1 done now, 0 done before, 0 failed, 1 further results failed") != std::string::npos);
+    CHECK(fs::exists(folder / "out/body.json"));
+    CHECK(fs::exists(folder / "out/body.curve.json"));
+    const Json line = summary_of(folder / "out", "body.off");
+    CHECK(line.at("status") == "ok");
+    CHECK(line.at("also").at("curve").is_null());
+    CHECK(line.at("also").at("align").get<std::string>().find("out/body.transform.json: ") == 0);
+}
+
+TEST_CASE("batch --also and --report: what would replace a mesh or another result is refused", "[cli][batch]") {
+    const TemporaryFolder folder;
+    write_file(folder / "in/a.glb", "x");
+    write_file(folder / "in/b.off", "x");
+    write_file(folder / "in/b.curve.off", "x");
+    const auto files = files_below(folder.path());
+    const auto fails = [&](const std::vector<std::string>& more, const std::string& reason) {
+        std::vector<std::string> arguments{"batch", "in", "-q"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const CliResult result = run_cli(folder.path(), arguments);
+        INFO(result.err);
+        CHECK(result.status == 2);
+        CHECK(result.err.rfind("skelgen: error: " + reason, 0) == 0);
+        CHECK(files_below(folder.path()) == files);
+    };
+    fails({"-o", "in", "--also", "rig"}, "in/a.glb: is a mesh that --also rig would replace");
+    fails({"-o", "out", "--also", "curve"}, "out/b.curve.json: would be written twice");
+    fails({"-o", "out", "--also", "rig,pose"}, "--also: 'pose' is none of rig, segment, measure, align, curve");
+    fails({"-o", "out", "--also", ","}, "--also: '' is none of");
+    fails({"-o", "out", "--report", "in/b.off"}, "in/b.off: is the input");
+}
+
+} // namespace
