@@ -14,10 +14,12 @@ set(skelgen_core_headers
     include/skelgen/applications/bind.hpp
     include/skelgen/applications/body_coordinates.hpp
     include/skelgen/applications/bone_orientations.hpp
+    include/skelgen/applications/bone_sections.hpp
     include/skelgen/applications/bones.hpp
     include/skelgen/applications/canonical_frame.hpp
     include/skelgen/applications/clip_body.hpp
     include/skelgen/applications/correspondence.hpp
+    include/skelgen/applications/curve_skin.hpp
     include/skelgen/applications/heat_weights.hpp
     include/skelgen/applications/laplace_basis.hpp
     include/skelgen/applications/measurement.hpp
@@ -130,9 +132,11 @@ set(skelgen_core_definitions
     include/skelgen/applications/impl/bind.hpp
     include/skelgen/applications/impl/body_coordinates.hpp
     include/skelgen/applications/impl/bone_orientations.hpp
+    include/skelgen/applications/impl/bone_sections.hpp
     include/skelgen/applications/impl/bones.hpp
     include/skelgen/applications/impl/clip_body.hpp
     include/skelgen/applications/impl/correspondence.hpp
+    include/skelgen/applications/impl/curve_skin.hpp
     include/skelgen/applications/impl/heat_weights.hpp
     include/skelgen/applications/impl/laplace_basis.hpp
     include/skelgen/applications/impl/measurement.hpp
@@ -237,6 +241,7 @@ set(skelgen_io_headers
     include/skelgen/io/template_json.hpp
     include/skelgen/io/transform_json.hpp
     include/skelgen/io/truth_json.hpp
+    include/skelgen/io/view_page.hpp
     include/skelgen/io/write_mesh.hpp
     include/skelgen/skelgen.hpp
 )
@@ -286,6 +291,7 @@ set(skelgen_sources
     src/io/animation_choice.cpp
     src/io/atomic_file.cpp
     src/io/axis_json.cpp
+    src/io/base64.cpp
     src/io/bvh_parser.cpp
     src/io/bvh_writer.cpp
     src/io/coloured_ply.cpp
@@ -336,6 +342,7 @@ set(skelgen_sources
     src/io/temporary_name.cpp
     src/io/transform_json.cpp
     src/io/truth_json.cpp
+    src/io/view_page.cpp
     src/io/write_mesh.cpp
 )
 
@@ -442,4 +449,8 @@ set(skelgen_cli_evaluation_sources
 )
 set(skelgen_cli_synth_sources
     synth.cpp
+)
+# Needs the page's bundle, see apps/view.
+set(skelgen_cli_view_sources
+    view.cpp
 )

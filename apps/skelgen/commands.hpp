@@ -22,6 +22,7 @@ void add_pose_command(CLI::App& app);
 void add_animate_command(CLI::App& app);
 void add_render_command(CLI::App& app);
 void add_synth_command(CLI::App& app);
+void add_view_command(CLI::App& app);
 void add_documentation_command(CLI::App& app);
 
 } // namespace skelgen::cli

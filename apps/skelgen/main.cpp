@@ -22,23 +22,27 @@
 #ifndef SKELGEN_WITH_SYNTH
 #define SKELGEN_WITH_SYNTH 1
 #endif
+#ifndef SKELGEN_WITH_VIEW
+#define SKELGEN_WITH_VIEW 1
+#endif
 
 namespace skelgen::cli {
 namespace {
 
 constexpr int to_status(ErrorCode code) { return static_cast<int>(code); }
 
-/// A command that needs an optional part of the library.
+/// A command that needs what not every build has.
 struct OptionalCommand {
     std::string_view name;
     std::string_view build_option;
     bool is_there;
 };
 
-constexpr std::array<OptionalCommand, 3> optional_commands{
+constexpr std::array<OptionalCommand, 4> optional_commands{
     {{"evaluate", "SKELGEN_BUILD_EVALUATION", SKELGEN_WITH_EVALUATION != 0},
      {"render", "SKELGEN_BUILD_RENDER", SKELGEN_WITH_RENDER != 0},
-     {"synth", "SKELGEN_BUILD_SYNTH", SKELGEN_WITH_SYNTH != 0}}};
+     {"synth", "SKELGEN_BUILD_SYNTH", SKELGEN_WITH_SYNTH != 0},
+     {"view", "SKELGEN_BUILD_VIEW", SKELGEN_WITH_VIEW != 0}}};
 
 void add_commands(CLI::App& app) {
     add_extract_command(app);
@@ -60,6 +64,9 @@ void add_commands(CLI::App& app) {
 #endif
 #if SKELGEN_WITH_SYNTH
     add_synth_command(app);
+#endif
+#if SKELGEN_WITH_VIEW
+    add_view_command(app);
 #endif
     add_documentation_command(app);
 }

@@ -2,7 +2,9 @@
 
 #include <skelgen/applications/impl/bind.hpp>
 #include <skelgen/applications/impl/bone_orientations.hpp>
+#include <skelgen/applications/impl/bone_sections.hpp>
 #include <skelgen/applications/impl/bones.hpp>
+#include <skelgen/applications/impl/curve_skin.hpp>
 #include <skelgen/applications/impl/heat_weights.hpp>
 #include <skelgen/applications/impl/pose_transfer.hpp>
 #include <skelgen/applications/impl/posing.hpp>
@@ -14,6 +16,9 @@ namespace skelgen::applications {
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
     template std::vector<Bone<Scalar>> bones_of(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&);            \
     template Vector3<Scalar> bone_end(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&, int);                 \
+    template std::vector<BoneSection<Scalar>> bone_sections(const Body<Scalar>&, const KinematicSkeleton<Scalar>&,     \
+                                                            const SkeletonTemplate&, int);                             \
+    template Skin<Scalar> curve_skin(const CurveSkeleton<Scalar>&, const Skin<Scalar>&, int);                          \
     template KinematicSkeleton<Scalar> rest_skeleton(const SkeletonTemplate&);                                         \
     template Orientations<Scalar> rest_axes(const SkeletonTemplate&);                                                  \
     template Orientations<Scalar> bone_orientations(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&);        \

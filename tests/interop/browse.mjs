@@ -1,24 +1,37 @@
-// node browse.mjs FILE...: fails where three.js (three-vrm for .vrm), in headless Chromium, does not show a character
-// that bends elbow, knee and neck.
+// node browse.mjs FILE...: fails where three.js (three-vrm for .vrm) or Babylon.js, in headless Chromium, does not put
+// each vertex of a character where the file's own matrices put it, or does not show it there: at rest, and with elbow,
+// knee and neck bent.
 import { createServer } from "node:http";
 import { readFile } from "node:fs/promises";
 import { basename, extname, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { chromium } from "playwright-core";
+import { VRMHumanBoneName, VRMRequiredHumanBoneName } from "@pixiv/three-vrm";
+import { launch } from "./browser.mjs";
+import { unpacked } from "./packed.mjs";
+import { RigFile, silhouette, view_direction } from "./rig_file.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const files = process.argv.slice(2);
-const page_text = `<!doctype html><script type="importmap">{"imports": {
-  "three": "/node_modules/three/build/three.module.js",
-  "three/addons/": "/node_modules/three/examples/jsm/",
-  "@pixiv/three-vrm": "/node_modules/@pixiv/three-vrm/lib/three-vrm.module.js"}}</script>
-<body><script type="module" src="/viewer.mjs"></script>`;
+const size = 256; // of the pictures, pixels
+const bend = 1; // radians
+
+const pages = {
+  "three.js": `<script type="importmap">{"imports": {
+      "three": "/node_modules/three/build/three.module.js",
+      "three/addons/": "/node_modules/three/examples/jsm/",
+      "@pixiv/three-vrm": "/node_modules/@pixiv/three-vrm/lib/three-vrm.module.js"}}</script>
+    <body><script type="module" src="/show_three.mjs"></script>`,
+  "Babylon.js": `<body><script src="/node_modules/babylonjs/babylon.js"></script>
+    <script src="/node_modules/babylonjs-loaders/babylonjs.loaders.min.js"></script>
+    <script type="module" src="/show_babylon.mjs"></script>`,
+};
 
 const server = createServer(async (request, response) => {
-  const path = new URL(request.url, "http://localhost").pathname;
+  const path = decodeURIComponent(new URL(request.url, "http://localhost").pathname);
   try {
     if (path === "/favicon.ico") return response.writeHead(204).end();
-    if (path === "/") return response.setHeader("Content-Type", "text/html").end(page_text);
+    const page = pages[path.slice(1)];
+    if (page) return response.setHeader("Content-Type", "text/html").end(`<!doctype html>${page}`);
     const file = path.startsWith("/rigs/") ? files[Number(path.split("/")[2])] : join(here, path);
     const type = [".js", ".mjs"].includes(extname(file)) ? "text/javascript" : "application/octet-stream";
     response.setHeader("Content-Type", type).end(await readFile(file));
@@ -28,44 +41,101 @@ const server = createServer(async (request, response) => {
 });
 await new Promise((done) => server.listen(0, "127.0.0.1", done));
 
-/// What is wrong with what the browser saw; empty when it is right.
-function faults(seen, file) {
+/// The joints that are bent, by the names that they have in files of both kinds.
+const bent = [["left_elbow", "leftLowerArm"], ["right_knee", "rightLowerLeg"], ["neck", "neck"]];
+
+/// How much of what either picture shows both show; and how much of the whole the first one shows.
+function agreement(a, b) {
+  let both = 0, either = 0, first = 0;
+  a.forEach((is_there, i) => {
+    both += is_there & b[i];
+    either += is_there | b[i];
+    first += is_there;
+  });
+  return { common: both / either, covered: first / a.length };
+}
+
+/// Which pixels are not black, the uppermost row first.
+function shown(pixels) {
+  const out = new Uint8Array(size * size);
+  for (let i = 0; i < out.length; ++i) out[i] = pixels[4 * ((size - 1 - Math.floor(i / size)) * size + (i % size))] > 0;
+  return out;
+}
+
+/// The largest distance between vertices, and how many lie farther than `least` apart, as a part of all.
+function difference(a, b, least) {
+  let worst = 0, moved = 0, count = 0;
+  a.forEach((places, m) => {
+    for (let i = 0; i < places.length; i += 3) {
+      const d = Math.hypot(places[i] - b[m][i], places[i + 1] - b[m][i + 1], places[i + 2] - b[m][i + 2]);
+      worst = Math.max(worst, d);
+      if (d > least) ++moved;
+      ++count;
+    }
+  });
+  return { worst, moved: moved / count };
+}
+
+/// What is wrong with what an engine makes of a file; empty when it is right.
+async function faults(page, url, rig, is_vrm) {
   const found = [];
   const expect = (condition, what) => condition || found.push(what);
-  expect(seen.bones === 21, `${seen.bones} bones`);
-  expect(seen.covered > 0.01 && seen.covered < 0.9, `the body covers ${seen.covered} of the picture`);
-  if (extname(file) === ".vrm") expect(seen.humanoid === 21, `${seen.humanoid} bones of a humanoid`);
-  for (const [bone, bend] of Object.entries(seen.bends)) {
-    expect(bend.moved > 0.01 && bend.moved < 0.6, `${bone} moves ${bend.moved} of the vertices`);
-    expect(bend.beyond === 0, `${bone} throws ${bend.beyond} vertices farther than it turns`);
-    expect(bend.picture > 0.0005, `${bone} changes ${bend.picture} of the picture`);
+  const { bones, humanoid } = await page.evaluate(([url, size]) => window.engine.load(url, size), [url, size]);
+  expect(bones.length === 21 && rig.names.every((name) => bones.includes(name)), `its bones are ${bones}`);
+  if (humanoid) {
+    const known = Object.values(VRMHumanBoneName), required = Object.values(VRMRequiredHumanBoneName);
+    expect(humanoid.length === 21 && humanoid.every((name) => known.includes(name)), `its human bones are ${humanoid}`);
+    expect(required.every((name) => humanoid.includes(name)), "it lacks a bone that VRM asks for");
+    expect(humanoid.every((name) => rig.names.includes(name)), "nodes are not named as VRM's bones");
+  }
+  expect(!is_vrm || humanoid || page.is_babylon, "it is no humanoid");
+  const camera = { ...rig.extent(), direction: view_direction };
+  const rest = rig.posed();
+  for (const names of [[], ...bent]) {
+    const name = names.find((one) => rig.names.includes(one));
+    const told = name ?? "at rest";
+    const seen = await page.evaluate(([...arguments_]) => window.engine.show(...arguments_), [name ?? null, bend, camera]);
+    const places = seen.places.map((text) => unpacked(text, Float32Array));
+    const wanted = rig.posed(name, bend);
+    expect(places.length === wanted.length && places.every((one, m) => one.length === wanted[m].length), `${told}: other vertices`);
+    const { worst } = difference(places, wanted, 0);
+    expect(worst < 1e-4 * camera.reach, `${told}: a vertex is ${worst / camera.reach} of the picture off`);
+    const { common, covered } = agreement(silhouette(rig, wanted, size), shown(unpacked(seen.pixels, Uint8Array)));
+    expect(common > 0.98, `${told}: the pictures have ${common} in common`);
+    expect(covered > 0.01 && covered < 0.9, `${told}: the body covers ${covered} of the picture`);
+    const { moved } = difference(places, rest, 5e-3 * camera.reach);
+    const most = name === "neck" ? 0.9 : 0.6; // heads may have most of a character's vertices
+    expect(name ? moved > 0.01 && moved < most : moved === 0, `${told}: ${moved} of the vertices move`);
   }
   return found;
 }
 
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-});
-const page = await browser.newPage();
-const messages = [];
-page.on("console", (message) => message.type() === "error" && messages.push(message.text()));
-page.on("pageerror", (error) => messages.push(String(error)));
-await page.goto(`http://127.0.0.1:${server.address().port}/`);
-await page.waitForFunction("window.ready", null, { timeout: 60000 }).catch(() => {});
+const browser = await launch();
 let failed = 0;
-for (const [i, file] of files.entries()) {
-  let found;
-  try {
-    found = faults(await page.evaluate((url) => window.inspect(url), `/rigs/${i}/${basename(file)}`), file);
-  } catch (error) {
-    found = [String(error).split("\n")[0]];
+for (const engine of Object.keys(pages)) {
+  const page = await browser.newPage();
+  page.is_babylon = engine === "Babylon.js";
+  const messages = [];
+  page.on("console", (message) => message.type() === "error" && messages.push(message.text()));
+  page.on("pageerror", (error) => messages.push(String(error)));
+  await page.goto(`http://127.0.0.1:${server.address().port}/${encodeURIComponent(engine)}`);
+  await page.waitForFunction("window.engine", null, { timeout: 60000 }).catch(() => {});
+  let failed_here = 0;
+  for (const [i, file] of files.entries()) {
+    let found;
+    try {
+      found = await faults(page, `/rigs/${i}/${basename(file)}`, new RigFile(await readFile(file)), extname(file) === ".vrm");
+    } catch (error) {
+      found = [String(error).split("\n")[0]];
+    }
+    found.push(...messages.splice(0));
+    for (const fault of found) console.log(`${engine}: ${file}: ${fault}`);
+    if (found.length > 0) ++failed_here;
   }
-  found.push(...messages.splice(0));
-  for (const fault of found) console.log(`${file}: ${fault}`);
-  if (found.length > 0) ++failed;
+  console.log(`${engine}: ${files.length} files, ${failed_here} failed`);
+  failed += failed_here;
+  await page.close();
 }
 await browser.close();
 server.close();
-console.log(`three.js: ${files.length} files, ${failed} failed`);
 process.exit(files.length > 0 && failed === 0 ? 0 : 1);

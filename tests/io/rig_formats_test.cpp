@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <set>
 #include <string>
@@ -142,17 +144,44 @@ TEST_CASE("tangents: along the first texture coordinate, and which way the secon
     }
 }
 
-TEST_CASE("names: each convention's own, all of them different", "[io][rig]") {
+TEST_CASE("names: each convention's own, for all joints", "[io][rig]") {
     const auto joints = small_rig().joints;
-    const auto elbow = 6;
-    CHECK(io::names_of(joints, io::JointNames::skelgen)[elbow] == "left_elbow");
-    CHECK(io::names_of(joints, io::JointNames::smpl)[elbow] == "left_elbow");
-    CHECK(io::names_of(joints, io::JointNames::mixamo)[elbow] == "LeftForeArm");
-    CHECK(io::names_of(joints, io::JointNames::vrm)[elbow] == "leftLowerArm");
-    CHECK(io::names_of(joints, io::JointNames::smpl)[0] == "pelvis");
-    for (const auto names : {io::JointNames::smpl, io::JointNames::mixamo, io::JointNames::vrm}) {
-        const auto all = io::names_of(joints, names);
-        CHECK(std::set<std::string>(all.begin(), all.end()).size() == 21);
+    // Of skelgen, SMPL, Mixamo (without its prefix) and VRM 1.0; sides in front, as each has them.
+    const std::vector<std::array<const char*, 4>> table{
+        {"crotch", "pelvis", "Hips", "hips"},
+        {"waist", "spine1", "Spine", "spine"},
+        {"chest", "spine3", "Spine2", "chest"},
+        {"neck", "neck", "Neck", "neck"},
+        {"head", "head", "Head", "head"},
+        {"left_shoulder", "left_shoulder", "LeftArm", "leftUpperArm"},
+        {"left_elbow", "left_elbow", "LeftForeArm", "leftLowerArm"},
+        {"left_wrist", "left_wrist", "LeftHand", "leftHand"},
+        {"left_hand", "left_hand", "LeftHandMiddle1", "leftMiddleProximal"},
+        {"right_shoulder", "right_shoulder", "RightArm", "rightUpperArm"},
+        {"right_elbow", "right_elbow", "RightForeArm", "rightLowerArm"},
+        {"right_wrist", "right_wrist", "RightHand", "rightHand"},
+        {"right_hand", "right_hand", "RightHandMiddle1", "rightMiddleProximal"},
+        {"left_hip", "left_hip", "LeftUpLeg", "leftUpperLeg"},
+        {"left_knee", "left_knee", "LeftLeg", "leftLowerLeg"},
+        {"left_ankle", "left_ankle", "LeftFoot", "leftFoot"},
+        {"left_foot", "left_foot", "LeftToeBase", "leftToes"},
+        {"right_hip", "right_hip", "RightUpLeg", "rightUpperLeg"},
+        {"right_knee", "right_knee", "RightLeg", "rightLowerLeg"},
+        {"right_ankle", "right_ankle", "RightFoot", "rightFoot"},
+        {"right_foot", "right_foot", "RightToeBase", "rightToes"}};
+    for (const std::size_t convention : {0U, 1U, 2U, 3U}) {
+        const auto found = io::names_of(joints, static_cast<io::JointNames>(convention));
+        REQUIRE(found.size() == table.size());
+        std::set<std::string> wanted;
+        for (const auto& row : table) wanted.insert(row[convention]);
+        CHECK(std::set<std::string>(found.begin(), found.end()) == wanted);
+        for (std::size_t j = 0; j < joints.size(); ++j) {
+            INFO(joints[j].name);
+            const auto row =
+                std::find_if(table.begin(), table.end(), [&](const auto& one) { return joints[j].name == one[0]; });
+            REQUIRE(row != table.end());
+            CHECK(found[j] == (*row)[convention]);
+        }
     }
     auto two_necks = joints;
     two_necks.push_back(two_necks[3]);

@@ -1,0 +1,103 @@
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+#include <skelgen/applications/bone_sections.hpp>
+#include <skelgen/applications/rig.hpp>
+#include <skelgen/extract.hpp>
+#include <skelgen/io/bvh.hpp>
+#include <skelgen/io/view_page.hpp>
+
+#include "clip_input.hpp"
+#include "commands.hpp"
+#include "console.hpp"
+#include "fitted_file.hpp"
+#include "fitted_inputs.hpp"
+#include "mesh_input.hpp"
+#include "view_bundle.hpp"
+
+namespace skelgen::cli {
+namespace {
+
+constexpr int status_some_failed = 5;
+
+struct ViewCommand {
+    FittedInputs inputs;
+    std::string output = "-";
+    std::string clip; ///< empty: none
+};
+
+io::ViewedBody viewed(const BatchItem& item, const TriangleMesh<double>& mesh) {
+    FittedBody<double> found = extract_body(mesh);
+    KinematicSkeleton<double>& skeleton = found.extraction.skeleton;
+    const SkeletonTemplate& skeleton_template = builtin_template(skeleton.template_name);
+    io::ViewedBody body;
+    body.name = item.file;
+    body.sections = applications::bone_sections(found.body, skeleton, skeleton_template);
+    body.rig = applications::make_rig(mesh, found.body, skeleton, skeleton_template);
+    body.looks = load_looks({item.mesh, {}});
+    body.skeleton = std::move(skeleton);
+    body.curve = std::move(found.extraction.curve);
+    return body;
+}
+
+/// A mesh as the page shows it, with or without a skeleton. \throws Error when it cannot be read, or a clip not be
+/// followed.
+std::string shown(const ViewCommand& command, const BatchItem& item) {
+    if (!item.fault.empty()) throw Error(ErrorCode::bad_input, item.fault);
+    const TriangleMesh<double> mesh = load_mesh({item.mesh, {}});
+    io::ViewedBody body;
+    try {
+        body = viewed(item, mesh);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::no_skeleton && error.code() != ErrorCode::bad_input) throw;
+        const std::string failure = std::string("no skeleton: ") + error.what();
+        print_warning(item.mesh.string() + ": " + failure);
+        return io::refused_body_to_json(item.file, failure, mesh);
+    }
+    if (!command.clip.empty()) body.animations = {follow_clip(command.clip, body.rig)};
+    if (!command.inputs.quiet) print_warnings(item.mesh, body.skeleton);
+    return viewed_body_to_json(body);
+}
+
+void run(const ViewCommand& command) {
+    if (!command.clip.empty()) {
+        require_different_files(command.clip, command.output);
+        in_file(command.clip, [&] { (void)read_bvh(command.clip); }); // one that is damaged is no fault of any body's
+    }
+    const std::vector<BatchItem> items = find_items(command.inputs, {});
+    std::vector<std::string> bodies;
+    std::size_t failed = 0;
+    for (const BatchItem& item : items) {
+        require_different_files(item.mesh, command.output);
+        try {
+            bodies.push_back(in_file(item.mesh, [&] { return shown(command, item); }));
+        } catch (const Error& error) {
+            if (!are_many(command.inputs, items)) throw;
+            print_error(error.what());
+            const std::string prefix = item.mesh.string() + ": ", what = error.what(); // the page names it already
+            bodies.push_back(io::refused_body_to_json(
+                item.file, what.rfind(prefix, 0) == 0 ? what.substr(prefix.size()) : what, {}));
+            ++failed;
+        }
+    }
+    write_result(command.output, io::view_page(view_bundle(), bodies));
+    if (failed > 0) throw CLI::RuntimeError(status_some_failed);
+}
+
+} // namespace
+
+void add_view_command(CLI::App& app) {
+    auto command = std::make_shared<ViewCommand>();
+    CLI::App* sub = app.add_subcommand("view", "Bodies with all that is found in them, as a page for any browser");
+    add_fitted_inputs(*sub, command->inputs);
+    sub->add_option("-o,--output", command->output, "Page to write (.html), whole in itself; - for standard output")
+        ->capture_default_str();
+    sub->add_option("--bvh", command->clip, "Motion for the bodies to follow in the page: a BVH file, as in `animate`");
+    sub->footer("The page shows bodies side by side: skeleton, curve, sections, sides, weights; joints can be bent.\n"
+                "What has no skeleton is there, too, and says why.\n\n"
+                "Examples:\n  skelgen view body.off -o body.html\n  skelgen view scans/ --bvh walk.bvh -o scans.html");
+    sub->callback([command] { run(*command); });
+}
+
+} // namespace skelgen::cli

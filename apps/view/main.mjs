@@ -1,0 +1,162 @@
+// The page of `skelgen view`: reads the bodies that it holds and shows them side by side.
+import * as THREE from "three";
+import { Figure } from "./figure.mjs";
+import { Labels } from "./labels.mjs";
+import { Panel } from "./panel.mjs";
+import { Poses } from "./poses.mjs";
+import { Stage } from "./stage.mjs";
+
+const gap = 0.25; // metres between bodies
+
+/// What is shown of the bodies and how they are held; every change ends in a new picture.
+class Viewer {
+  constructor(figures) {
+    this.figures = figures;
+    this.poses = new Poses(figures);
+    this.joints = figures.find((figure) => figure.data.joints)?.data.joints ?? [];
+    this.has_looks = figures.some((figure) => figure.data.has_looks);
+    this.shown = { body: true, skeleton: true, curve: true, sections: false, frame: false, names: false };
+    this.scheme = "plain";
+    this.opacity = 0.45;
+    this.joint = 0;
+    this.stage = new Stage(document.getElementById("canvas"), (seconds) => this.before_frame(seconds));
+    this.box = this.line_up();
+    this.labels = new Labels(document.getElementById("labels"), document.getElementById("tip"), figures);
+    this.panel = new Panel(this);
+    this.follow_pointer();
+    for (const layer of Object.keys(this.shown)) this.apply_layer(layer);
+    this.select(this.joint);
+    this.recolour();
+    this.see_all();
+  }
+
+  /// Side by side along x, the first on the viewer's left. \returns the box of all.
+  line_up() {
+    const all = new THREE.Box3();
+    let x = 0;
+    for (const { root, box } of this.figures) {
+      root.position.x = x - box.min.x;
+      x += box.max.x - box.min.x + gap;
+      root.updateMatrixWorld(true);
+      this.stage.scene.add(root);
+      all.union(box.clone().translate(root.position));
+    }
+    return all;
+  }
+
+  before_frame(seconds) {
+    const moving = this.poses.advance(seconds);
+    if (moving) this.panel.show_time();
+    this.labels.update(this.stage, this.shown.names, this.shown.frame);
+    return moving;
+  }
+
+  changed() {
+    this.panel.update();
+    this.stage.invalidate();
+  }
+
+  apply_layer(layer) {
+    if (layer !== "names") for (const figure of this.figures) figure.show(layer, this.shown[layer]);
+  }
+
+  toggle(layer) {
+    this.shown[layer] = !this.shown[layer];
+    this.apply_layer(layer);
+    this.changed();
+  }
+
+  recolour() {
+    for (const figure of this.figures) figure.colour(this.scheme, this.joint);
+    this.set_opacity(this.opacity);
+  }
+
+  colour(scheme) {
+    this.scheme = scheme;
+    this.recolour();
+  }
+
+  set_opacity(opacity) {
+    this.opacity = opacity;
+    for (const figure of this.figures) figure.fade(opacity);
+    this.changed();
+  }
+
+  select(joint) {
+    if (this.joints.length === 0) return;
+    this.joint = (joint + this.joints.length) % this.joints.length;
+    for (const figure of this.figures) figure.select(this.joint);
+    if (this.scheme === "weights") this.recolour();
+    this.changed();
+  }
+
+  bend(turns) {
+    this.poses.bend(this.joint, turns);
+    this.changed();
+  }
+
+  rest() {
+    this.poses.rest();
+    this.changed();
+  }
+
+  choose_clip(name) {
+    this.poses.choose(name);
+    this.changed();
+  }
+
+  scrub(part) {
+    if (this.poses.clip === null) this.poses.choose(document.getElementById("clip").value);
+    this.poses.playing = false;
+    this.poses.go_to(part * this.poses.duration());
+    this.changed();
+  }
+
+  play() {
+    if (this.poses.clips().length === 0) return;
+    if (this.poses.clip === null) this.poses.choose(document.getElementById("clip").value);
+    this.poses.playing = !this.poses.playing;
+    this.changed();
+  }
+
+  see_all() {
+    this.stage.front(this.box);
+  }
+
+  /// A mouse finds joints by passing, a finger by touching; both choose by a click.
+  follow_pointer() {
+    const canvas = document.getElementById("canvas");
+    const find = (event) => {
+      const { left, top } = canvas.getBoundingClientRect();
+      return this.labels.pick(this.stage, event.clientX - left, event.clientY - top, event.pointerType === "touch" ? 28 : 14);
+    };
+    canvas.addEventListener("pointermove", (event) => event.buttons === 0 && this.labels.tell(find(event)));
+    canvas.addEventListener("pointerleave", (event) => event.pointerType !== "touch" && this.labels.tell(null)); // a lifted finger leaves, too
+    let pressed = null;
+    canvas.addEventListener("pointerdown", (event) => { pressed = { x: event.clientX, y: event.clientY }; });
+    canvas.addEventListener("pointerup", (event) => {
+      if (!pressed || Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > 6) return; // it was a turn
+      const found = find(event);
+      this.labels.tell(found);
+      if (found) this.select(found.joint);
+    });
+  }
+}
+
+const problem = (text) => {
+  const element = document.createElement("p");
+  element.className = "failure";
+  element.textContent = text;
+  document.getElementById("labels").append(element);
+};
+
+try {
+  const bodies = JSON.parse(document.getElementById("bodies").textContent);
+  document.title = bodies.length === 1 ? bodies[0].name : `${bodies.length} bodies`;
+  Promise.all(bodies.map((body) => Figure.load(body)))
+    .then((figures) => new Viewer(figures))
+    .then(() => { document.body.dataset.state = "ready"; })
+    .catch((error) => problem(`The bodies cannot be shown: ${error.message}`));
+} catch (error) {
+  problem(`The page is damaged: ${error.message}`);
+}

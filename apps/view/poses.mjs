@@ -1,0 +1,76 @@
+// How the bodies are held: joints bent by hand, or a clip that is played.
+import * as THREE from "three";
+
+export class Poses {
+  constructor(figures) {
+    this.figures = figures.filter((figure) => figure.bones.length > 0);
+    this.bends = [];
+    this.tracks = []; // of the bodies that follow the clip
+    this.clip = null;
+    this.playing = false;
+    this.time = 0;
+  }
+
+  /// The names of all clips that a body has.
+  clips() {
+    return [...new Set(this.figures.flatMap((figure) => figure.clips.map((clip) => clip.name)))];
+  }
+
+  /// Turns of a joint about x, y and z, in radians.
+  bend_of(joint) {
+    return this.bends[joint] ?? [0, 0, 0];
+  }
+
+  bend(joint, turns) {
+    this.stop();
+    this.bends[joint] = turns;
+    for (const figure of this.figures) figure.bend(this.bends);
+  }
+
+  rest() {
+    this.stop();
+    this.bends = [];
+    for (const figure of this.figures) figure.bend([]);
+  }
+
+  stop() {
+    for (const { mixer } of this.tracks) mixer.stopAllAction();
+    this.tracks = [];
+    this.clip = null;
+    this.playing = false;
+  }
+
+  /// Holds the bodies that have the clip as they are at its beginning.
+  choose(name) {
+    this.rest();
+    this.tracks = this.figures.flatMap((figure) => {
+      const clip = figure.clips.find((one) => one.name === name);
+      if (!clip) return [];
+      const mixer = new THREE.AnimationMixer(figure.inner);
+      mixer.clipAction(clip).play();
+      return [{ figure, mixer, duration: clip.duration }];
+    });
+    this.clip = name;
+    this.go_to(0);
+  }
+
+  duration() {
+    return Math.max(0, ...(this.tracks).map(({ duration }) => duration));
+  }
+
+  go_to(seconds) {
+    this.time = seconds;
+    for (const { figure, mixer, duration } of this.tracks) {
+      mixer.setTime(duration > 0 ? Math.min(seconds, duration * (1 - 1e-6)) : 0); // at its end it would begin anew
+      figure.follow();
+    }
+  }
+
+  /// \returns whether something moved.
+  advance(seconds) {
+    if (!this.playing) return false;
+    const duration = this.duration();
+    if (duration > 0) this.go_to((this.time + seconds) % duration);
+    return true;
+  }
+}

@@ -1,0 +1,99 @@
+"""blender --background --factory-startup --python blender_rigs.py -- GLB...: fails where Blender does not import a rig
+with its 21 bones, named, parented and as long as in the file, and with the file's weights."""
+
+import json
+import struct
+import sys
+
+import bpy
+import numpy as np
+from mathutils import Matrix, Quaternion, Vector
+
+# Debian 12's importer asks numpy for a name that numpy has dropped since.
+if "bool" not in vars(np):
+    np.bool = bool
+
+
+class File:
+    """What is in a GLB, read without Blender: joints by name with their parent and place, and weights by vertex."""
+
+    def __init__(self, path):
+        with open(path, "rb") as file:
+            glb = file.read()
+        (length,) = struct.unpack_from("<I", glb, 12)
+        scene, data = json.loads(glb[20 : 20 + length]), glb[28 + length :]
+
+        def rows(index):
+            accessor = scene["accessors"][index]
+            kind = {5121: "<u1", 5123: "<u2", 5126: "<f4"}[accessor["componentType"]]
+            columns = {"VEC3": 3, "VEC4": 4}[accessor["type"]]
+            start = scene["bufferViews"][accessor["bufferView"]].get("byteOffset", 0)
+            return np.frombuffer(data, kind, accessor["count"] * columns, start).reshape(-1, columns)
+
+        attributes = scene["meshes"][0]["primitives"][0]["attributes"]
+        self.positions, self.joints, self.weights = (rows(attributes[name]) for name in ("POSITION", "JOINTS_0", "WEIGHTS_0"))
+        nodes = scene["skins"][0]["joints"]
+        self.names = [scene["nodes"][node]["name"] for node in nodes]
+        parent_of = {child: node for node in nodes for child in scene["nodes"][node].get("children", [])}
+        places = {}
+        self.parents, self.places = {}, {}
+        for node in nodes:
+            x, y, z, w = scene["nodes"][node]["rotation"]
+            own = Matrix.Translation(scene["nodes"][node]["translation"]) @ Quaternion((w, x, y, z)).to_matrix().to_4x4()
+            places[node] = places[parent_of[node]] @ own if node in parent_of else own
+            name = scene["nodes"][node]["name"]
+            self.parents[name] = scene["nodes"][parent_of[node]]["name"] if node in parent_of else None
+            x, y, z = places[node].translation
+            self.places[name] = Vector((x, -z, y))  # Blender's z is up
+
+
+def faults_of(path):
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.ops.import_scene.gltf(filepath=path)
+    file = File(path)
+    armatures = [one for one in bpy.data.objects if one.type == "ARMATURE"]
+    bodies = [one for one in bpy.data.objects if one.type == "MESH" and one.vertex_groups]
+    if len(armatures) != 1 or len(bodies) != 1:
+        return [f"{len(armatures)} armatures, {len(bodies)} bodies"]
+    armature, body = armatures[0], bodies[0]
+    bones = armature.data.bones
+    faults = []
+    if len(bones) != 21 or {bone.name for bone in bones} != set(file.names):
+        return [f"bones are {[bone.name for bone in bones]}"]
+    size = float(np.ptp(file.positions, axis=0).max())
+    for bone in bones:
+        if (bone.parent.name if bone.parent else None) != file.parents[bone.name]:
+            faults.append(f"{bone.name} hangs on {bone.parent}")
+        at = armature.matrix_world @ bone.head_local
+        if (at - file.places[bone.name]).length > 1e-5 * size:
+            faults.append(f"{bone.name} lies at {at}, not at {file.places[bone.name]}")
+        if bone.parent:
+            length = (bone.head_local - bone.parent.head_local).length
+            wanted = (file.places[bone.name] - file.places[bone.parent.name]).length
+            if abs(length - wanted) > 1e-5 * size:
+                faults.append(f"from {bone.parent.name} to {bone.name} it is {length}, not {wanted}")
+    if len(body.data.vertices) != len(file.positions):
+        return [*faults, f"{len(body.data.vertices)} vertices"]
+    names = [group.name for group in body.vertex_groups]
+    worst = 0.0
+    for vertex in body.data.vertices:
+        wanted = {}
+        for joint, weight in zip(file.joints[vertex.index], file.weights[vertex.index]):
+            if weight > 0:
+                wanted[file.names[joint]] = float(weight)
+        found = {names[group.group]: group.weight for group in vertex.groups if group.weight > 0}
+        worst = max(worst, *(abs(found.get(name, 0) - wanted.get(name, 0)) for name in {*wanted, *found}))
+    if worst > 1e-6:
+        faults.append(f"weights differ by {worst}")
+    return faults
+
+
+paths = sys.argv[sys.argv.index("--") + 1 :]
+failed = 0
+for path in paths:
+    faults = faults_of(path)
+    failed += bool(faults)
+    for fault in faults:
+        print(f"{path}: {fault}")
+print(f"Blender {bpy.app.version_string}: {len(paths)} rigs, {failed} failed")
+sys.exit(0 if paths and failed == 0 else 1)
