@@ -104,6 +104,7 @@ set(skelgen_core_headers
     include/skelgen/surface/similarity.hpp
     include/skelgen/surface/small_parts.hpp
     include/skelgen/surface/sound_faces.hpp
+    include/skelgen/surface/triangulate_rim.hpp
     include/skelgen/surface/visibility.hpp
     include/skelgen/surface/weld.hpp
     include/skelgen/surface/winding_tree.hpp
@@ -195,6 +196,7 @@ set(skelgen_core_definitions
     include/skelgen/surface/impl/pieces.hpp
     include/skelgen/surface/impl/prepare.hpp
     include/skelgen/surface/impl/sound_faces.hpp
+    include/skelgen/surface/impl/triangulate_rim.hpp
     include/skelgen/surface/impl/visibility.hpp
     include/skelgen/surface/impl/weld.hpp
     include/skelgen/surface/impl/winding_tree.hpp

@@ -16,6 +16,7 @@
 #include <skelgen/surface/impl/pieces.hpp>
 #include <skelgen/surface/impl/prepare.hpp>
 #include <skelgen/surface/impl/sound_faces.hpp>
+#include <skelgen/surface/impl/triangulate_rim.hpp>
 #include <skelgen/surface/impl/visibility.hpp>
 #include <skelgen/surface/impl/weld.hpp>
 #include <skelgen/surface/impl/winding_tree.hpp>
@@ -42,6 +43,8 @@ namespace skelgen::surface {
     template OrientedMesh<Scalar> orient(TriangleMesh<Scalar>);                                                        \
     template bool is_sound(const TriangleMesh<Scalar>&);                                                               \
     template CleanMesh<Scalar> clean(const TriangleMesh<Scalar>&);                                                     \
+    template std::optional<std::vector<std::array<int, 3>>> triangulate_rim(const TriangleMesh<Scalar>&, const Rim&,   \
+                                                                            const std::function<bool(int, int)>&);     \
     template FilledSurface<Scalar> fill_holes(const TriangleMesh<Scalar>&, double);                                    \
     template Lattice<Scalar> lattice_around(const TriangleMesh<Scalar>&, Scalar, int);                                 \
     template SparseGrid<Scalar> distance_band(const TriangleMesh<Scalar>&, const Lattice<Scalar>&, Scalar);            \

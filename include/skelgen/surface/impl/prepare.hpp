@@ -53,7 +53,7 @@ struct ChosenPiece {
     std::vector<std::string> notes;
 };
 
-inline constexpr double small_hole = 0.02; // of the surface: a hand, or the soles of both feet (LB44)
+inline constexpr double small_hole = 0.04; // of the surface: the skin of an upper arm (LB44)
 
 /// The largest piece, its small holes closed. A mesh of one closed piece is taken as it is.
 template <typename Scalar>
