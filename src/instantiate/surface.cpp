@@ -37,7 +37,8 @@ namespace skelgen::surface {
                                                            const Vector3<Scalar>&, Scalar);                            \
     template Eigen::AlignedBox<Scalar, 3> robust_box(const TriangleMesh<Scalar>&);                                     \
     template Triangles faces_within_reach(const TriangleMesh<Scalar>&);                                                \
-    template WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>&, Scalar);                                             \
+    template WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>&, Scalar, const std::vector<bool>&);                   \
+    template std::vector<bool> in_closed_pieces(const TriangleMesh<Scalar>&, const std::vector<int>&);                 \
     template Visibility look_out(const TriangleMesh<Scalar>&, const FaceTree<Scalar>&, const std::vector<int>&, int);  \
     template SoundFaces sound_faces(const TriangleMesh<Scalar>&);                                                      \
     template OrientedMesh<Scalar> orient(TriangleMesh<Scalar>);                                                        \
