@@ -25,6 +25,7 @@ set(skelgen_core_headers
     include/skelgen/applications/rig.hpp
     include/skelgen/applications/segmentation.hpp
     include/skelgen/applications/skinning.hpp
+    include/skelgen/applications/surface_laplacian.hpp
     include/skelgen/core/adjacency.hpp
     include/skelgen/core/builtin_templates.hpp
     include/skelgen/core/curve_graph.hpp
@@ -35,6 +36,7 @@ set(skelgen_core_headers
     include/skelgen/core/geometry.hpp
     include/skelgen/core/header_only.hpp
     include/skelgen/core/join_curves.hpp
+    include/skelgen/core/line.hpp
     include/skelgen/core/kinematic_skeleton.hpp
     include/skelgen/core/mesh.hpp
     include/skelgen/core/options.hpp
@@ -138,6 +140,7 @@ set(skelgen_core_definitions
     include/skelgen/core/impl/curve_graph.hpp
     include/skelgen/core/impl/geodesics.hpp
     include/skelgen/core/impl/geometry.hpp
+    include/skelgen/core/impl/line.hpp
     include/skelgen/core/impl/template_rules.hpp
     include/skelgen/curve/impl/attachment.hpp
     include/skelgen/curve/impl/axis_ends.hpp
@@ -394,10 +397,12 @@ set(skelgen_cli_sources
     extract.cpp
     extract_file.cpp
     fingerprint.cpp
+    fitted_file.cpp
     fitted_inputs.cpp
     main.cpp
     measure.cpp
     mesh_input.cpp
+    parts.cpp
     pose.cpp
     progress_bar.cpp
     rig.cpp

@@ -15,11 +15,9 @@ int main(int argc, char** argv) try {
         return static_cast<int>(skelgen::ErrorCode::usage);
     }
     const auto mesh = skelgen::read_mesh(argv[1]);
-    const auto skeleton = skelgen::extract_skeleton(mesh).skeleton;
-
-    skelgen::applications::RigOptions options;
-    options.rest = skelgen::applications::RestPose::t_pose;
-    const auto rig = make_rig(mesh, skeleton, skelgen::builtin_template("human21"), options);
+    const auto found = skelgen::extract_body(mesh);
+    const auto rig = make_rig(mesh, found.body, found.extraction.skeleton, skelgen::builtin_template("human21"),
+                              skelgen::applications::RestPose::t_pose);
     skelgen::write_rig(argv[2], rig);
 
     std::cout << rig.joints.size() << " joints move " << rig.skin.weights.rows() << " vertices\n";

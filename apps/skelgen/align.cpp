@@ -31,7 +31,7 @@ fs::path aligned_file(const BatchItem& item) {
 }
 
 void align(const AlignCommand& command, const FittedInput& input) {
-    const KinematicSkeleton<double>& skeleton = input.found.extraction.skeleton;
+    const KinematicSkeleton<double>& skeleton = input.skeleton();
     applications::AlignmentOptions options;
     if (command.origin == "floor") options.origin = applications::AlignedOrigin::floor;
     if (command.to_unit_height) options.scale = 1 / applications::standing_height(input.found.body, skeleton);

@@ -1,3 +1,4 @@
+#include <array>
 #include <memory>
 #include <string>
 #include <utility>
@@ -6,13 +7,12 @@
 #include <skelgen/applications/body_coordinates.hpp>
 #include <skelgen/applications/correspondence.hpp>
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/extract.hpp>
 #include <skelgen/io/coloured_ply.hpp>
 #include <skelgen/io/correspondence_json.hpp>
 
 #include "commands.hpp"
 #include "console.hpp"
-#include "mesh_input.hpp"
+#include "fitted_file.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -28,32 +28,23 @@ struct CorrespondCommand {
 };
 
 /// One of the two bodies.
-struct ComparedFile {
-    TriangleMesh<double> mesh;
-    FittedBody<double> found;
+struct ComparedFile : FittedFile {
     applications::ComparableBody<double> body;
     std::vector<int> stands_for; ///< per vertex of the mesh that of the body
-    io::SourceMesh source;
 };
 
 ComparedFile load(const fs::path& file) {
     return in_file(file, [&] {
-        ComparedFile out;
-        out.mesh = load_mesh({file, {}});
-        out.found = extract_body(out.mesh);
-        out.body = applications::comparable(out.found.body, out.found.extraction.skeleton);
+        ComparedFile out{fit_file({file, {}}), {}, {}};
+        out.body = applications::comparable(out.found.body, out.skeleton());
         out.stands_for = applications::standing_for(out.found.body, out.mesh.vertices);
-        out.source = {file.filename().string(), out.mesh.vertices.rows(), out.mesh.faces.rows(),
-                      out.found.extraction.geodesic_diameter};
         return out;
     });
 }
 
 /// For each vertex of a body one of its mesh that is at its place, or near it where the body has vertices of its own.
 std::vector<int> mesh_vertices(const ComparedFile& file) {
-    std::vector<int> out(static_cast<std::size_t>(file.found.body.mesh.vertices.rows()), -1);
-    for (std::size_t v = file.stands_for.size(); v-- > 0;)
-        out[static_cast<std::size_t>(file.stands_for[v])] = static_cast<int>(v);
+    std::vector<int> out = applications::first_standing(file.found.body, file.stands_for);
     for (std::size_t v = 0; v < out.size(); ++v)
         if (out[v] < 0)
             out[v] = core::nearest_vertex(file.mesh, file.found.body.similarity.to_input(core::point(
@@ -76,6 +67,11 @@ std::vector<io::ByteColour> place_colours(const applications::ComparableBody<dou
     return out;
 }
 
+/// Where the two bodies go in colours.
+std::array<fs::path, 2> coloured_files(const CorrespondCommand& command) {
+    return {fs::path(command.ply) / "from.ply", fs::path(command.ply) / "to.ply"};
+}
+
 void write_coloured(const CorrespondCommand& command, const ComparedFile& from, const ComparedFile& to,
                     const std::vector<int>& to_body_of_from) {
     make_folder(command.ply);
@@ -85,24 +81,23 @@ void write_coloured(const CorrespondCommand& command, const ComparedFile& from, 
         for (const int place : place_of) colours.vertices.push_back(places[static_cast<std::size_t>(place)]);
         in_file(file, [&] { io::write_coloured_ply(file, mesh, colours); });
     };
-    write(fs::path(command.ply) / "from.ply", from.mesh, to_body_of_from);
-    write(fs::path(command.ply) / "to.ply", to.mesh, to.stands_for);
-}
-
-void print_warnings(const fs::path& file, const ComparedFile& compared) {
-    for (const std::string& warning : compared.found.extraction.skeleton.quality.warnings)
-        print_warning(file.string() + ": " + warning);
+    const auto [from_file, to_file] = coloured_files(command);
+    write(from_file, from.mesh, to_body_of_from);
+    write(to_file, to.mesh, to.stands_for);
 }
 
 void run(const CorrespondCommand& command) {
-    require_different_files(command.from, command.output);
-    require_different_files(command.to, command.output);
+    if (command.from == "-" && command.to == "-")
+        throw Error(ErrorCode::usage, "two bodies cannot both come through standard input");
+    std::vector<std::string> outputs{command.output};
+    if (!command.ply.empty())
+        for (const fs::path& file : coloured_files(command)) outputs.push_back(file.string());
+    for (const std::string& output : outputs)
+        for (const fs::path& input : {command.from, command.to}) require_different_files(input, output);
     const ComparedFile from = load(command.from), to = load(command.to);
     const applications::Correspondence found = applications::correspond(from.body, to.body);
     const std::vector<int> to_mesh = mesh_vertices(to), from_mesh = mesh_vertices(from);
-    io::CorrespondenceFile file{
-        from.source, to.source, from.found.extraction.skeleton.quality, to.found.extraction.skeleton.quality, {},
-        {},          {}};
+    io::CorrespondenceFile file{from.source, to.source, from.skeleton().quality, to.skeleton().quality, {}, {}, {}};
     std::vector<int> to_body_of_from;
     for (const int v : from.stands_for) {
         to_body_of_from.push_back(found.map[static_cast<std::size_t>(v)]);
@@ -115,8 +110,8 @@ void run(const CorrespondCommand& command) {
     if (!command.ply.empty()) write_coloured(command, from, to, to_body_of_from);
     write_result(command.output, io::correspondence_to_json(file));
     if (command.quiet) return;
-    print_warnings(command.from, from);
-    print_warnings(command.to, to);
+    print_warnings(command.from, from.skeleton());
+    print_warnings(command.to, to.skeleton());
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "extract_file.hpp"
+#include "fitted_file.hpp"
 #include "stages.hpp"
 
 namespace skelgen::cli {
@@ -58,8 +59,7 @@ void run(const ExtractCommand& command) {
     write_result(command.output, result.json);
     if (command.verbose) print_details(result);
     if (command.quiet) return;
-    for (const std::string& warning : result.extraction.skeleton.quality.warnings)
-        print_warning(command.mesh.file.string() + ": " + warning);
+    print_warnings(command.mesh.file, result.extraction.skeleton);
 }
 
 } // namespace

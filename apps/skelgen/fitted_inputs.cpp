@@ -1,12 +1,10 @@
 #include "fitted_inputs.hpp"
 
 #include <cstddef>
-#include <utility>
 
 #include <skelgen/io/mesh_format.hpp>
 
 #include "console.hpp"
-#include "mesh_input.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -15,18 +13,7 @@ constexpr int status_some_failed = 5;
 
 FittedInput fit(const BatchItem& item) {
     if (!item.fault.empty()) throw Error(ErrorCode::bad_input, item.fault);
-    FittedInput out;
-    out.item = item;
-    out.mesh = load_mesh({item.mesh, {}});
-    out.found = extract_body(out.mesh);
-    out.source = {item.mesh.filename().string(), out.mesh.vertices.rows(), out.mesh.faces.rows(),
-                  out.found.extraction.geodesic_diameter};
-    return out;
-}
-
-void print_warnings(const FittedInput& input) {
-    for (const std::string& warning : input.found.extraction.skeleton.quality.warnings)
-        print_warning(input.item.mesh.string() + ": " + warning);
+    return {fit_file({item.mesh, {}}), item};
 }
 
 } // namespace
@@ -55,7 +42,7 @@ void for_each_fitted(const FittedInputs& inputs, const std::vector<BatchItem>& i
         try {
             const FittedInput input = in_file(item.mesh, [&] { return fit(item); });
             work(input);
-            if (!inputs.quiet) print_warnings(input);
+            if (!inputs.quiet) print_warnings(item.mesh, input.skeleton());
         } catch (const Error& error) {
             // What cannot be stored for one cannot be stored for the others either.
             if (!are_many(inputs, items) || error.code() == ErrorCode::not_written) throw;

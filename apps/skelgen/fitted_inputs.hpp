@@ -6,10 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include <skelgen/extract.hpp>
-#include <skelgen/io/skeleton_json.hpp>
-
 #include "batch_inputs.hpp"
+#include "fitted_file.hpp"
 
 namespace skelgen::cli {
 
@@ -22,12 +20,9 @@ struct FittedInputs {
 /// Adds the positional MESH... and the flag --quiet.
 void add_fitted_inputs(CLI::App& command, FittedInputs& inputs);
 
-/// A mesh, the skeleton that was found in it, and the surface that it was found in.
-struct FittedInput {
+/// One of them.
+struct FittedInput : FittedFile {
     BatchItem item; ///< `item.output` lies in the folder that the command writes to
-    TriangleMesh<double> mesh;
-    FittedBody<double> found;
-    io::SourceMesh source;
 };
 
 /// Are these several meshes, or a folder of them, so that results go to a folder?

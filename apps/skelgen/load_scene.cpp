@@ -2,14 +2,13 @@
 
 #include <utility>
 
-#include <skelgen/applications/segmentation.hpp>
-#include <skelgen/io/coloured_ply.hpp>
 #include <skelgen/io/curve_formats.hpp>
 #include <skelgen/io/read_mesh.hpp>
 #include <skelgen/io/skeleton_json.hpp>
 #include <skelgen/io/truth_json.hpp>
 
 #include "console.hpp"
+#include "parts.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -33,13 +32,7 @@ void extract_curve_into(render::Scene& scene, const ExtractOptions& options) {
 /// Gives the mesh the colours of its parts, or says in the scene why not.
 void colour_parts(render::Scene& scene, const std::string& parts) {
     try {
-        const FittedBody<double> found = extract_body(scene.mesh);
-        const auto set = parts == "body" ? applications::PartSet::body : applications::PartSet::bones;
-        const applications::Segmentation segmentation = applications::to_input(
-            applications::segment(found.body, found.extraction.skeleton, set), found.body, scene.mesh);
-        const std::vector<io::ByteColour> palette = io::part_colours(segmentation.parts);
-        for (const int part : segmentation.vertex_part)
-            scene.colours.push_back(palette[static_cast<std::size_t>(part)]);
+        scene.colours = vertex_colours(parts_of(scene.mesh, extract_body(scene.mesh), parts));
     } catch (const Error& error) {
         if (error.code() != ErrorCode::no_skeleton && error.code() != ErrorCode::bad_input) throw;
         scene.failure = std::string("no parts: ") + error.what();

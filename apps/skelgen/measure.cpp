@@ -18,7 +18,7 @@ struct MeasureCommand {
 };
 
 io::MeasuredBody measured(const FittedInput& input) {
-    const KinematicSkeleton<double>& skeleton = input.found.extraction.skeleton;
+    const KinematicSkeleton<double>& skeleton = input.skeleton();
     const applications::Segmentation parts = applications::segment(input.found.body, skeleton);
     io::SourceMesh source = input.source;
     source.file = input.item.file;

@@ -2,15 +2,13 @@
 #include <optional>
 
 #include <skelgen/applications/pose_transfer.hpp>
-#include <skelgen/extract.hpp>
 #include <skelgen/io/mesh_format.hpp>
-#include <skelgen/io/read_mesh.hpp>
 #include <skelgen/io/skeleton_json.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
 #include "commands.hpp"
 #include "console.hpp"
-#include "mesh_input.hpp"
+#include "fitted_file.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -22,6 +20,7 @@ struct PoseCommand {
     std::string like; ///< mesh of the body to be held like
     std::string pose; ///< or the skeleton of one
     std::string output;
+    int component = 0;
     bool quiet = false;
 };
 
@@ -44,9 +43,9 @@ Model load_model(const PoseCommand& command) {
         });
     }
     return in_file(command.like, [&] {
-        const TriangleMesh<double> mesh = read_mesh<double>(command.like);
-        Model model{extract_skeleton(mesh).skeleton, std::nullopt};
-        const Floor<double> floor = applications::floor_of(mesh, model.skeleton, human());
+        const FittedFile other = fit_file({command.like, {}});
+        Model model{other.skeleton(), std::nullopt};
+        const Floor<double> floor = applications::floor_of(other.mesh, model.skeleton, human());
         if (floor.is_stood_on) model.floor = floor;
         return model;
     });
@@ -60,15 +59,14 @@ void run(const PoseCommand& command) {
     if (!format || !io::is_written(*format))
         throw Error(ErrorCode::usage, command.output + ": its name must end in " + io::written_mesh_extensions_text());
     const Model model = load_model(command);
+    ExtractOptions options;
+    options.prepare.component = command.component;
     in_file(command.mesh.file, [&] {
-        const TriangleMesh<double> mesh = load_mesh(command.mesh);
-        const KinematicSkeleton<double> skeleton = extract_skeleton(mesh).skeleton;
-        auto posed = applications::pose_like(mesh, skeleton, model.skeleton, human());
+        const FittedFile body = fit_file(command.mesh, options);
+        auto posed = applications::pose_like(body.mesh, body.found.body, body.skeleton(), model.skeleton, human());
         if (model.floor) posed = put_on(std::move(posed), *model.floor);
         in_file(command.output, [&] { write_mesh(command.output, posed.mesh); });
-        if (command.quiet) return;
-        for (const std::string& warning : skeleton.quality.warnings)
-            print_warning(command.mesh.file.string() + ": " + warning);
+        if (!command.quiet) print_warnings(command.mesh.file, body.skeleton());
     });
 }
 
@@ -83,6 +81,8 @@ void add_pose_command(CLI::App& app) {
     model->add_option("--pose", command->pose, "Skeleton of another body, as extract writes it");
     model->require_option(1);
     sub->add_option("-o,--output", command->output, "Mesh to write: " + io::written_mesh_extensions_text())->required();
+    sub->add_option("--component", command->component, "Which of several bodies that stand apart; 1 is the largest")
+        ->check(CLI::Range(1, 1000));
     sub->add_flag("-q,--quiet", command->quiet, "No warnings");
     sub->footer("Examples:\n  skelgen pose woman.off --like walking_man.ply -o walking_woman.off\n"
                 "  skelgen pose character.glb --pose walking.json -o walking.glb");

@@ -2,12 +2,11 @@
 #include <memory>
 
 #include <skelgen/applications/rig.hpp>
-#include <skelgen/extract.hpp>
 #include <skelgen/io/rig_formats.hpp>
 
 #include "commands.hpp"
 #include "console.hpp"
-#include "mesh_input.hpp"
+#include "fitted_file.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -42,30 +41,24 @@ io::SceneLooks looks_of(const MeshInput& mesh) {
     return io::read_looks(mesh.file).value_or(io::SceneLooks{});
 }
 
-void print_warnings(const RigCommand& command, const KinematicSkeleton<double>& skeleton,
-                    const applications::Rig<double>& rig) {
-    const std::string file = command.mesh.file.string() + ": ";
-    for (const std::string& warning : skeleton.quality.warnings) print_warning(file + warning);
-    if (!rig.unit_is_known)
-        print_warning(file + "its unit is unknown, as it has no person's height in any; lengths are left as they are");
-}
-
 void run(const RigCommand& command) {
     require_different_files(command.mesh.file, command.output);
     const auto format = io::rig_format_of(command.output);
     if (!format) throw Error(ErrorCode::usage, command.output + ": its name must end in .glb, .vrm or .bvh");
-    applications::RigOptions options;
-    options.rest = rest_pose(command, *format);
+    const RestPose rest = rest_pose(command, *format);
+    ExtractOptions options;
     options.prepare.component = command.component;
-    ExtractOptions extraction;
-    extraction.prepare = options.prepare;
     in_file(command.mesh.file, [&] {
-        const TriangleMesh<double> mesh = load_mesh(command.mesh);
-        const KinematicSkeleton<double> skeleton = extract_skeleton(mesh, extraction).skeleton;
-        const auto rig = applications::make_rig(mesh, skeleton, builtin_template(skeleton.template_name), options);
+        const FittedFile body = fit_file(command.mesh, options);
+        const SkeletonTemplate& human = builtin_template(body.skeleton().template_name);
+        const auto rig = applications::make_rig(body.mesh, body.found.body, body.skeleton(), human, rest);
         const io::SceneLooks looks = looks_of(command.mesh);
         in_file(command.output, [&] { write_rig(command.output, rig, *io::joint_names_named(command.names), looks); });
-        if (!command.quiet) print_warnings(command, skeleton, rig);
+        if (command.quiet) return;
+        print_warnings(command.mesh.file, body.skeleton());
+        if (!rig.unit_is_known)
+            print_warning(command.mesh.file.string() + ": its unit is unknown, as it has no person's height in any; " +
+                          "lengths are left as they are");
     });
 }
 

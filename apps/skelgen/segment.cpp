@@ -1,12 +1,11 @@
 #include <memory>
 
-#include <skelgen/applications/segmentation.hpp>
-#include <skelgen/io/coloured_ply.hpp>
 #include <skelgen/io/segmentation_json.hpp>
 
 #include "commands.hpp"
 #include "console.hpp"
 #include "fitted_inputs.hpp"
+#include "parts.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -19,27 +18,18 @@ struct SegmentCommand {
     std::string parts = "bones";
 };
 
-applications::Segmentation segmentation_of(const SegmentCommand& command, const FittedInput& input) {
-    const auto set = command.parts == "body" ? applications::PartSet::body : applications::PartSet::bones;
-    const applications::Segmentation parts =
-        applications::segment(input.found.body, input.found.extraction.skeleton, set);
-    return applications::to_input(parts, input.found.body, input.mesh);
-}
-
 void write_ply(const fs::path& file, const FittedInput& input, const applications::Segmentation& parts) {
-    const std::vector<io::ByteColour> palette = io::part_colours(parts.parts);
-    io::MeshColours colours{{}, parts.vertex_part, parts.face_part};
-    for (const int part : parts.vertex_part) colours.vertices.push_back(palette[static_cast<std::size_t>(part)]);
+    const io::MeshColours colours{vertex_colours(parts), parts.vertex_part, parts.face_part};
     in_file(file, [&] { io::write_coloured_ply(file, input.mesh, colours); });
 }
 
 std::string json_of(const FittedInput& input, const applications::Segmentation& parts) {
-    return io::segmentation_to_json(parts, input.source, input.found.extraction.skeleton.quality);
+    return io::segmentation_to_json(parts, input.source, input.skeleton().quality);
 }
 
 void segment_one(const SegmentCommand& command, const FittedInput& input) {
     require_different_files(input.item.mesh, command.output);
-    const applications::Segmentation parts = segmentation_of(command, input);
+    const applications::Segmentation parts = parts_of(input.mesh, input.found, command.parts);
     if (fs::path(command.output).extension() == ".ply")
         write_ply(command.output, input, parts);
     else
@@ -47,7 +37,7 @@ void segment_one(const SegmentCommand& command, const FittedInput& input) {
 }
 
 void segment_into_folder(const SegmentCommand& command, const FittedInput& input) {
-    const applications::Segmentation parts = segmentation_of(command, input);
+    const applications::Segmentation parts = parts_of(input.mesh, input.found, command.parts);
     const fs::path json = input.item.output, ply = fs::path(json).replace_extension(".ply");
     require_different_files(input.item.mesh, ply.string());
     make_folder(json.parent_path());
@@ -87,7 +77,7 @@ void add_segment_command(CLI::App& app) {
     sub->add_option("--parts", command->parts,
                     "bones: head, neck, chest, abdomen, pelvis, and on each side shoulder, upper_arm, forearm, hand,\n"
                     "thigh, calf, foot; body: head, torso, and the limbs without the shoulder")
-        ->check(CLI::IsMember({"bones", "body"}))
+        ->check(CLI::IsMember(part_sets))
         ->capture_default_str();
     sub->footer("Examples:\n  skelgen segment body.off -o parts.ply\n  skelgen segment scans/ -o parts/ --parts body");
     sub->callback([command] { run(*command); });

@@ -9,11 +9,9 @@
 namespace skelgen::applications {
 
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
-    template KinematicSkeleton<Scalar> to_body(const Body<Scalar>&, const KinematicSkeleton<Scalar>&);                 \
     template std::vector<int> standing_for(const Body<Scalar>&, const Points<Scalar>&);                                \
     template Vector3<Scalar> joint_place(const KinematicSkeleton<Scalar>&, const std::string&);                        \
     template Vector3<Scalar> end_place(const KinematicSkeleton<Scalar>&, const std::string&, const std::string&);      \
-    template Eigen::VectorX<core::Accumulator> vertex_areas(const TriangleMesh<Scalar>&);                              \
     template Eigen::MatrixX<core::Accumulator> part_shares(const Body<Scalar>&, const std::vector<int>&, int, double); \
     template PelvisDirections<Scalar> pelvis_directions(const KinematicSkeleton<Scalar>&);                             \
     template Eigen::Matrix<Scalar, 4, 4> alignment(const KinematicSkeleton<Scalar>&, const Points<Scalar>&,            \

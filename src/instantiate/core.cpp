@@ -4,12 +4,14 @@
 #include <skelgen/core/impl/curve_graph.hpp>
 #include <skelgen/core/impl/geodesics.hpp>
 #include <skelgen/core/impl/geometry.hpp>
+#include <skelgen/core/impl/line.hpp>
 #include <skelgen/core/impl/template_rules.hpp>
 
 namespace skelgen::core {
 
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
     template Points<Scalar> vertex_normals(const TriangleMesh<Scalar>&);                                               \
+    template FittedLine<Scalar> principal_line(const std::vector<Vector3<Scalar>>&);                                   \
     template Scalar winding_number(const TriangleMesh<Scalar>&, const Vector3<Scalar>&);                               \
     template int nearest_point(const Points<Scalar>&, const Vector3<Scalar>&);                                         \
     template int nearest_vertex(const TriangleMesh<Scalar>&, const Vector3<Scalar>&);                                  \

@@ -35,7 +35,6 @@ namespace skelgen::refinement {
                                     const CentrelineOptions&);                                                         \
     template std::vector<Limb<Scalar>> trace_limbs(const Slicer<Scalar>&, const std::vector<EndPoint<Scalar>>&,        \
                                                    const SkeletonTemplate&, Scalar, const CentrelineOptions&);         \
-    template Line<Scalar> principal_line(const std::vector<Vector3<Scalar>>&);                                         \
     template std::optional<Line<Scalar>> fit_bone(const Centreline<Scalar>&, Scalar, Scalar, const BoneLineOptions&);  \
     template std::optional<Line<Scalar>> fit_first_bone(const Limb<Scalar>&, const BoneLineOptions&);                  \
     template std::optional<Vector3<Scalar>> meeting_point(const Line<Scalar>&, const Line<Scalar>&);                   \

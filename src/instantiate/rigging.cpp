@@ -29,17 +29,15 @@ namespace skelgen::applications {
     template Points<Scalar> skinned_linearly(const Points<Scalar>&, const Skin<Scalar>&,                               \
                                              const std::vector<RigidMotion<Scalar>>&);                                 \
     template Outcome<JointWeights> heat_weights(const Body<Scalar>&, const std::vector<Bone<Scalar>>&, int);           \
-    template Outcome<Body<Scalar>> enclosing_body(const TriangleMesh<Scalar>&, const KinematicSkeleton<Scalar>&,       \
-                                                  const surface::PrepareOptions&);                                     \
     template std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>&, const TriangleMesh<Scalar>&);            \
-    template Skin<Scalar> bind(const TriangleMesh<Scalar>&, const KinematicSkeleton<Scalar>&, const SkeletonTemplate&, \
-                               const surface::PrepareOptions&);                                                        \
-    template Scalar standing_height(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&);                        \
-    template Rig<Scalar> make_rig(const TriangleMesh<Scalar>&, const KinematicSkeleton<Scalar>&,                       \
-                                  const SkeletonTemplate&, const RigOptions&);                                         \
-    template PosedBody<Scalar> pose_like(const TriangleMesh<Scalar>&, const KinematicSkeleton<Scalar>&,                \
-                                         const KinematicSkeleton<Scalar>&, const SkeletonTemplate&,                    \
-                                         const surface::PrepareOptions&);                                              \
+    template Skin<Scalar> bind(const TriangleMesh<Scalar>&, const Body<Scalar>&, const KinematicSkeleton<Scalar>&,     \
+                               const SkeletonTemplate&);                                                               \
+    template Scalar height_by_bones(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&);                        \
+    template Rig<Scalar> make_rig(const TriangleMesh<Scalar>&, const Body<Scalar>&, const KinematicSkeleton<Scalar>&,  \
+                                  const SkeletonTemplate&, RestPose);                                                  \
+    template PosedBody<Scalar> pose_like(const TriangleMesh<Scalar>&, const Body<Scalar>&,                             \
+                                         const KinematicSkeleton<Scalar>&, const KinematicSkeleton<Scalar>&,           \
+                                         const SkeletonTemplate&);                                                     \
     template Floor<Scalar> floor_of(const TriangleMesh<Scalar>&, const KinematicSkeleton<Scalar>&,                     \
                                     const SkeletonTemplate&);                                                          \
     template PosedBody<Scalar> put_on(PosedBody<Scalar>, const Floor<Scalar>&);

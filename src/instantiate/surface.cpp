@@ -65,6 +65,7 @@ namespace skelgen::surface {
     template Body<Scalar> make_body(TriangleMesh<Scalar>, const Similarity<Scalar>&, std::vector<int>, int);           \
     template CurveSkeleton<Scalar> to_input(const Body<Scalar>&, const CurveSkeleton<Scalar>&);                        \
     template KinematicSkeleton<Scalar> to_input(const Body<Scalar>&, const KinematicSkeleton<Scalar>&);                \
+    template KinematicSkeleton<Scalar> to_body(const Body<Scalar>&, const KinematicSkeleton<Scalar>&);                 \
     template void require_surface(const TriangleMesh<Scalar>&);                                                        \
     template BodyFaces faces_of_body(const TriangleMesh<Scalar>&, int);                                                \
     template UsedPart<Scalar> used_part(const TriangleMesh<Scalar>&);                                                  \

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <skelgen/core/error.hpp>
+#include <skelgen/core/skeleton_template.hpp>
 #include <skelgen/io/atomic_file.hpp>
 
 #include "little_endian.hpp"
@@ -85,13 +86,11 @@ std::vector<ByteColour> part_colours(const std::vector<std::string>& parts) {
                                                    {"foot", {40, 140, 130}, {200, 70, 50}}}};
     std::vector<ByteColour> out;
     for (const std::string& part : parts) {
-        const std::string_view name(part);
-        const bool left = name.starts_with("left_"), right = name.starts_with("right_");
-        const std::string_view plain = name.substr(left ? 5 : right ? 6 : 0);
+        const SidedName name = split_side(part);
         const auto* const found =
-            std::find_if(colours.begin(), colours.end(), [&](const Pair& pair) { return pair.part == plain; });
+            std::find_if(colours.begin(), colours.end(), [&](const Pair& pair) { return pair.part == name.plain; });
         if (found == colours.end()) throw Error(ErrorCode::usage, "there is no colour for the part '" + part + "'");
-        out.push_back(right ? found->right : found->left);
+        out.push_back(name.side == Side::right ? found->right : found->left);
     }
     return out;
 }

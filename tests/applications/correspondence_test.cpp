@@ -5,6 +5,9 @@
 #include <set>
 
 #include <skelgen/applications/body_coordinates.hpp>
+#include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/pose_transfer.hpp>
+#include <skelgen/applications/posing.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 
@@ -36,21 +39,20 @@ TEMPLATE_TEST_CASE("laplace basis: the harmonics of a sphere", "[applications]",
 }
 
 TEST_CASE("correspondence: a body turned and shuffled corresponds to itself", "[applications]") {
-    const TriangleMesh<double> mesh = sample_mesh();
-    const TriangleMesh<double> turned = moved(mesh, {random_rotation(4), 10, Vector3<double>(1, 2, 3)});
-    const FittedBody<double> a = extract_body(mesh), b = extract_body(turned);
+    const auto& [mesh, a, skeleton, body] = sample_body();
+    const FittedBody<double> b = extract_body(moved(mesh, {random_rotation(4), 10, Vector3<double>(1, 2, 3)}));
     CorrespondenceOptions few;
     few.first_functions = 40;
     few.functions = 60;
-    const ComparableBody<double> from = comparable(a.body, a.extraction.skeleton, few);
+    const ComparableBody<double> from = comparable(body, skeleton, few);
     const ComparableBody<double> to = comparable(b.body, b.extraction.skeleton, few);
     const Correspondence found = correspond(from, to, few);
-    REQUIRE(found.map.size() == static_cast<std::size_t>(a.body.mesh.vertices.rows()));
+    REQUIRE(found.map.size() == static_cast<std::size_t>(body.mesh.vertices.rows()));
     REQUIRE(found.confidence.size() == found.map.size());
     double sum = 0, sure = 0;
     for (std::size_t v = 0; v < found.map.size(); ++v) {
         // Both bodies were made of the same mesh: vertices come from the same ones of it.
-        const Vector3<double> place = core::point(mesh.vertices, a.body.source[v]);
+        const Vector3<double> place = core::point(mesh.vertices, body.source[v]);
         const Vector3<double> other = core::point(mesh.vertices, b.body.source[static_cast<std::size_t>(found.map[v])]);
         sum += (place - other).norm();
         sure += found.confidence[v];
@@ -83,4 +85,31 @@ TEST_CASE("correspondence: a body turned and shuffled corresponds to itself", "[
         options.posture = bad;
         CHECK_THROWS_WITH(correspond(from, to, options), Catch::Matchers::Contains("correspondence.posture"));
     }
+}
+
+TEST_CASE("correspondence: a body corresponds to itself in another pose", "[applications]") {
+    const auto& [mesh, a, skeleton, body] = sample_body();
+    const SkeletonTemplate& human = builtin_template("human21");
+    // At rest, with arms level, and turned: every vertex is known to be where its own is.
+    const auto rest = rest_skeleton<double>(human);
+    const Orientations<double> upright(rest.joints.size(), Eigen::Quaterniond::Identity());
+    const Orientations<double> whole(rest.joints.size(), Eigen::Quaterniond(random_rotation(8)));
+    const auto turned = applications::moved(rest, human, motions<double>(rest, upright, whole, {1, 2, 3}));
+    const TriangleMesh<double> posed = pose_like(mesh, body, skeleton, turned, human).mesh;
+    const FittedBody<double> b = extract_body(posed);
+    const ComparableBody<double> from = comparable(body, skeleton);
+    const ComparableBody<double> to = comparable(b.body, b.extraction.skeleton);
+    const Correspondence found = correspond(from, to);
+
+    const std::vector<int> own = first_standing(b.body, standing_for(b.body, posed.vertices));
+    double sum = 0;
+    int exchanged = 0;
+    for (std::size_t v = 0; v < found.map.size(); ++v) {
+        const int there = own[static_cast<std::size_t>(found.map[v])];
+        REQUIRE(there >= 0);
+        sum += (core::point(mesh.vertices, body.source[v]) - core::point(mesh.vertices, there)).norm();
+        exchanged += from.sides[static_cast<Eigen::Index>(v)] * to.sides[found.map[v]] < -0.5 ? 1 : 0;
+    }
+    CHECK(sum / static_cast<double>(found.map.size()) < 0.03); // metres
+    CHECK(exchanged == 0);
 }

@@ -4,11 +4,10 @@
 #include <skelgen/applications/bones.hpp>
 #include <skelgen/applications/pose_transfer.hpp>
 #include <skelgen/applications/posing.hpp>
-#include <skelgen/extract.hpp>
-#include <skelgen/io/read_mesh.hpp>
 
 #include "catch.hpp"
 #include "mesh_changes.hpp"
+#include "sample_body.hpp"
 #include "shapes.hpp"
 
 namespace {
@@ -35,10 +34,9 @@ double bone(const KinematicSkeleton<double>& skeleton, std::size_t j) {
 }
 
 TEST_CASE("pose: bones point where the model's do, and keep their lengths", "[applications][pose]") {
-    const auto mesh = read_mesh(SKELGEN_DATA "/sample/body.off");
-    const auto skeleton = extract_skeleton(mesh).skeleton;
+    const auto& [mesh, found, skeleton, body] = test::sample_body();
     const auto wanted = model(Eigen::Quaterniond(test::random_rotation(2)));
-    const PosedBody<double> posed = pose_like(mesh, skeleton, wanted, human());
+    const PosedBody<double> posed = pose_like(mesh, body, skeleton, wanted, human());
     CHECK(posed.mesh.faces == mesh.faces);
     CHECK((posed.skeleton.joints[0].position - wanted.joints[0].position).norm() < 1e-12);
     for (std::size_t j = 1; j < skeleton.joints.size(); ++j)
@@ -58,7 +56,8 @@ TEST_CASE("pose: bones point where the model's do, and keep their lengths", "[ap
         CHECK((direction(posed.skeleton, a, b) - direction(wanted, a, b)).norm() < 1e-9);
 
     // The skin goes with the bones: the posed body, held as it was, is what it was.
-    const PosedBody<double> back = pose_like(posed.mesh, posed.skeleton, skeleton, human());
+    const PosedBody<double> back =
+        pose_like(posed.mesh, surface::prepare(posed.mesh), posed.skeleton, skeleton, human());
     CHECK((back.mesh.vertices - mesh.vertices).rowwise().norm().mean() < 0.01);
     CHECK((back.skeleton.joints[8].position - skeleton.joints[8].position).norm() < 1e-3);
 }

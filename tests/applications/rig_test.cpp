@@ -5,10 +5,10 @@
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/extract.hpp>
-#include <skelgen/io/read_mesh.hpp>
 
 #include "catch.hpp"
 #include "mesh_changes.hpp"
+#include "sample_body.hpp"
 #include "shapes.hpp"
 #include "weights.hpp"
 
@@ -18,17 +18,6 @@ using namespace skelgen;
 using namespace skelgen::applications;
 
 const SkeletonTemplate& human() { return builtin_template("human21"); }
-
-struct Sample {
-    TriangleMesh<double> mesh = read_mesh(SKELGEN_DATA "/sample/body.off");
-    KinematicSkeleton<double> skeleton = extract_skeleton(mesh).skeleton;
-};
-
-/// Found once for all tests that this process runs.
-const Sample& sample_body() {
-    static const Sample sample;
-    return sample;
-}
 
 template <typename Scalar>
 KinematicSkeleton<Scalar> cast(const KinematicSkeleton<double>& skeleton) {
@@ -57,10 +46,8 @@ KinematicSkeleton<double> moved_by(KinematicSkeleton<double> skeleton, const tes
 }
 
 TEST_CASE("a rig in the T-pose: arms level, feet on the floor, metres, weights in order", "[applications][rig]") {
-    const Sample& sample = sample_body();
-    RigOptions options;
-    options.rest = RestPose::t_pose;
-    const Rig<double> rig = make_rig(sample.mesh, sample.skeleton, human(), options);
+    const test::SampleBody& sample = test::sample_body();
+    const Rig<double> rig = make_rig(sample.mesh, sample.body, sample.skeleton, human(), RestPose::t_pose);
     REQUIRE(rig.mesh.vertices.rows() == sample.mesh.vertices.rows());
     CHECK(rig.mesh.faces == sample.mesh.faces);
     CHECK(rig.mesh.vertices.col(1).minCoeff() == Approx(0).margin(1e-12));
@@ -88,10 +75,12 @@ TEST_CASE("a rig in the T-pose: arms level, feet on the floor, metres, weights i
 }
 
 TEST_CASE("a rig does not depend on how the body is turned, scaled and moved", "[applications][rig]") {
-    const Sample& sample = sample_body();
+    const test::SampleBody& sample = test::sample_body();
     const test::Motion motion{test::random_rotation(11), 1000, {5, -7, 9}};
-    const Rig<double> rig = make_rig(sample.mesh, sample.skeleton, human());
-    const Rig<double> other = make_rig(test::moved(sample.mesh, motion), moved_by(sample.skeleton, motion), human());
+    const Rig<double> rig = make_rig(sample.mesh, sample.body, sample.skeleton, human());
+    const TriangleMesh<double> moved_mesh = test::moved(sample.mesh, motion);
+    const Rig<double> other =
+        make_rig(moved_mesh, surface::prepare(moved_mesh), moved_by(sample.skeleton, motion), human());
     CHECK(other.metres_per_unit == 0.001);
     CHECK((other.mesh.vertices - rig.mesh.vertices).cwiseAbs().maxCoeff() < 1e-6);
     CHECK((other.skin.weights - rig.skin.weights).cwiseAbs().maxCoeff() < 1e-6);
@@ -99,14 +88,14 @@ TEST_CASE("a rig does not depend on how the body is turned, scaled and moved", "
     const double edge = (sample.mesh.vertices.row(0) - sample.mesh.vertices.row(100)).norm();
     CHECK((rig.mesh.vertices.row(0) - rig.mesh.vertices.row(100)).norm() == Approx(edge));
 
-    const auto single =
-        make_rig<float>({sample.mesh.vertices.cast<float>(), sample.mesh.faces}, cast<float>(sample.skeleton), human());
+    const TriangleMesh<float> single_mesh{sample.mesh.vertices.cast<float>(), sample.mesh.faces};
+    const auto single = make_rig(single_mesh, surface::prepare(single_mesh), cast<float>(sample.skeleton), human());
     CHECK((single.mesh.vertices.cast<double>() - rig.mesh.vertices).cwiseAbs().maxCoeff() < 1e-4);
 }
 
 TEST_CASE("pieces and seams are bound like what they lie on", "[applications][rig]") {
-    const Sample& sample = sample_body();
-    const Skin<double> whole = bind(sample.mesh, sample.skeleton, human());
+    const test::SampleBody& sample = test::sample_body();
+    const Skin<double> whole = bind(sample.mesh, sample.body, sample.skeleton, human());
     // Each face with corners of its own, as in files with seams; and a button in front of the belly.
     TriangleMesh<double> soup;
     soup.vertices.resize(sample.mesh.faces.size(), 3);
@@ -120,7 +109,8 @@ TEST_CASE("pieces and seams are bound like what they lie on", "[applications][ri
     const Joint<double>& middle = sample.skeleton.joints[waist];
     TriangleMesh<double> button = test::sphere(0.01, 1);
     button.vertices.rowwise() += (middle.position + 1.05 * middle.radius * frame.forward).transpose();
-    const Skin<double> skin = bind(test::side_by_side(soup, button), sample.skeleton, human());
+    const TriangleMesh<double> pieces = test::side_by_side(soup, button);
+    const Skin<double> skin = bind(pieces, extract_body(pieces).body, sample.skeleton, human());
     REQUIRE(skin.weights.rows() == soup.vertices.rows() + button.vertices.rows());
     for (int i = 0; i < static_cast<int>(sample.mesh.faces.size()); ++i) {
         const int v = sample.mesh.faces.data()[i];
@@ -131,7 +121,7 @@ TEST_CASE("pieces and seams are bound like what they lie on", "[applications][ri
 }
 
 TEST_CASE("what cannot be bound is refused", "[applications][rig]") {
-    const Sample& sample = sample_body();
+    const test::SampleBody& sample = test::sample_body();
     const test::Motion away{Eigen::Matrix3d::Identity(), 1, {50, 0, 0}};
     const auto code = [](const auto& call) -> std::optional<ErrorCode> {
         try {
@@ -141,10 +131,12 @@ TEST_CASE("what cannot be bound is refused", "[applications][rig]") {
         }
         return std::nullopt;
     };
-    CHECK(code([&] { return bind(sample.mesh, moved_by(sample.skeleton, away), human()); }) == ErrorCode::no_skeleton);
-    CHECK(code([&] { return bind(sample.mesh, sample.skeleton, builtin_template("pinocchio18")); }) ==
+    CHECK(code([&] { return bind(sample.mesh, sample.body, moved_by(sample.skeleton, away), human()); }) ==
+          ErrorCode::no_skeleton);
+    CHECK(code([&] { return bind(sample.mesh, sample.body, sample.skeleton, builtin_template("pinocchio18")); }) ==
           ErrorCode::usage);
-    CHECK(code([&] { return make_rig(TriangleMesh<double>{}, sample.skeleton, human()); }) == ErrorCode::bad_input);
+    CHECK(code([&] { return make_rig(TriangleMesh<double>{}, sample.body, sample.skeleton, human()); }) ==
+          ErrorCode::usage);
 }
 
 TEST_CASE("the unit is known by a person's height", "[applications][rig]") {

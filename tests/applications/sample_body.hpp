@@ -8,4 +8,18 @@ namespace skelgen::test {
 /// The sample body's mesh: a man in mid-stride, 1.75 m tall.
 inline TriangleMesh<double> sample_mesh() { return read_mesh<double>(SKELGEN_DATA "/sample/body.off"); }
 
+/// The sample body, and what is found in it.
+struct SampleBody {
+    TriangleMesh<double> mesh = sample_mesh();
+    FittedBody<double> found = extract_body(mesh);
+    const KinematicSkeleton<double>& skeleton = found.extraction.skeleton;
+    const Body<double>& body = found.body;
+};
+
+/// Found once for all tests that a process runs.
+inline const SampleBody& sample_body() {
+    static const SampleBody sample;
+    return sample;
+}
+
 } // namespace skelgen::test

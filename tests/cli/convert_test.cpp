@@ -18,8 +18,6 @@ using namespace skelgen;
 using namespace skelgen::test;
 namespace fs = std::filesystem;
 
-const std::string sample_body = SKELGEN_DATA "/sample/body.off";
-
 /// Runs a conversion that must fail, and gives its one line of error.
 std::string conversion_error(const fs::path& folder, const std::vector<std::string>& arguments, int status) {
     std::vector<std::string> all{"convert"};

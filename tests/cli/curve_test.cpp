@@ -19,8 +19,6 @@ using namespace skelgen;
 using namespace skelgen::test;
 namespace fs = std::filesystem;
 
-const std::string sample_body = SKELGEN_DATA "/sample/body.off";
-
 /// The curve that the program writes with these options.
 CurveSkeleton<double> curve_by_cli(const fs::path& folder, const std::string& mesh, std::vector<std::string> options) {
     options.insert(options.begin(), {"curve", mesh, "-o", "out.json"});

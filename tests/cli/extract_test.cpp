@@ -18,8 +18,6 @@ bool is_error_line(const std::string& err, const std::string& file) {
     return err.rfind("skelgen: error: " + file + ": ", 0) == 0 && err.find('\n') == err.size() - 1;
 }
 
-const std::string sample_body = SKELGEN_DATA "/sample/body.off";
-
 TEST_CASE("what is no mesh ends with status 3, one line, and no output") {
     const TemporaryFolder folder;
     const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";

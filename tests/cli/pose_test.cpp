@@ -15,8 +15,6 @@ using namespace skelgen;
 using namespace skelgen::test;
 namespace fs = std::filesystem;
 
-const std::string sample_body = SKELGEN_DATA "/sample/body.off";
-
 TEST_CASE("pose: like another mesh, or like a skeleton", "[cli][pose]") {
     const TemporaryFolder folder;
     // The model is the same body, ten times as large and lying on its back: the body lies down, too.

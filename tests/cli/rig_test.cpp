@@ -15,8 +15,6 @@ using namespace skelgen;
 using namespace skelgen::test;
 namespace fs = std::filesystem;
 
-const std::string sample_body = SKELGEN_DATA "/sample/body.off";
-
 TEST_CASE("rig: characters and skeletons, the input's vertices in their order", "[cli][rig]") {
     const TemporaryFolder folder;
     const CliResult as_is = run_cli(folder.path(), {"rig", sample_body, "-o", "body.glb"});

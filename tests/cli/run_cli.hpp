@@ -11,6 +11,9 @@
 
 namespace skelgen::test {
 
+/// A man in mid-stride.
+inline const std::string sample_body = SKELGEN_DATA "/sample/body.off";
+
 /// What a run of the program left behind.
 struct CliResult {
     int status = -1; ///< the exit status, or -signal if a signal ended it

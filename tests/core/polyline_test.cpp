@@ -38,6 +38,11 @@ TEST_CASE("a point at an arc length lies on the line and is held at its ends") {
     CHECK(is_at(11, {3, 4, -4}));
     CHECK(is_at(-2, {0, 0, 0}));
     CHECK(is_at(100, {3, 4, -5}));
+    const Eigen::VectorXd values = (Eigen::VectorXd(5) << 1, 3, 7, 7, -3).finished();
+    CHECK(value_at(values, arc, 0.5) == Approx(2));
+    CHECK(value_at(values, arc, 11.0) == Approx(-1));
+    CHECK(value_at(values, arc, -4.0) == 1);
+    CHECK(value_at(values, arc, 40.0) == -3);
 }
 
 TEST_CASE("a line of one point is that point everywhere") {

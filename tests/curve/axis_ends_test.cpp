@@ -15,15 +15,8 @@ namespace {
 
 constexpr double radius = 0.2;
 
-std::vector<std::vector<BranchSection<double>>> sections_of(const BranchedCurve<double>& branched,
-                                                            const Body<double>& body) {
-    std::vector<std::vector<BranchSection<double>>> out;
-    for (const Branch<double>& branch : branched.branches) out.push_back(sections_across(body, branch.line, 0.2));
-    return out;
-}
-
 BranchedCurve<double> on_axes(const BranchedCurve<double>& branched, const Body<double>& body) {
-    return ends_on_axes(branched, sections_of(branched, body), body);
+    return ends_on_axes(branched, sections_of(branched, body, 0.2), body);
 }
 
 /// One branch along the axis of capsule(radius, 4) whose ends lie off it, by `bend`.

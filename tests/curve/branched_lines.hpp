@@ -7,6 +7,7 @@
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/polyline.hpp>
+#include <skelgen/curve/branch_sections.hpp>
 #include <skelgen/curve/branched_curve.hpp>
 
 #include "shapes.hpp"
@@ -28,6 +29,15 @@ straight_branches(const std::vector<Vec3>& knots, const std::vector<std::pair<in
         out.branches.push_back(
             {from, to, line_through({a, b}, spacing), {std::min(from, to), std::max(from, to), number}});
     }
+    return out;
+}
+
+/// The sections across each branch at all of its points.
+inline std::vector<std::vector<curve::BranchSection<double>>> sections_of(const curve::BranchedCurve<double>& branched,
+                                                                          const Body<double>& body, double reach) {
+    std::vector<std::vector<curve::BranchSection<double>>> out;
+    for (const curve::Branch<double>& branch : branched.branches)
+        out.push_back(curve::sections_across(body, branch.line, reach));
     return out;
 }
 

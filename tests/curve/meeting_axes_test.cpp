@@ -18,14 +18,6 @@ namespace {
 
 constexpr double spacing = 0.03;
 
-std::vector<std::vector<BranchSection<double>>> sections_of(const BranchedCurve<double>& curve,
-                                                            const Body<double>& body) {
-    std::vector<std::vector<BranchSection<double>>> out;
-    for (const Branch<double>& branch : curve.branches)
-        out.push_back(sections_across(body, branch.line, reach_in_spacings * spacing));
-    return out;
-}
-
 /// The axes of three_tubes(), with their junction somewhere else: it meets the axes again within a third of the way.
 BranchedCurve<double> axes_from(const Vec3& junction) {
     const auto ends = three_tube_ends();
@@ -49,7 +41,8 @@ TEST_CASE("the axes of three tubes meet where they were made to, wherever the kn
     const Body<double> body = body_of(three_tubes());
     for (const Vec3& junction : {Vec3(0, 0, 0), Vec3(0.01, 0, -0.015), Vec3(-0.015, 0.01, 0.01)}) {
         const BranchedCurve<double> curve = axes_from(junction);
-        const PlacesOfKnots<double> places = meeting_axes(curve, sections_of(curve, body), body, 0.04);
+        const PlacesOfKnots<double> places =
+            meeting_axes(curve, sections_of(curve, body, reach_in_spacings * spacing), body, 0.04);
         REQUIRE(places.size() == 4);
         REQUIRE(places[0].has_value());
         CHECK(places[0]->norm() < 0.015);
@@ -67,7 +60,7 @@ TEST_CASE("axes that pass by each other do not meet") {
     curve.branches.push_back({0, 1, line_through({curve.knots[0], curve.knots[1]}, spacing), {}});
     curve.branches.push_back({0, 2, line_through({curve.knots[0], curve.knots[2]}, spacing), {}});
     curve.branches.push_back({0, 3, line_through({curve.knots[0], Vec3(0.2, radius, 0), curve.knots[3]}, spacing), {}});
-    CHECK_FALSE(meeting_axes(curve, sections_of(curve, body), body, 0.04)[0].has_value());
+    CHECK_FALSE(meeting_axes(curve, sections_of(curve, body, reach_in_spacings * spacing), body, 0.04)[0].has_value());
 }
 
 TEST_CASE("tubes part at the cotangent of half their angle, and a bit") {

@@ -1,17 +1,12 @@
 #include "kinds.hpp"
 
 #include <skelgen/core/error.hpp>
+#include <skelgen/core/skeleton_template.hpp>
 
 #include "damages.hpp"
 
 namespace skelgen::damage {
 namespace {
-
-std::string other_side(const std::string& name) {
-    if (name.rfind("left_", 0) == 0) return "right_" + name.substr(5);
-    if (name.rfind("right_", 0) == 0) return "left_" + name.substr(6);
-    return name;
-}
 
 Vec3 mirrored_point(const Vec3& p) { return {-p.x(), p.y(), p.z()}; }
 
@@ -20,8 +15,8 @@ io::GroundTruth mirrored_truth(const io::GroundTruth& truth) {
     io::GroundTruth out = truth;
     out.joints.clear(), out.markers.clear();
     for (const auto& [name, position] : truth.joints)
-        out.joints.emplace_back(other_side(name), mirrored_point(position));
-    for (const auto& [name, position] : truth.markers) out.markers[other_side(name)] = mirrored_point(position);
+        out.joints.emplace_back(mirrored_name(name), mirrored_point(position));
+    for (const auto& [name, position] : truth.markers) out.markers[mirrored_name(name)] = mirrored_point(position);
     return out;
 }
 

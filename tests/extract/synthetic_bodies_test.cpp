@@ -149,11 +149,7 @@ TEST_CASE("a mirror image has the mirrored skeleton, left and right exchanged") 
     image.faces.col(0).swap(image.faces.col(1));
     const Extraction<double> expected = extract_skeleton(body.mesh), out = extract_skeleton(image);
     for (const Joint<double>& joint : expected.skeleton.joints) {
-        std::string other = joint.name;
-        if (other.rfind("left_", 0) == 0)
-            other.replace(0, 4, "right");
-        else if (other.rfind("right_", 0) == 0)
-            other.replace(0, 5, "left");
+        const std::string other = mirrored_name(joint.name);
         INFO(joint.name << " becomes " << other);
         const Vec3 mirrored_place = joint.position.cwiseProduct(Vec3(-1, 1, 1));
         const int found = find_joint(out.skeleton, other);

@@ -5,23 +5,16 @@
 #include <cstddef>
 #include <string>
 
+#include <skelgen/applications/body_coordinates.hpp>
 #include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/skeleton_template.hpp>
 
 namespace skelgen::repeatability {
 namespace {
 
 /// 1 on the left limbs, -1 on the right ones, 0 elsewhere.
 int side_of(const RegisteredBody& body, std::size_t vertex) {
-    const std::string& name = body.bones.parts[static_cast<std::size_t>(body.bones.vertex_part[vertex])];
-    return name.rfind("left_", 0) == 0 ? 1 : name.rfind("right_", 0) == 0 ? -1 : 0;
-}
-
-/// For each vertex of a body's surface the first vertex of the mesh that it stands for, -1 where there is none.
-std::vector<int> mesh_vertices(const RegisteredBody& body) {
-    std::vector<int> out(static_cast<std::size_t>(body.surface.mesh.vertices.rows()), -1);
-    for (std::size_t v = body.stands_for.size(); v-- > 0;)
-        out[static_cast<std::size_t>(body.stands_for[v])] = static_cast<int>(v);
-    return out;
+    return sign_of(split_side(body.bones.parts[static_cast<std::size_t>(body.bones.vertex_part[vertex])]).side);
 }
 
 /// Distance along the second body from where a vertex of the mesh truly is to a vertex of its surface.
@@ -50,7 +43,8 @@ CorrespondenceScores score_correspondences(const RegisteredSet& set) {
             sum += error_of(to, static_cast<int>(v), sent_to(v)) / samples;
         }
         out.errors.push_back(sum);
-        const std::vector<int> from_mesh = mesh_vertices(from), to_mesh = mesh_vertices(to);
+        const std::vector<int> from_mesh = applications::first_standing(from.surface, from.stands_for);
+        const std::vector<int> to_mesh = applications::first_standing(to.surface, to.stands_for);
         for (const applications::Landmark& mark : applications::landmarks(from.comparable, found))
             if (const int vertex = from_mesh[static_cast<std::size_t>(mark.from)]; vertex >= 0)
                 out.landmark_errors.push_back(error_of(to, vertex, mark.to));

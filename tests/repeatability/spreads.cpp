@@ -6,32 +6,24 @@
 #include <map>
 
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/skeleton_template.hpp>
 
 namespace skelgen::repeatability {
 namespace {
-
-std::vector<double> vertex_areas(const TriangleMesh<double>& mesh) {
-    std::vector<double> areas(static_cast<std::size_t>(mesh.vertices.rows()), 0.0);
-    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
-        for (int k = 0; k < 3; ++k)
-            areas[static_cast<std::size_t>(mesh.faces(f, k))] += core::face_area_vector(mesh, f).norm() / 3;
-    return areas;
-}
 
 /// The part of the first body's area on which `holds` is true of the parts of both, for each pair.
 template <typename Holds>
 std::vector<double> part_of_area(const RegisteredSet& set, PartsOf parts, const Holds& holds) {
     std::vector<double> out;
     for (const RegisteredBody& a : set.bodies) {
-        const std::vector<double> areas = vertex_areas(a.mesh);
+        const Eigen::VectorXd areas = core::vertex_areas(a.mesh);
         for (const RegisteredBody& b : set.bodies) {
             if (&a == &b) continue;
-            double all = 0, part = 0;
-            for (std::size_t v = 0; v < areas.size(); ++v) {
-                all += areas[v];
-                if (holds((a.*parts).vertex_part[v], (b.*parts).vertex_part[v])) part += areas[v];
-            }
-            out.push_back(part / all);
+            double part = 0;
+            for (std::size_t v = 0; v < (a.*parts).vertex_part.size(); ++v)
+                if (holds((a.*parts).vertex_part[v], (b.*parts).vertex_part[v]))
+                    part += areas[static_cast<Eigen::Index>(v)];
+            out.push_back(part / areas.sum());
         }
     }
     return out;
@@ -60,10 +52,7 @@ std::vector<double> agreements(const RegisteredSet& set, PartsOf parts) {
 
 double worst_exchange(const RegisteredSet& set, PartsOf parts) {
     const std::vector<std::string>& names = (set.bodies.front().*parts).parts;
-    const auto side = [&](int part) {
-        const std::string& name = names[static_cast<std::size_t>(part)];
-        return name.rfind("left_", 0) == 0 ? 1 : name.rfind("right_", 0) == 0 ? -1 : 0;
-    };
+    const auto side = [&](int part) { return sign_of(split_side(names[static_cast<std::size_t>(part)]).side); };
     const auto exchanged = part_of_area(set, parts, [&](int a, int b) { return side(a) * side(b) < 0; });
     return *std::max_element(exchanged.begin(), exchanged.end());
 }

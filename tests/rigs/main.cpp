@@ -42,12 +42,13 @@ struct Row {
     rigs::Quality quality;
     double seconds = 0; ///< from file to rig
     double arms = 0;    ///< degrees: the larger angle between level and an upper arm that is found in the un-posed body
-    double way_back = 0; ///< mean distance between the body and the un-posed one posed back, of the geodesic diameter
+    /// Mean distance between the body and the un-posed one, its skeleton and skin found anew, posed back, of the
+    /// geodesic diameter.
+    double way_back = 0;
 };
 
-/// The larger angle of the upper arms from level, in degrees; 90 where no skeleton is found.
-double slope_of_arms(const TriangleMesh<double>& mesh) try {
-    const auto skeleton = extract_skeleton(mesh).skeleton;
+/// The larger angle of the upper arms from level, in degrees.
+double slope_of_arms(const KinematicSkeleton<double>& skeleton) {
     double slope = 0;
     for (const std::string side : {"left_", "right_"}) {
         const auto place = [&](const char* name) {
@@ -57,32 +58,42 @@ double slope_of_arms(const TriangleMesh<double>& mesh) try {
         slope = std::max(slope, std::abs(std::asin(arm.normalized().y())) * 180 / std::numbers::pi);
     }
     return slope;
+}
+
+/// A body in the T-pose, in the input's unit.
+TriangleMesh<double> unposed(const TriangleMesh<double>& mesh, const KinematicSkeleton<double>& skeleton,
+                             const applications::Skin<double>& skin, const SkeletonTemplate& human) {
+    const auto now = applications::bone_orientations(skeleton, human);
+    const auto t_pose = applications::orientations_in<double>(applications::RestPose::t_pose, human, now,
+                                                              Eigen::Quaterniond::Identity());
+    const auto motions = applications::motions<double>(skeleton, now, t_pose, {0, 0, 0});
+    return {applications::skinned(mesh.vertices, skin, motions), mesh.faces};
+}
+
+/// Fills in what is seen of the un-posed body once its skeleton has been found again.
+void look_at_unposed(Row& row, const TriangleMesh<double>& rest, const TriangleMesh<double>& mesh,
+                     const Extraction<double>& was, const SkeletonTemplate& human) try {
+    const FittedBody<double> again = extract_body(rest);
+    row.arms = slope_of_arms(again.extraction.skeleton);
+    const auto back = applications::pose_like(rest, again.body, again.extraction.skeleton, was.skeleton, human);
+    row.way_back = (back.mesh.vertices - mesh.vertices).rowwise().norm().mean() / was.geodesic_diameter;
 } catch (const Error&) {
-    return 90;
+    row.arms = 90;
+    row.way_back = 1;
 }
 
 Row measure_file(const fs::path& file) {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     const auto mesh = read_mesh<double>(file);
-    const auto found = extract_skeleton(mesh);
-    const SkeletonTemplate& human = builtin_template(found.skeleton.template_name);
-    applications::RigOptions options;
-    options.rest = applications::RestPose::t_pose;
-    const auto rig = make_rig(mesh, found.skeleton, human, options);
+    const FittedBody<double> found = extract_body(mesh);
+    const KinematicSkeleton<double>& skeleton = found.extraction.skeleton;
+    const SkeletonTemplate& human = builtin_template(skeleton.template_name);
+    const auto rig = make_rig(mesh, found.body, skeleton, human, applications::RestPose::t_pose);
     Row row;
     row.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     row.quality = rigs::measure(rig);
-    row.arms = slope_of_arms(rig.mesh);
-
-    const auto now = applications::bone_orientations(found.skeleton, human);
-    const auto t_pose = applications::orientations_in<double>(options.rest, human, now, Eigen::Quaterniond::Identity());
-    const auto there = applications::motions<double>(found.skeleton, now, t_pose, {0, 0, 0});
-    const auto at_rest = applications::moved(found.skeleton, human, there);
-    const auto back = applications::motions<double>(at_rest, t_pose, now, found.skeleton.joints[0].position);
-    const Points<double> returned =
-        applications::skinned(applications::skinned(mesh.vertices, rig.skin, there), rig.skin, back);
-    row.way_back = (returned - mesh.vertices).rowwise().norm().mean() / found.geodesic_diameter;
+    look_at_unposed(row, unposed(mesh, skeleton, rig.skin, human), mesh, found.extraction, human);
     return row;
 }
 
@@ -98,9 +109,10 @@ void print(const std::string& name, const Row& row) {
 /// where no skeleton is found.
 std::optional<double> transfer_error(const fs::path& body, const fs::path& model) try {
     const auto mesh = read_mesh<double>(body);
-    const auto own = extract_skeleton(mesh).skeleton;
+    const FittedBody<double> found = extract_body(mesh);
+    const KinematicSkeleton<double>& own = found.extraction.skeleton;
     const auto other = extract_skeleton(read_mesh<double>(model)).skeleton;
-    const auto posed = applications::pose_like(mesh, own, other, builtin_template(own.template_name));
+    const auto posed = applications::pose_like(mesh, found.body, own, other, builtin_template(own.template_name));
     const auto again = extract_skeleton(posed.mesh);
     double sum = 0;
     for (std::size_t j = 0; j < own.joints.size(); ++j)

@@ -9,15 +9,21 @@
 
 namespace skelgen::applications {
 
-/// A skeleton that is in the input's coordinates in those of the body: surface::to_input undone. O(joints).
-template <typename Scalar>
-[[nodiscard]] KinematicSkeleton<Scalar> to_body(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton);
-
 /// For each vertex of the input (n x 3, in its own coordinates) the vertex of the body that stands for it: that at the
 /// same place, else the one that the body names, else the nearest. \throws Error usage when the body was made of
 /// another number of vertices. O(n log n).
 template <typename Scalar>
 [[nodiscard]] std::vector<int> standing_for(const Body<Scalar>& body, const Points<Scalar>& input);
+
+/// For each vertex of the body the first one of the input that it stands for, -1 where there is none. `stands_for`: as
+/// `standing_for` has it. O(n).
+template <typename Scalar>
+[[nodiscard]] std::vector<int> first_standing(const Body<Scalar>& body, const std::vector<int>& stands_for) {
+    std::vector<int> out(static_cast<std::size_t>(body.mesh.vertices.rows()), -1);
+    for (std::size_t v = stands_for.size(); v-- > 0;)
+        out[static_cast<std::size_t>(stands_for[v])] = static_cast<int>(v);
+    return out;
+}
 
 /// Place of a joint. \throws Error usage when the skeleton has no joint of that name.
 template <typename Scalar>

@@ -16,15 +16,22 @@ struct RigidMotion {
     [[nodiscard]] Vector3<Scalar> operator()(const Vector3<Scalar>& p) const { return rotation * p + translation; }
 };
 
+/// Right-handed axes as a rotation from x, y and z to them: y along `along` exactly, x as near to `across` as that
+/// allows. None of the two may be zero, and they may not be parallel.
+template <typename Scalar>
+[[nodiscard]] Eigen::Quaternion<Scalar> axes_along(const Vector3<Scalar>& along, const Vector3<Scalar>& across) {
+    const Vector3<Scalar> y = along.normalized(), x = (across - across.dot(y) * y).normalized();
+    Eigen::Matrix<Scalar, 3, 3> columns;
+    columns << x, y, x.cross(y);
+    return Eigen::Quaternion<Scalar>(columns).normalized();
+}
+
 /// The proper rotation that turns three directions of a body to x, y and z: `up` is turned to +y exactly, `left`
 /// as nearly to +x as that allows; the body then faces +z (glTF's convention). None of the two may be zero, and they
 /// may not be parallel.
 template <typename Scalar>
 [[nodiscard]] Eigen::Quaternion<Scalar> rotation_to_canonical(const Vector3<Scalar>& left, const Vector3<Scalar>& up) {
-    const Vector3<Scalar> y = up.normalized(), x = (left - left.dot(y) * y).normalized();
-    Eigen::Matrix<Scalar, 3, 3> rows;
-    rows << x.transpose(), y.transpose(), x.cross(y).transpose();
-    return Eigen::Quaternion<Scalar>(rows).normalized();
+    return axes_along(up, left).conjugate();
 }
 
 /// As above, of a skeleton's own frame.

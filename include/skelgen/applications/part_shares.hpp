@@ -10,10 +10,6 @@
 
 namespace skelgen::applications {
 
-/// Of each vertex a third of the areas of its faces, n. O(n).
-template <typename Scalar>
-[[nodiscard]] Eigen::VectorX<core::Accumulator> vertex_areas(const TriangleMesh<Scalar>& mesh);
-
 /// How much of each label is at each vertex, n x `count`, rows summing to 1: by where random walks over a length of
 /// about `length` that start there end (Gra05): (L + A / length^2) x = A / length^2 p for each label's indicator p.
 /// `labels` has n entries from 0 to `count` - 1. \throws Error bad_input when the surface has no area. O(n^1.5 + n

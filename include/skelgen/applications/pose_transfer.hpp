@@ -3,7 +3,7 @@
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/core/skeleton_template.hpp>
-#include <skelgen/surface/prepare.hpp>
+#include <skelgen/surface/body.hpp>
 
 namespace skelgen::applications {
 
@@ -17,12 +17,11 @@ struct PosedBody {
 /// Holds a body as a model holds itself, whatever the shape, proportions and unit of both: each bone is turned as the
 /// model's, in the model's coordinates, and the root comes to where the model's is. The mesh follows by dual
 /// quaternions (`skinned`), so that limbs keep their volume. Both skeletons are of the same template, each in its own
-/// coordinates; `mesh` in those of `skeleton`. \throws Error as `bind`.
+/// coordinates; `mesh` and `body` as `bind` has them. \throws Error as that.
 template <typename Scalar>
-[[nodiscard]] PosedBody<Scalar> pose_like(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton<Scalar>& skeleton,
-                                          const KinematicSkeleton<Scalar>& model,
-                                          const SkeletonTemplate& skeleton_template,
-                                          const surface::PrepareOptions& options = {});
+[[nodiscard]] PosedBody<Scalar>
+pose_like(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
+          const KinematicSkeleton<Scalar>& model, const SkeletonTemplate& skeleton_template);
 
 /// Where a model stands on a floor, and which way is up.
 template <typename Scalar = double>

@@ -10,7 +10,7 @@
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/core/skeleton_template.hpp>
-#include <skelgen/surface/prepare.hpp>
+#include <skelgen/surface/body.hpp>
 
 namespace skelgen::applications {
 
@@ -38,16 +38,10 @@ struct Rig {
     bool unit_is_known = false; ///< else they keep the input's unit
 };
 
-/// How to make a rig.
-struct RigOptions {
-    RestPose rest = RestPose::as_is;
-    surface::PrepareOptions prepare;
-};
-
 /// A person's height, standing, as the skeleton has it: from the lower ankle's end to the top of the head along the
 /// bones. In the skeleton's unit. \throws Error usage when the skeleton's joints are not the template's.
 template <typename Scalar>
-[[nodiscard]] Scalar standing_height(const KinematicSkeleton<Scalar>& skeleton,
+[[nodiscard]] Scalar height_by_bones(const KinematicSkeleton<Scalar>& skeleton,
                                      const SkeletonTemplate& skeleton_template);
 
 /// Metres in the unit in which someone has this height: 1, 0.01 or 0.001 where people of 0.5 to 2.5 m have it in
@@ -55,12 +49,11 @@ template <typename Scalar>
 [[nodiscard]] double metres_per_unit(double height);
 
 /// From a body to a character: binds the mesh to its skeleton (`bind`), puts it into the rest pose, and gives joints
-/// their axes. `skeleton` in the mesh's coordinates. \throws Error no_skeleton where the skeleton does not lie in the
-/// mesh; usage when it is not of that template, or an option is out of its range; bad_input when `mesh` is no usable
-/// surface.
+/// their axes. \throws Error as `bind`.
 template <typename Scalar>
-[[nodiscard]] Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton<Scalar>& skeleton,
-                                   const SkeletonTemplate& skeleton_template, const RigOptions& options = {});
+[[nodiscard]] Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
+                                   const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
+                                   RestPose rest = RestPose::as_is);
 
 } // namespace skelgen::applications
 

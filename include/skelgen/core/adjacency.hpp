@@ -1,33 +1,61 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include <skelgen/core/mesh.hpp>
 
 namespace skelgen::core {
 
-/// For each face and each of its edges k (from corner k to k + 1) the face on the other side, -1 at a boundary; m x 3.
-/// The mesh must be edge-manifold. O(m log m).
-[[nodiscard]] inline Triangles face_adjacency(const Triangles& faces) {
-    struct Edge {
-        int low, high, face, side;
+/// A directed edge of a face, and the corner (3 f + k) at which it starts.
+struct DirectedEdge {
+    int low, high; ///< its vertices
+    std::size_t corner;
+    bool forward; ///< runs from low to high
+
+    [[nodiscard]] bool joins_same(const DirectedEdge& other) const { return low == other.low && high == other.high; }
+};
+
+/// The edges of all faces, 3 m, ordered by `low`, `high` and `corner`: those between the same vertices lie together.
+/// Vertices are numbered from 0. O(n + m) where vertices have few edges.
+[[nodiscard]] inline std::vector<DirectedEdge> directed_edges(const Triangles& faces) {
+    const std::size_t vertices = faces.size() > 0 ? static_cast<std::size_t>(faces.maxCoeff()) + 1 : 0;
+    const auto edge_at = [&](Eigen::Index f, int k) {
+        const int u = faces(f, k), v = faces(f, (k + 1) % 3);
+        return DirectedEdge{std::min(u, v), std::max(u, v), static_cast<std::size_t>(3 * f + k), u < v};
     };
-    std::vector<Edge> edges;
-    edges.reserve(static_cast<std::size_t>(faces.rows()) * 3);
-    for (int f = 0; f < faces.rows(); ++f)
+    std::vector<std::size_t> begin(vertices + 1, 0); // of each vertex's edges
+    for (Eigen::Index f = 0; f < faces.rows(); ++f)
+        for (int k = 0; k < 3; ++k) ++begin[static_cast<std::size_t>(edge_at(f, k).low) + 1];
+    for (std::size_t v = 0; v < vertices; ++v) begin[v + 1] += begin[v];
+    std::vector<DirectedEdge> edges(static_cast<std::size_t>(faces.size()));
+    std::vector<std::size_t> next = begin;
+    for (Eigen::Index f = 0; f < faces.rows(); ++f)
         for (int k = 0; k < 3; ++k) {
-            const int u = faces(f, k), v = faces(f, (k + 1) % 3);
-            edges.push_back({std::min(u, v), std::max(u, v), f, k});
+            const DirectedEdge edge = edge_at(f, k);
+            edges[next[static_cast<std::size_t>(edge.low)]++] = edge;
         }
-    std::sort(edges.begin(), edges.end(),
-              [](const Edge& a, const Edge& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
+    for (std::size_t v = 0; v < vertices; ++v)
+        std::sort(edges.begin() + static_cast<std::ptrdiff_t>(begin[v]),
+                  edges.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]),
+                  [](const DirectedEdge& a, const DirectedEdge& b) {
+                      return a.high != b.high ? a.high < b.high : a.corner < b.corner;
+                  });
+    return edges;
+}
+
+/// For each face and each of its edges k (from corner k to k + 1) the face on the other side, -1 at a boundary; m x 3.
+/// The mesh must be edge-manifold. O(n + m) where vertices have few edges.
+[[nodiscard]] inline Triangles face_adjacency(const Triangles& faces) {
+    const std::vector<DirectedEdge> edges = directed_edges(faces);
     Triangles adjacency = Triangles::Constant(faces.rows(), 3, -1);
-    for (std::size_t i = 0; i + 1 < edges.size(); ++i)
-        if (edges[i].low == edges[i + 1].low && edges[i].high == edges[i + 1].high) {
-            adjacency(edges[i].face, edges[i].side) = edges[i + 1].face;
-            adjacency(edges[i + 1].face, edges[i + 1].side) = edges[i].face;
-        }
+    for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+        if (!edges[i].joins_same(edges[i + 1])) continue;
+        const std::size_t a = edges[i].corner, b = edges[i + 1].corner;
+        adjacency.data()[a] = static_cast<int>(b / 3);
+        adjacency.data()[b] = static_cast<int>(a / 3);
+    }
     return adjacency;
 }
 

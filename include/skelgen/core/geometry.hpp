@@ -61,6 +61,16 @@ template <typename Scalar>
     return static_cast<Scalar>(area);
 }
 
+/// Of each vertex a third of the areas of its faces, n. O(n + faces).
+template <typename Scalar>
+[[nodiscard]] Eigen::VectorX<Accumulator> vertex_areas(const TriangleMesh<Scalar>& mesh) {
+    Eigen::VectorX<Accumulator> areas = Eigen::VectorX<Accumulator>::Zero(mesh.vertices.rows());
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
+        for (int k = 0; k < 3; ++k)
+            areas[mesh.faces(f, k)] += static_cast<Accumulator>(face_area_vector(mesh, f).norm()) / 3;
+    return areas;
+}
+
 /// Signed volume enclosed by the surface (positive for outward faces); meaningful for closed surfaces. O(faces).
 template <typename Scalar>
 [[nodiscard]] Scalar enclosed_volume(const TriangleMesh<Scalar>& mesh) {

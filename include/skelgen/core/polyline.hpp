@@ -17,17 +17,39 @@ template <typename Scalar>
     return arc;
 }
 
+/// A place on a polyline of two points or more: between its points `next` - 1 and `next`.
+template <typename Scalar>
+struct PolylinePlace {
+    Eigen::Index next = 1;
+    Scalar along = 0; ///< 0 at the former, 1 at the latter
+};
+
+/// The place at arc length `s` (clamped to the ends) of a polyline with arc lengths `arc`, k of two or more. O(log k).
+template <typename Scalar>
+[[nodiscard]] PolylinePlace<Scalar> place_at(const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& arc, Scalar s) {
+    const Scalar* begin = arc.data();
+    const Eigen::Index i = std::clamp<Eigen::Index>(std::upper_bound(begin, begin + arc.size(), s) - begin, 1,
+                                                    std::max<Eigen::Index>(arc.size() - 1, 1));
+    const Scalar length = arc[i] - arc[i - 1];
+    return {i, length > 0 ? std::clamp((s - arc[i - 1]) / length, Scalar(0), Scalar(1)) : Scalar(0)};
+}
+
 /// The point at arc length `s` (clamped to the ends) of a polyline with arc lengths `arc`. O(log k).
 template <typename Scalar>
 [[nodiscard]] Vector3<Scalar> point_at(const Points<Scalar>& line, const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& arc,
                                        Scalar s) {
-    const Scalar* begin = arc.data();
-    const Eigen::Index i = std::clamp<Eigen::Index>(std::upper_bound(begin, begin + arc.size(), s) - begin, 1,
-                                                    std::max<Eigen::Index>(arc.size() - 1, 1));
     if (line.rows() == 1) return line.row(0);
-    const Scalar length = arc[i] - arc[i - 1];
-    const Scalar t = length > 0 ? std::clamp((s - arc[i - 1]) / length, Scalar(0), Scalar(1)) : Scalar(0);
-    return ((1 - t) * line.row(i - 1) + t * line.row(i)).transpose();
+    const auto [next, along] = place_at(arc, s);
+    return ((1 - along) * line.row(next - 1) + along * line.row(next)).transpose();
+}
+
+/// The value at arc length `s` of what is known at the points of a polyline, k values. O(log k).
+template <typename Scalar>
+[[nodiscard]] Scalar value_at(const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& values,
+                              const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& arc, Scalar s) {
+    if (values.size() == 1) return values[0];
+    const auto [next, along] = place_at(arc, s);
+    return (1 - along) * values[next - 1] + along * values[next];
 }
 
 /// The same polyline with points evenly spaced by about `step`; both ends are kept.

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <skelgen/core/mesh.hpp>
@@ -13,6 +14,33 @@ namespace skelgen {
 enum class JointRole { pelvis, waist, chest, neck, head, shoulder, elbow, wrist, hand, hip, knee, ankle, foot };
 
 enum class Side { none, left, right };
+
+/// What names of a side's joints and parts begin with; nothing for those of none.
+[[nodiscard]] constexpr std::string_view side_prefix(Side side) {
+    return side == Side::left ? "left_" : side == Side::right ? "right_" : "";
+}
+
+/// A name without its side, left_elbow as elbow.
+struct SidedName {
+    Side side = Side::none;
+    std::string_view plain; ///< within the whole name
+};
+
+[[nodiscard]] constexpr SidedName split_side(std::string_view name) {
+    for (const Side side : {Side::left, Side::right})
+        if (name.starts_with(side_prefix(side))) return {side, name.substr(side_prefix(side).size())};
+    return {Side::none, name};
+}
+
+/// The name of the same joint or part on the other side.
+[[nodiscard]] inline std::string mirrored_name(std::string_view name) {
+    const auto [side, plain] = split_side(name);
+    if (side == Side::none) return std::string(name);
+    return std::string(side_prefix(side == Side::left ? Side::right : Side::left)).append(plain);
+}
+
+/// 1 for the left side, -1 for the right one, 0 for none: as x in template coordinates.
+[[nodiscard]] constexpr int sign_of(Side side) { return side == Side::left ? 1 : side == Side::right ? -1 : 0; }
 
 /// The part of the body that a role belongs to.
 enum class BodyPart { trunk, arm, leg };
@@ -50,8 +78,8 @@ struct SkeletonTemplate {
 /// What the end of the limb that this joint ends in is called: head_top, left_fingertip, right_toe. The joint's role
 /// must be one that ends a limb.
 [[nodiscard]] inline std::string end_point_name(const TemplateJoint& joint) {
-    const std::string prefix = joint.side == Side::none ? "" : joint.side == Side::left ? "left_" : "right_";
-    return prefix + (joint.role == JointRole::hand ? "fingertip" : joint.role == JointRole::foot ? "toe" : "head_top");
+    const char* end = joint.role == JointRole::hand ? "fingertip" : joint.role == JointRole::foot ? "toe" : "head_top";
+    return std::string(side_prefix(joint.side)) + end;
 }
 
 /// Index of the first joint of that role and side; -1 where there is none. O(joints).

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include <skelgen/core/line.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/core/options.hpp>
 #include <skelgen/refinement/centreline.hpp>
@@ -21,21 +22,12 @@ inline void validate(const BoneLineOptions& options) {
     core::require_in_range("refinement.bone_line.flatness", options.flatness, 0.0, 1.0);
 }
 
-/// A straight line; `direction` has unit length.
-template <typename Scalar = double>
-struct Line {
-    Vector3<Scalar> point;
-    Vector3<Scalar> direction;
-};
+using core::Line;
 
 /// The part of a bone next to its joints that tells nothing of its direction: a section there cuts the flesh of the
 /// other bone, too, or the trunk's. A working value, not a measured one.
 template <typename Scalar>
 inline constexpr Scalar joint_part = Scalar(0.15);
-
-/// Least squares line through two points or more, pointing from the first towards the last one. O(k).
-template <typename Scalar>
-[[nodiscard]] Line<Scalar> principal_line(const std::vector<Vector3<Scalar>>& points);
 
 /// The line through the centres of the cylindrical sections of `centreline` between arc lengths `from` < `to`, pointing
 /// towards larger arc length; none with fewer than three of them. Sections that do not lie with the others, as those

@@ -52,6 +52,24 @@ template <typename Scalar>
     return std::nullopt;
 }
 
+/// Indices of the two limbs that begin with hip and knee; empty where there are not two. O(limbs).
+template <typename Scalar>
+[[nodiscard]] std::vector<std::size_t> find_legs(const std::vector<Limb<Scalar>>& limbs,
+                                                 const SkeletonTemplate& skeleton_template) {
+    std::vector<std::size_t> legs;
+    for (std::size_t i = 0; i < limbs.size(); ++i)
+        if (limbs[i].joints.size() >= 2 && skeleton_template.joint(limbs[i].joints.front()).role == JointRole::hip)
+            legs.push_back(i);
+    if (legs.size() != 2) legs.clear();
+    return legs;
+}
+
+/// Length of a limb's first bone, upper arm or thigh, in the template's rest pose. The limb must have two joints.
+template <typename Scalar>
+[[nodiscard]] Scalar rest_length_of_first_bone(const Limb<Scalar>& limb, const SkeletonTemplate& skeleton_template) {
+    return static_cast<Scalar>(rest_length(skeleton_template, limb.joints[0], limb.joints[1]));
+}
+
 /// Rest-pose length to body length, from the geodesic diameter of the body (in the body's unit; the template's may be
 /// any).
 template <typename Scalar>

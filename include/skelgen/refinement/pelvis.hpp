@@ -14,7 +14,7 @@ namespace skelgen::refinement {
 /// Where hips and root lie in the lower trunk. Lengths in rest-pose thighs; calibrated on registered bodies of five
 /// people, but for the deviations, which are working values.
 struct PelvisOptions {
-    double hips_above_fork = 0.15; ///< height of the hips above where the legs part
+    double hips_above_fork = 0.15; ///< height of the hips above where the legs part, along the pelvis's own up
     double tilt = 0.21; ///< tangent of the angle by which the trunk's line leans forward from the pelvis's own up
     double fork_deviation = 0.06;  ///< standard deviation of the height that the fork tells
     double thigh_deviation = 0.05; ///< standard deviation of a thigh's length

@@ -64,6 +64,10 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] KinematicSkeleton<Scalar> to_input(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton);
 
+/// A skeleton in the input's coordinates in those of the body. O(joints).
+template <typename Scalar>
+[[nodiscard]] KinematicSkeleton<Scalar> to_body(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton);
+
 } // namespace surface
 } // namespace skelgen
 

@@ -5,12 +5,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <optional>
-#include <utility>
 #include <vector>
 
-#include <nanoflann.hpp>
-
+#include <skelgen/applications/body_coordinates.hpp>
 #include <skelgen/applications/bones.hpp>
 #include <skelgen/applications/heat_weights.hpp>
 #include <skelgen/core/error.hpp>
@@ -93,70 +90,23 @@ std::vector<Bone<Scalar>> heating_bones(std::vector<Bone<Scalar>> bones, const B
     return bones;
 }
 
-/// Per vertex of the input the body's that stands for it, -1 where there is none.
-template <typename Scalar>
-std::vector<int> known_vertices(const Body<Scalar>& body, std::size_t vertices) {
-    if (!body.nearest.empty()) return body.nearest;
-    std::vector<int> known(vertices, -1);
-    for (std::size_t v = 0; v < body.source.size(); ++v)
-        if (body.source[v] >= 0) known[static_cast<std::size_t>(body.source[v])] = static_cast<int>(v);
-    return known;
-}
-
 } // namespace detail
 
 template <typename Scalar>
-Outcome<Body<Scalar>> enclosing_body(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton<Scalar>& skeleton,
-                                     const surface::PrepareOptions& options) {
-    const surface::BodyMaterial<Scalar> material = surface::gather(mesh, options);
-    const auto all = static_cast<int>(skeleton.joints.size());
-    std::optional<Body<Scalar>> best;
-    int most = all / 2;
-    for (const surface::Remedy remedy : material.remedies) {
-        Outcome<Body<Scalar>> body = surface::make_body_by(remedy, material, options);
-        if (!body) continue;
-        const int inside = detail::joints_inside(*body, skeleton);
-        if (inside > most) {
-            most = inside;
-            best = *std::move(body);
-        }
-        if (most == all) break;
-    }
-    if (!best)
-        return Failure{FailureReason::no_body,
-                       "the skeleton does not lie in the mesh: take that which was found in it"};
-    return *std::move(best);
-}
-
-template <typename Scalar>
 std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>& body, const TriangleMesh<Scalar>& mesh) {
-    const nanoflann::KDTreeEigenMatrixAdaptor<Points<Scalar>, 3, nanoflann::metric_L2_Simple> tree(3,
-                                                                                                   body.mesh.vertices);
     const detail::FacesAround around(body.mesh.faces, body.mesh.vertices.rows());
-    const std::vector<int> known = detail::known_vertices(body, static_cast<std::size_t>(mesh.vertices.rows()));
-    std::vector<SurfacePlace<Scalar>> out(known.size());
-    for (std::size_t v = 0; v < known.size(); ++v) {
+    const std::vector<int> vertices = standing_for(body, mesh.vertices);
+    std::vector<SurfacePlace<Scalar>> out(vertices.size());
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
         const Vector3<Scalar> place =
             body.similarity.to_canonical(core::point(mesh.vertices, static_cast<Eigen::Index>(v)));
-        int vertex = known[v];
-        if (vertex < 0) {
-            Eigen::Index nearest = 0;
-            Scalar squared = 0;
-            tree.query(place.data(), 1, &nearest, &squared);
-            vertex = static_cast<int>(nearest);
-        }
-        const bool is_itself = body.source[static_cast<std::size_t>(vertex)] >= 0 && known[v] >= 0;
         Scalar least = std::numeric_limits<Scalar>::infinity();
-        around.of(vertex, [&](int f) {
-            Vector3<Scalar> corners[3], share = Vector3<Scalar>::Zero();
-            for (int k = 0; k < 3; ++k) {
-                corners[k] = core::point(body.mesh.vertices, body.mesh.faces(f, k));
-                share[k] = body.mesh.faces(f, k) == vertex ? Scalar(1) : Scalar(0);
-            }
-            if (!is_itself) share = detail::nearest_share(place, corners[0], corners[1], corners[2]);
+        around.of(vertices[v], [&](int f) {
+            Vector3<Scalar> corners[3];
+            for (int k = 0; k < 3; ++k) corners[k] = core::point(body.mesh.vertices, body.mesh.faces(f, k));
+            const Vector3<Scalar> share = detail::nearest_share(place, corners[0], corners[1], corners[2]);
             const Scalar distance =
-                is_itself ? Scalar(0)
-                          : (share[0] * corners[0] + share[1] * corners[1] + share[2] * corners[2] - place).norm();
+                (share[0] * corners[0] + share[1] * corners[1] + share[2] * corners[2] - place).norm();
             if (!(distance < least)) return;
             least = distance;
             out[v] = {f, share};
@@ -166,24 +116,23 @@ std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>& body, const Tria
 }
 
 template <typename Scalar>
-Skin<Scalar> bind(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton<Scalar>& skeleton,
-                  const SkeletonTemplate& skeleton_template, const surface::PrepareOptions& options) {
-    const auto refuse = [](const Failure& failure) { throw Error(ErrorCode::no_skeleton, failure.what); };
+Skin<Scalar> bind(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
+                  const SkeletonTemplate& skeleton_template) {
+    const auto joints = static_cast<int>(skeleton.joints.size());
     const std::vector<Bone<Scalar>> bones = bones_of(skeleton, skeleton_template);
-    const Outcome<Body<Scalar>> body = enclosing_body(mesh, skeleton, options);
-    if (!body) refuse(body.failure());
-    const Outcome<JointWeights> heat = heat_weights(*body, detail::heating_bones(bones, *body, skeleton_template),
-                                                    static_cast<int>(skeleton.joints.size()));
-    if (!heat) refuse(heat.failure());
-    const JointWeights weights = without_islands(following_one_limb(*heat, skeleton_template), body->mesh.faces);
+    if (2 * detail::joints_inside(body, skeleton) <= joints)
+        throw Error(ErrorCode::no_skeleton, "the skeleton does not lie in the mesh: take that which was found in it");
+    const Outcome<JointWeights> heat =
+        heat_weights(body, detail::heating_bones(bones, body, skeleton_template), joints);
+    if (!heat) throw Error(ErrorCode::no_skeleton, heat.failure().what);
+    const JointWeights weights = without_islands(following_one_limb(*heat, skeleton_template), body.mesh.faces);
 
-    Eigen::MatrixX<Scalar> carried(mesh.vertices.rows(), weights.cols());
-    const std::vector<SurfacePlace<Scalar>> places = places_on(*body, mesh);
+    Eigen::MatrixX<Scalar> carried = Eigen::MatrixX<Scalar>::Zero(mesh.vertices.rows(), weights.cols());
+    const std::vector<SurfacePlace<Scalar>> places = places_on(body, mesh);
     for (Eigen::Index v = 0; v < carried.rows(); ++v) {
         const auto& [face, share] = places[static_cast<std::size_t>(v)];
-        carried.row(v).setZero();
         for (int k = 0; k < 3; ++k)
-            carried.row(v) += share[k] * weights.row(body->mesh.faces(face, k)).template cast<Scalar>();
+            carried.row(v) += share[k] * weights.row(body.mesh.faces(face, k)).template cast<Scalar>();
     }
     return strongest_influences<Scalar>(carried);
 }

@@ -12,20 +12,6 @@
 namespace skelgen::applications {
 
 template <typename Scalar>
-KinematicSkeleton<Scalar> to_body(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton) {
-    const Similarity<Scalar>& similarity = body.similarity;
-    KinematicSkeleton<Scalar> out = skeleton;
-    for (Joint<Scalar>& joint : out.joints) {
-        joint.position = similarity.to_canonical(joint.position);
-        joint.radius /= similarity.scale;
-    }
-    for (auto& [name, place] : out.end_points) place = similarity.to_canonical(place);
-    out.frame = {similarity.to_canonical(skeleton.frame.origin), similarity.rotation * skeleton.frame.left,
-                 similarity.rotation * skeleton.frame.forward, similarity.rotation * skeleton.frame.up};
-    return out;
-}
-
-template <typename Scalar>
 std::vector<int> standing_for(const Body<Scalar>& body, const Points<Scalar>& input) {
     std::vector<int> out(static_cast<std::size_t>(input.rows()), -1);
     if (body.nearest.size() > out.size())

@@ -6,19 +6,11 @@
 #include <cstddef>
 
 #include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/canonical_frame.hpp>
 #include <skelgen/core/precision.hpp>
 
 namespace skelgen::applications {
 namespace detail {
-
-/// The right-handed axes with y along `along` and x as near to `across` as that allows.
-template <typename Scalar>
-Eigen::Quaternion<Scalar> axes_along(const Vector3<Scalar>& along, const Vector3<Scalar>& across) {
-    const Vector3<Scalar> y = along.normalized(), x = (across - across.dot(y) * y).normalized();
-    Eigen::Matrix<Scalar, 3, 3> columns;
-    columns << x, y, x.cross(y);
-    return Eigen::Quaternion<Scalar>(columns).normalized();
-}
 
 /// Directions of a skeleton's bones, by the template's joints: zero where there is none.
 template <typename Scalar>
@@ -120,7 +112,7 @@ Orientations<Scalar> rest_axes(const SkeletonTemplate& skeleton_template) {
         if (direction.isZero(0)) // a limb's end without a tip: as the bone that leads to it
             out.push_back(out[static_cast<std::size_t>(joint.parent)]);
         else
-            out.push_back(detail::axes_along(direction, detail::rest_bending_axis(bones, static_cast<int>(j))));
+            out.push_back(axes_along(direction, detail::rest_bending_axis(bones, static_cast<int>(j))));
     }
     return out;
 }
@@ -137,7 +129,7 @@ Orientations<Scalar> bone_orientations(const KinematicSkeleton<Scalar>& skeleton
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
         const TemplateJoint& joint = skeleton_template.joints[j];
         const Rotation from_parent =
-            joint.parent >= 0 ? out[static_cast<std::size_t>(joint.parent)] : detail::axes_along(frame.up, frame.left);
+            joint.parent >= 0 ? out[static_cast<std::size_t>(joint.parent)] : axes_along(frame.up, frame.left);
         const Vector3<Scalar> direction = bones.of(static_cast<int>(j));
         if (direction.isZero(0)) {
             out.push_back(from_parent);
@@ -150,7 +142,7 @@ Orientations<Scalar> bone_orientations(const KinematicSkeleton<Scalar>& skeleton
         const Vector3<Scalar> across = (seen - seen.dot(direction) * direction) +
                                        detail::weight_of_least_turn<Scalar> * (least_turn * Vector3<Scalar>::UnitX());
         const bool is_clear = across.norm() > core::rounding<Scalar>();
-        const Rotation now = is_clear ? detail::axes_along<Scalar>(direction, across) : least_turn;
+        const Rotation now = is_clear ? axes_along<Scalar>(direction, across) : least_turn;
         out.push_back((now * axes[j].conjugate()).normalized());
     }
     return out;

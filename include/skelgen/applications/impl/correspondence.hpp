@@ -82,13 +82,11 @@ inline std::vector<int> joints_of_parts(const std::vector<std::string>& names, c
                                                                                  {"foot", "ankle"}}};
     std::vector<int> out;
     for (const std::string& name : names) {
-        const bool is_left = name.rfind("left_", 0) == 0, is_right = name.rfind("right_", 0) == 0;
-        const std::string side = is_left ? "left_" : is_right ? "right_" : "";
-        const std::string plain = name.substr(side.size());
-        const auto* const found =
-            std::find_if(joints.begin(), joints.end(), [&](const auto& pair) { return plain == pair.first; });
-        const bool is_sided_joint = !side.empty() && plain != "shoulder";
-        out.push_back(find_joint(skeleton, (is_sided_joint ? side : "") + found->second));
+        const auto [side, plain] = split_side(name);
+        const auto* const found = std::find_if(joints.begin(), joints.end(),
+                                               [&plain = plain](const auto& pair) { return plain == pair.first; });
+        const bool is_sided_joint = plain != "shoulder"; // a shoulder's part goes with the chest
+        out.push_back(find_joint(skeleton, std::string(is_sided_joint ? side_prefix(side) : "") + found->second));
     }
     return out;
 }
@@ -193,7 +191,7 @@ ComparableBody<Scalar> comparable(const Body<Scalar>& body, const KinematicSkele
     out.basis = laplace_basis(body.mesh, options.functions);
     out.parts = segment(body, skeleton);
     const Segmentation& parts = out.parts;
-    const KinematicSkeleton<Scalar> inside = to_body(body, skeleton);
+    const KinematicSkeleton<Scalar> inside = surface::to_body(body, skeleton);
     const std::vector<detail::ToRest<Scalar>> motions = detail::to_rest(inside);
     const std::vector<int> joints = detail::joints_of_parts(parts.parts, inside);
     const auto count = static_cast<int>(parts.parts.size());
@@ -211,9 +209,7 @@ ComparableBody<Scalar> comparable(const Body<Scalar>& body, const KinematicSkele
             const Scalar share = shares(v, part);
             place += share * motion(core::point(body.mesh.vertices, v));
             normal += share * (motion.turn_of_normals * core::point(normals, v));
-            const std::string& name = parts.parts[static_cast<std::size_t>(part)];
-            if (name.rfind("left_", 0) == 0) side += share;
-            if (name.rfind("right_", 0) == 0) side -= share;
+            side += share * static_cast<Scalar>(sign_of(split_side(parts.parts[static_cast<std::size_t>(part)]).side));
         }
         core::set_point<Scalar>(out.common, v, place);
         core::set_point<Scalar>(out.normals, v, normal.stableNormalized());

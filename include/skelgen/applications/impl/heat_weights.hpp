@@ -8,10 +8,10 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <skelgen/applications/surface_laplacian.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
-#include <skelgen/curve/laplacian.hpp>
 
 namespace skelgen::applications {
 namespace detail {
@@ -67,15 +67,6 @@ HeatSources<Scalar> nearest_bones_in_sight(const Vector3<Scalar>& vertex, const 
     return out;
 }
 
-/// A third of the area of the faces around each vertex.
-template <typename Scalar>
-Eigen::VectorX<core::Accumulator> vertex_areas(const TriangleMesh<Scalar>& mesh) {
-    Eigen::VectorX<core::Accumulator> areas = Eigen::VectorX<core::Accumulator>::Zero(mesh.vertices.rows());
-    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
-        for (int k = 0; k < 3; ++k) areas[mesh.faces(f, k)] += core::face_area_vector(mesh, f).norm() / 3;
-    return areas;
-}
-
 /// A limb's number, -1 for the trunk.
 inline int limb_of(const TemplateJoint& joint) {
     const BodyPart part = part_of(joint.role);
@@ -107,7 +98,7 @@ template <typename Scalar>
 Outcome<JointWeights> heat_weights(const Body<Scalar>& body, const std::vector<Bone<Scalar>>& bones, int joints) {
     using core::Accumulator;
     const Eigen::Index n = body.mesh.vertices.rows();
-    const Eigen::VectorX<Accumulator> areas = detail::vertex_areas(body.mesh);
+    const Eigen::VectorX<Accumulator> areas = core::vertex_areas(body.mesh);
     const Accumulator largest_supply = areas.sum() / core::rounding<Accumulator>(); // at no distance from a bone
 
     Eigen::VectorX<Accumulator> supply = Eigen::VectorX<Accumulator>::Zero(n); // area / distance^2
@@ -123,8 +114,7 @@ Outcome<JointWeights> heat_weights(const Body<Scalar>& body, const std::vector<B
     if (!(supply.maxCoeff() > 0))
         return Failure{FailureReason::no_body, "the skeleton is not in the body: no bone is seen from the surface"};
 
-    // Off-diagonals of BP07's Laplacian are half of cot a + cot b.
-    Eigen::SparseMatrix<Accumulator> matrix = -0.5 * curve::cotangent_laplacian(body.mesh.vertices, body.mesh.faces);
+    Eigen::SparseMatrix<Accumulator> matrix = surface_laplacian(body.mesh);
     matrix.diagonal() += supply;
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<Accumulator>> solver(matrix);
     if (solver.info() != Eigen::Success)

@@ -8,9 +8,9 @@
 #include <Eigen/SparseCholesky>
 #include <Spectra/SymEigsShiftSolver.h>
 
-#include <skelgen/applications/part_shares.hpp>
+#include <skelgen/applications/surface_laplacian.hpp>
 #include <skelgen/core/error.hpp>
-#include <skelgen/curve/laplacian.hpp>
+#include <skelgen/core/geometry.hpp>
 
 namespace skelgen::applications {
 namespace detail {
@@ -45,18 +45,16 @@ private:
 
 template <typename Scalar>
 LaplaceBasis laplace_basis(const TriangleMesh<Scalar>& mesh, int count) {
-    constexpr double sharpest = 50; // cotangent of an angle of one degree: thinner triangles are as good as this
     const Eigen::Index n = mesh.vertices.rows();
     if (count < 1 || 2 * count >= n)
         throw Error(ErrorCode::usage, "a basis of so many functions needs a surface with more vertices");
     LaplaceBasis basis;
-    basis.areas = vertex_areas(mesh);
+    basis.areas = core::vertex_areas(mesh);
     // M^-1/2 L M^-1/2 has the same eigenvalues and is symmetric. A vertex without area would have an infinite one.
     const core::Accumulator least = basis.areas.sum() / static_cast<core::Accumulator>(n) * 1e-6;
     const Eigen::VectorX<core::Accumulator> scale = basis.areas.cwiseMax(least).cwiseSqrt().cwiseInverse();
-    Eigen::SparseMatrix<core::Accumulator> matrix =
-        -0.5 * curve::cotangent_laplacian(mesh.vertices, mesh.faces, sharpest); // which has no factor 1/2
-    matrix = scale.asDiagonal() * matrix * scale.asDiagonal();
+    const Eigen::SparseMatrix<core::Accumulator> matrix =
+        scale.asDiagonal() * surface_laplacian(mesh) * scale.asDiagonal();
     detail::ShiftedCholesky operation(matrix);
     const core::Accumulator shift = -1e-2 / basis.areas.sum(); // far below the second one, and away from the first, 0
     Spectra::SymEigsShiftSolver<detail::ShiftedCholesky> solver(operation, count, 2 * count, shift);

@@ -170,7 +170,7 @@ Scalar tape_length(const std::vector<Vector3<Scalar>>& points, const Vector3<Sca
 
 template <typename Scalar>
 double standing_height(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton) {
-    const KinematicSkeleton<Scalar> inside = to_body(body, skeleton);
+    const KinematicSkeleton<Scalar> inside = surface::to_body(body, skeleton);
     const auto at = [&](const std::string& name) { return joint_place(inside, name); };
     const auto between = [&](const std::string& a, const std::string& b) { return (at(a) - at(b)).norm(); };
     const Vector3<Scalar> hips = (at("left_hip") + at("right_hip")) / 2;
@@ -188,7 +188,7 @@ Measurements measure(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& 
     if (parts.face_part.size() != static_cast<std::size_t>(body.mesh.faces.rows()) ||
         parts.parts != part_names(PartSet::bones))
         throw Error(ErrorCode::usage, "measures need the body's own parts, of the set bones");
-    const KinematicSkeleton<Scalar> inside = to_body(body, skeleton);
+    const KinematicSkeleton<Scalar> inside = surface::to_body(body, skeleton);
     const auto unit = static_cast<double>(body.similarity.scale);
     const auto between = [&](const std::string& a, const std::string& b) {
         return unit * static_cast<double>((joint_place(inside, a) - joint_place(inside, b)).norm());

@@ -6,29 +6,19 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <skelgen/applications/surface_laplacian.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/curve/laplacian.hpp>
 
 namespace skelgen::applications {
-
-template <typename Scalar>
-Eigen::VectorX<core::Accumulator> vertex_areas(const TriangleMesh<Scalar>& mesh) {
-    Eigen::VectorX<core::Accumulator> areas = Eigen::VectorX<core::Accumulator>::Zero(mesh.vertices.rows());
-    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
-        for (int k = 0; k < 3; ++k)
-            areas[mesh.faces(f, k)] += static_cast<core::Accumulator>(core::face_area_vector(mesh, f).norm()) / 3;
-    return areas;
-}
 
 template <typename Scalar>
 Eigen::MatrixX<core::Accumulator> part_shares(const Body<Scalar>& body, const std::vector<int>& labels, int count,
                                               double length) {
     using Matrix = Eigen::SparseMatrix<core::Accumulator>;
-    constexpr double sharpest = 50; // cotangent of an angle of one degree: thinner triangles are as good as this
     const Eigen::Index n = body.mesh.vertices.rows();
-    const Eigen::VectorX<core::Accumulator> stay = vertex_areas(body.mesh) / (length * length);
-    Matrix system = -0.5 * curve::cotangent_laplacian(body.mesh.vertices, body.mesh.faces, sharpest); // no factor 1/2
+    const Eigen::VectorX<core::Accumulator> stay = core::vertex_areas(body.mesh) / (length * length);
+    Matrix system = surface_laplacian(body.mesh);
     system.diagonal() += stay;
     const Eigen::SimplicialLDLT<Matrix> solver(system);
     if (solver.info() != Eigen::Success)

@@ -29,12 +29,12 @@ Scalar lowest_along(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& up)
 } // namespace detail
 
 template <typename Scalar>
-PosedBody<Scalar> pose_like(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton<Scalar>& skeleton,
-                            const KinematicSkeleton<Scalar>& model, const SkeletonTemplate& skeleton_template,
-                            const surface::PrepareOptions& options) {
+PosedBody<Scalar> pose_like(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
+                            const KinematicSkeleton<Scalar>& skeleton, const KinematicSkeleton<Scalar>& model,
+                            const SkeletonTemplate& skeleton_template) {
     const Orientations<Scalar> from = bone_orientations(skeleton, skeleton_template);
     const Orientations<Scalar> to = bone_orientations(model, skeleton_template);
-    const Skin<Scalar> skin = bind(mesh, skeleton, skeleton_template, options);
+    const Skin<Scalar> skin = bind(mesh, body, skeleton, skeleton_template);
     const auto motion = motions<Scalar>(skeleton, from, to, model.joints.front().position);
     return {{skinned(mesh.vertices, skin, motion), mesh.faces}, moved(skeleton, skeleton_template, motion)};
 }
@@ -47,7 +47,7 @@ Floor<Scalar> floor_of(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton
     skeleton.frame.up.cwiseAbs().maxCoeff(&axis);
     floor.up = Vector3<Scalar>::Unit(axis) * (skeleton.frame.up[axis] < 0 ? Scalar(-1) : Scalar(1));
     floor.height = detail::lowest_along(mesh, floor.up);
-    const Scalar near = standing_height(skeleton, skeleton_template) / 10;
+    const Scalar near = height_by_bones(skeleton, skeleton_template) / 10;
     floor.is_stood_on = true;
     for (const Side side : {Side::left, Side::right}) {
         const int foot = find_joint(skeleton_template, JointRole::foot, side);

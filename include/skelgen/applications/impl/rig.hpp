@@ -40,7 +40,7 @@ Rig<Scalar> put_in_place(Rig<Scalar> rig, Scalar height) {
 } // namespace detail
 
 template <typename Scalar>
-Scalar standing_height(const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template) {
+Scalar height_by_bones(const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template) {
     const auto up_from = [&](int joint) {
         Scalar length = 0;
         for (int j = joint; j >= 0; j = next_joint(skeleton_template, j)) {
@@ -64,15 +64,16 @@ SKELGEN_INLINE double metres_per_unit(double height) {
 }
 
 template <typename Scalar>
-Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton<Scalar>& skeleton,
-                     const SkeletonTemplate& skeleton_template, const RigOptions& options) {
+Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
+                     const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
+                     RestPose rest) {
     Rig<Scalar> rig;
-    rig.rest = options.rest;
-    rig.skin = bind(mesh, skeleton, skeleton_template, options.prepare);
+    rig.rest = rest;
+    rig.skin = bind(mesh, body, skeleton, skeleton_template);
 
     const Orientations<Scalar> now = bone_orientations(skeleton, skeleton_template);
     const Orientations<Scalar> wanted =
-        orientations_in(options.rest, skeleton_template, now, rotation_to_canonical(skeleton.frame));
+        orientations_in(rest, skeleton_template, now, rotation_to_canonical(skeleton.frame));
     const auto motion = motions<Scalar>(skeleton, now, wanted, Vector3<Scalar>::Zero());
     rig.mesh = {skinned(mesh.vertices, rig.skin, motion), mesh.faces};
 
@@ -83,7 +84,7 @@ Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton<S
         rig.joints.push_back({joint.name, joint.parent, joint.role, joint.side, motion[j](skeleton.joints[j].position),
                               motion[j](end), (wanted[j] * axes[j]).normalized()});
     }
-    return detail::put_in_place(std::move(rig), standing_height(skeleton, skeleton_template));
+    return detail::put_in_place(std::move(rig), height_by_bones(skeleton, skeleton_template));
 }
 
 } // namespace skelgen::applications

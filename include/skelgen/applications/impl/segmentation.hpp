@@ -344,7 +344,7 @@ template <typename Scalar>
 Segmentation segment(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton, PartSet set,
                      const SegmentationOptions& options) {
     validate(options);
-    const KinematicSkeleton<Scalar> inside = to_body(body, skeleton);
+    const KinematicSkeleton<Scalar> inside = surface::to_body(body, skeleton);
     const std::vector<detail::PartAxis<Scalar>> axes = detail::part_axes(inside);
     std::vector<int> parts = detail::nearest_parts(body, axes, detail::end_vertices(body, inside));
     parts = detail::with_shoulders(parts, body, axes, options.shoulder);

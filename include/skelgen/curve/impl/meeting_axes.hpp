@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/line.hpp>
 #include <skelgen/core/polyline.hpp>
 #include <skelgen/core/precision.hpp>
 
@@ -68,30 +68,11 @@ Vector3<Scalar> direction_of(const Branch<Scalar>& branch, bool at_end, Scalar f
         .normalized();
 }
 
-/// A straight line, and by how much the points that it is laid through are off it.
-template <typename Scalar>
-struct Axis {
-    Vector3<Scalar> place;
-    Vector3<Scalar> direction; ///< unit
-    Scalar roughness;          ///< root mean square
-};
-
-/// The line nearest to all points, three or more.
-template <typename Scalar>
-Axis<Scalar> axis_through(const std::vector<Vector3<Scalar>>& points) {
-    Vector3<Scalar> mean = Vector3<Scalar>::Zero();
-    for (const Vector3<Scalar>& p : points) mean += p / static_cast<Scalar>(points.size());
-    Eigen::Matrix<Scalar, 3, 3> spread = Eigen::Matrix<Scalar, 3, 3>::Zero();
-    for (const Vector3<Scalar>& p : points)
-        spread += (p - mean) * (p - mean).transpose() / static_cast<Scalar>(points.size());
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Scalar, 3, 3>> axes(spread);
-    return {mean, axes.eigenvectors().col(2), std::sqrt(std::max(axes.eigenvalues()[1], Scalar(0)))};
-}
-
 /// The axis of a branch where its own sections begin, `from` its end on; none where there are too few.
 template <typename Scalar>
-std::optional<Axis<Scalar>> axis_of(const Branch<Scalar>& branch, const std::vector<BranchSection<Scalar>>& sections,
-                                    bool at_end, Scalar from, Scalar length) {
+std::optional<core::FittedLine<Scalar>> axis_of(const Branch<Scalar>& branch,
+                                                const std::vector<BranchSection<Scalar>>& sections, bool at_end,
+                                                Scalar from, Scalar length) {
     const auto arc = core::arc_lengths(branch.line);
     std::vector<Vector3<Scalar>> centres;
     for (std::size_t i = 1; i + 1 < sections.size(); ++i) {
@@ -103,28 +84,23 @@ std::optional<Axis<Scalar>> axis_of(const Branch<Scalar>& branch, const std::vec
         if (is_own) centres.push_back(sections[k].centre);
     }
     if (centres.size() < 3) return std::nullopt;
-    return axis_through(centres);
+    return core::principal_line(centres);
 }
 
 /// The place from which the sum of the squared distances to the axes is least; along all of them, the one nearest to
 /// `knot`.
 template <typename Scalar>
-Vector3<Scalar> nearest_place(const std::vector<Axis<Scalar>>& axes, const Vector3<Scalar>& knot) {
+Vector3<Scalar> nearest_place(const std::vector<core::FittedLine<Scalar>>& axes, const Vector3<Scalar>& knot) {
     using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
     constexpr auto held = Scalar(1e-3);
     Matrix3 matrix = held * Matrix3::Identity();
     Vector3<Scalar> right = held * knot;
-    for (const Axis<Scalar>& axis : axes) {
+    for (const core::FittedLine<Scalar>& axis : axes) {
         const Matrix3 across = Matrix3::Identity() - axis.direction * axis.direction.transpose();
         matrix += across;
-        right += across * axis.place;
+        right += across * axis.point;
     }
     return matrix.ldlt().solve(right);
-}
-
-template <typename Scalar>
-Scalar distance_to(const Axis<Scalar>& axis, const Vector3<Scalar>& place) {
-    return (place - axis.place).cross(axis.direction).norm();
 }
 
 /// Is there no surface on the straight way from one place to another?
@@ -142,7 +118,7 @@ std::optional<Vector3<Scalar>> meeting_place(const BranchedCurve<Scalar>& curve,
                                              const std::vector<std::vector<BranchSection<Scalar>>>& sections,
                                              const Body<Scalar>& body, double straightness) {
     const Scalar ball = body.tree.distance(body.mesh, knot);
-    std::vector<Axis<Scalar>> axes;
+    std::vector<core::FittedLine<Scalar>> axes;
     for (const BranchEnd& end : ends) {
         const Branch<Scalar>& branch = curve.branches[end.branch];
         const auto axis = axis_of(branch, sections[end.branch], end.at_end,
@@ -154,9 +130,10 @@ std::optional<Vector3<Scalar>> meeting_place(const BranchedCurve<Scalar>& curve,
     }
     if (axes.size() < 2) return std::nullopt;
     const Vector3<Scalar> place = nearest_place(axes, knot);
-    const bool meet = std::all_of(axes.begin(), axes.end(), [&](const Axis<Scalar>& axis) {
+    const bool meet = std::all_of(axes.begin(), axes.end(), [&](const core::FittedLine<Scalar>& axis) {
         return axis.roughness < static_cast<Scalar>(straightness) * ball &&
-               distance_to(axis, place) < meeting_miss<Scalar> * ball && is_clear(body, place, axis.place);
+               core::distance_to<Scalar>(axis, place) < meeting_miss<Scalar> * ball &&
+               is_clear(body, place, axis.point);
     });
     if (!meet || !((place - knot).norm() < longest_move<Scalar> * ball)) return std::nullopt;
     return place;

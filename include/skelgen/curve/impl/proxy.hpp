@@ -200,10 +200,14 @@ void coarsen(HalfedgeMesh<Scalar>& mesh, Source& source, Scalar shortest, Scalar
         collapse_short_edges(mesh, source, threshold(shortest, -step), longest);
 }
 
+/// Of each vertex the number of its edges above that of a regular mesh: six, four on the boundary.
 template <typename Scalar>
-int valence_error(const HalfedgeMesh<Scalar>& mesh, VertexHandle v, int change) {
-    const int error = static_cast<int>(mesh.valence(v)) + change - (mesh.is_boundary(v) ? 4 : 6);
-    return error * error;
+std::vector<int> excess_valences(const HalfedgeMesh<Scalar>& mesh) {
+    std::vector<int> out(mesh.n_vertices());
+    for (const auto v : mesh.vertices()) out[static_cast<std::size_t>(v.idx())] = mesh.is_boundary(v) ? -4 : -6;
+    for (const auto e : mesh.edges())
+        for (const auto v : {e.v0(), e.v1()}) ++out[static_cast<std::size_t>(v.idx())];
+    return out;
 }
 
 /// Do the two faces made by flipping `e` keep the orientation of those it replaces?
@@ -225,17 +229,21 @@ bool flip_keeps_orientation(const HalfedgeMesh<Scalar>& mesh, HalfedgeHandle h) 
 
 template <typename Scalar>
 void flip_towards_valence_six(HalfedgeMesh<Scalar>& mesh) {
+    std::vector<int> excess = excess_valences(mesh);
+    const auto squared = [](int value) { return value * value; };
     for (const auto e : mesh.edges()) {
-        if (mesh.is_boundary(e) || !mesh.is_flip_ok(e)) continue;
+        if (mesh.is_boundary(e)) continue;
         const auto h = mesh.halfedge_handle(e, 0), o = mesh.halfedge_handle(e, 1);
-        const auto a = mesh.from_vertex_handle(h), b = mesh.to_vertex_handle(h);
-        const auto c = mesh.to_vertex_handle(mesh.next_halfedge_handle(h));
-        const auto d = mesh.to_vertex_handle(mesh.next_halfedge_handle(o));
-        const int now = valence_error(mesh, a, 0) + valence_error(mesh, b, 0) + valence_error(mesh, c, 0) +
-                        valence_error(mesh, d, 0);
-        const int then = valence_error(mesh, a, -1) + valence_error(mesh, b, -1) + valence_error(mesh, c, 1) +
-                         valence_error(mesh, d, 1);
-        if (then < now && flip_keeps_orientation(mesh, h)) mesh.flip(e);
+        const auto excess_of = [&](VertexHandle v) -> int& { return excess[static_cast<std::size_t>(v.idx())]; };
+        int& a = excess_of(mesh.from_vertex_handle(h));
+        int& b = excess_of(mesh.to_vertex_handle(h));
+        int& c = excess_of(mesh.to_vertex_handle(mesh.next_halfedge_handle(h)));
+        int& d = excess_of(mesh.to_vertex_handle(mesh.next_halfedge_handle(o)));
+        const int now = squared(a) + squared(b) + squared(c) + squared(d);
+        const int then = squared(a - 1) + squared(b - 1) + squared(c + 1) + squared(d + 1);
+        if (then >= now || !mesh.is_flip_ok(e) || !flip_keeps_orientation(mesh, h)) continue;
+        mesh.flip(e);
+        --a, --b, ++c, ++d;
     }
 }
 

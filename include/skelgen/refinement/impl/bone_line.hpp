@@ -8,8 +8,6 @@
 #include <limits>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
-
 #include <skelgen/core/geometry.hpp>
 
 namespace skelgen::refinement {
@@ -56,18 +54,6 @@ std::vector<Vector3<Scalar>> points_in_line(const std::vector<Vector3<Scalar>>& 
 } // namespace detail
 
 template <typename Scalar>
-Line<Scalar> principal_line(const std::vector<Vector3<Scalar>>& points) {
-    Line<Scalar> line{Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero()};
-    for (const auto& p : points) line.point += p;
-    line.point /= static_cast<Scalar>(points.size());
-    Eigen::Matrix3<Scalar> covariance = Eigen::Matrix3<Scalar>::Zero();
-    for (const auto& p : points) core::add_outer_product<Scalar>(covariance, 1, p - line.point);
-    line.direction = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3<Scalar>>(covariance).eigenvectors().col(2);
-    if (line.direction.dot(points.back() - points.front()) < 0) line.direction = -line.direction;
-    return line;
-}
-
-template <typename Scalar>
 std::optional<Line<Scalar>> fit_bone(const Centreline<Scalar>& centreline, Scalar from, Scalar to,
                                      const BoneLineOptions& options) {
     const auto flatness = static_cast<Scalar>(options.flatness);
@@ -84,7 +70,7 @@ std::optional<Line<Scalar>> fit_bone(const Centreline<Scalar>& centreline, Scala
     std::nth_element(thickness.begin(), middle, thickness.end());
     const auto near = detail::points_in_line(points, detail::inlier_distance<Scalar> * *middle);
     if (near.size() < 3) return std::nullopt;
-    return principal_line(near);
+    return core::principal_line(near);
 }
 
 template <typename Scalar>

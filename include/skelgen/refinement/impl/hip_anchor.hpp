@@ -12,8 +12,9 @@
 namespace skelgen::refinement {
 namespace detail {
 
-/// Height of the hips above the fork of the legs, as a part of the rest-pose thigh. Calibrated: mean over 50 registered
-/// bodies, its standard deviation between and within people a seventh of it.
+/// Height of the hips above the fork of the legs along the trunk's line, which leans forward from the pelvis's own up
+/// (`PelvisOptions`), as a part of the rest-pose thigh. Calibrated: mean over 50 registered bodies, its standard
+/// deviation between and within people a seventh of it.
 template <typename Scalar>
 inline constexpr Scalar hips_above_fork = Scalar(0.16);
 
@@ -59,16 +60,9 @@ template <typename Scalar>
 std::vector<Limb<Scalar>> anchor_hips(std::vector<Limb<Scalar>> limbs, const TrunkAxis<Scalar>& axis,
                                       const SkeletonTemplate& skeleton_template, Scalar scale,
                                       const BoneLineOptions& options) {
-    std::vector<std::size_t> legs;
-    Scalar thigh = 0;
-    for (std::size_t i = 0; i < limbs.size(); ++i) {
-        const std::vector<int>& joints = limbs[i].joints;
-        if (skeleton_template.joint(joints.back()).role != JointRole::foot || joints.size() < 2) continue;
-        if (skeleton_template.joint(joints[0]).role != JointRole::hip) continue;
-        legs.push_back(i);
-        thigh = scale * static_cast<Scalar>(rest_length(skeleton_template, joints[0], joints[1]));
-    }
-    if (legs.size() != 2) return limbs;
+    const std::vector<std::size_t> legs = find_legs(limbs, skeleton_template);
+    if (legs.empty()) return limbs;
+    const Scalar thigh = scale * rest_length_of_first_bone(limbs[legs[0]], skeleton_template);
     const Scalar below = (axis.place - axis.fork).dot(axis.up) - detail::hips_above_fork<Scalar> * thigh;
     const Vector3<Scalar> hips = axis.place - below * axis.up;
     for (const std::size_t leg : legs) limbs[leg] = detail::with_top(std::move(limbs[leg]), hips, axis.up, options);

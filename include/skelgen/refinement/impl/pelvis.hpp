@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include <skelgen/core/line.hpp>
 #include <skelgen/core/polyline.hpp>
-#include <skelgen/refinement/bone_line.hpp>
 #include <skelgen/refinement/centreline.hpp>
 #include <skelgen/refinement/profile_matcher.hpp>
 
@@ -39,17 +39,6 @@ inline constexpr Scalar highest_waist = Scalar(1);
 /// A trunk's line is drawn coarsely, and recentred often: it begins as a rough guess, at its surface.
 inline constexpr CentrelineOptions trunk_line_options{0.026, 4, 1.0};
 
-/// Value at arc length `s` of what is known at the points of a centreline, interpolated.
-template <typename Scalar>
-Scalar value_along(const Centreline<Scalar>& line, const Eigen::VectorX<Scalar>& values, Scalar s) {
-    const Scalar* begin = line.arc.data();
-    const Eigen::Index i = std::clamp<Eigen::Index>(std::upper_bound(begin, begin + line.arc.size(), s) - begin, 1,
-                                                    std::max<Eigen::Index>(line.arc.size() - 1, 1));
-    const Scalar length = line.arc[i] - line.arc[i - 1];
-    const Scalar t = length > 0 ? std::clamp((s - line.arc[i - 1]) / length, Scalar(0), Scalar(1)) : Scalar(0);
-    return (1 - t) * values[i - 1] + t * values[i];
-}
-
 } // namespace detail
 
 template <typename Scalar>
@@ -71,7 +60,8 @@ std::optional<TrunkAxis<Scalar>> find_trunk_axis(const Slicer<Scalar>& slicer, c
     };
     const auto undisturbed = [&](Scalar centre) {
         for (int i = 0; i < samples; ++i)
-            if (value_along(trunk, trunk.area, sample_arc(centre, i)) > thigh_in_section<Scalar> * waist) return false;
+            if (core::value_at(trunk.area, trunk.arc, sample_arc(centre, i)) > thigh_in_section<Scalar> * waist)
+                return false;
         return true;
     };
     TrunkAxis<Scalar> axis{Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero(), line.row(0).transpose()};
@@ -83,7 +73,7 @@ std::optional<TrunkAxis<Scalar>> find_trunk_axis(const Slicer<Scalar>& slicer, c
         std::vector<Vector3<Scalar>> centres;
         for (int i = 0; i < samples; ++i)
             centres.push_back(core::point_at(trunk.points, trunk.arc, sample_arc(middle + longer + lift, i)));
-        const Line<Scalar> fitted = principal_line(centres);
+        const core::Line<Scalar> fitted = core::principal_line(centres);
         axis.place = fitted.point;
         axis.up = fitted.direction;
         longer += Scalar(0.5) * (middle + lift - (axis.place - axis.fork).dot(axis.up));
@@ -92,16 +82,6 @@ std::optional<TrunkAxis<Scalar>> find_trunk_axis(const Slicer<Scalar>& slicer, c
 }
 
 namespace detail {
-
-/// The two legs that have a hip and a knee; empty where there are not two.
-template <typename Scalar>
-std::vector<const Limb<Scalar>*> legs_of(const Placement<Scalar>& placement, const std::vector<Limb<Scalar>>& limbs) {
-    std::vector<const Limb<Scalar>*> legs;
-    for (const Limb<Scalar>& limb : limbs)
-        if (limb.joints.size() >= 2 && placement.role(limb.joints[0]) == JointRole::hip) legs.push_back(&limb);
-    if (legs.size() != 2) legs.clear();
-    return legs;
-}
 
 /// How much a leg says that `ahead` is where the body faces: its foot and its thigh point there, or away. -2 to 2.
 template <typename Scalar>
@@ -154,7 +134,8 @@ inline constexpr Scalar least_level = Scalar(0.3);
 template <typename Scalar>
 std::optional<Placement<Scalar>> place_pelvis(Placement<Scalar> placement, const std::vector<Limb<Scalar>>& limbs,
                                               const TrunkAxis<Scalar>& axis, const PelvisOptions& options) {
-    const auto legs = detail::legs_of(placement, limbs);
+    std::vector<const Limb<Scalar>*> legs;
+    for (const std::size_t leg : find_legs(limbs, placement.skeleton_template())) legs.push_back(&limbs[leg]);
     if (legs.empty()) return std::nullopt;
     const int one = legs[0]->joints[0], other = legs[1]->joints[0];
     const Vector3<Scalar> between = placement.at(one) - placement.at(other);

@@ -46,17 +46,11 @@ std::optional<TrunkAxis<Scalar>>
 trunk_axis_of(const std::vector<Limb<Scalar>>& limbs, const std::vector<EndPoint<Scalar>>& ends,
               const Slicer<Scalar>& slicer, const CurveSkeleton<Scalar>& curve, const embedding::Embedding& embedding,
               const SkeletonTemplate& skeleton_template, Scalar scale) {
-    std::vector<std::size_t> legs;
+    const std::vector<std::size_t> legs = find_legs(limbs, skeleton_template);
     std::optional<Vector3<Scalar>> neck;
-    Scalar thigh = 0;
-    for (std::size_t i = 0; i < limbs.size(); ++i) {
-        if (is_head(limbs[i], skeleton_template)) neck = point_on(limbs[i], arc_of(limbs[i], 0));
-        const std::vector<int>& joints = limbs[i].joints;
-        if (skeleton_template.joint(joints.front()).role != JointRole::hip || joints.size() < 2) continue;
-        legs.push_back(i);
-        thigh = scale * static_cast<Scalar>(rest_length(skeleton_template, joints[0], joints[1]));
-    }
-    if (legs.size() != 2 || !neck) return std::nullopt;
+    for (const Limb<Scalar>& limb : limbs)
+        if (is_head(limb, skeleton_template)) neck = point_on(limb, arc_of(limb, 0));
+    if (legs.empty() || !neck) return std::nullopt;
     const auto fork = fork_between(slicer.mesh(), ends[legs[0]], ends[legs[1]]);
     if (!fork) return std::nullopt;
     const int chest = find_joint(skeleton_template, JointRole::chest);
@@ -68,7 +62,7 @@ trunk_axis_of(const std::vector<Limb<Scalar>>& limbs, const std::vector<EndPoint
     for (std::size_t i = 0; i < trunk->nodes.size(); ++i)
         line.row(static_cast<Eigen::Index>(i) + 1) = curve.nodes.row(trunk->nodes[i]);
     line.row(line.rows() - 1) = neck->transpose();
-    return find_trunk_axis(slicer, line, thigh);
+    return find_trunk_axis(slicer, line, scale * rest_length_of_first_bone(limbs[legs[0]], skeleton_template));
 }
 
 /// The limbs of a body, rest-pose length to body length, and the axis of the lower trunk, if that can be seen.

@@ -80,4 +80,18 @@ KinematicSkeleton<Scalar> to_input(const Body<Scalar>& body, const KinematicSkel
     return out;
 }
 
+template <typename Scalar>
+KinematicSkeleton<Scalar> to_body(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton) {
+    const Similarity<Scalar>& similarity = body.similarity;
+    KinematicSkeleton<Scalar> out = skeleton;
+    for (Joint<Scalar>& joint : out.joints) {
+        joint.position = similarity.to_canonical(joint.position);
+        joint.radius /= similarity.scale;
+    }
+    for (auto& [name, place] : out.end_points) place = similarity.to_canonical(place);
+    out.frame = {similarity.to_canonical(skeleton.frame.origin), similarity.rotation * skeleton.frame.left,
+                 similarity.rotation * skeleton.frame.forward, similarity.rotation * skeleton.frame.up};
+    return out;
+}
+
 } // namespace skelgen::surface

@@ -6,35 +6,13 @@
 #include <array>
 #include <cstddef>
 
+#include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/precision.hpp>
 
 namespace skelgen::surface {
 namespace detail {
-
-/// A directed edge u -> v of a face and the corner (3 f + k) it starts at.
-struct DirectedEdge {
-    int low, high;
-    std::size_t corner;
-    bool forward; ///< runs from low to high
-};
-
-inline std::vector<DirectedEdge> directed_edges(const Triangles& faces) {
-    std::vector<DirectedEdge> edges;
-    edges.reserve(static_cast<std::size_t>(faces.rows()) * 3);
-    for (Eigen::Index f = 0; f < faces.rows(); ++f)
-        for (int k = 0; k < 3; ++k) {
-            const int u = faces(f, k), v = faces(f, (k + 1) % 3);
-            edges.push_back({std::min(u, v), std::max(u, v), static_cast<std::size_t>(3 * f + k), u < v});
-        }
-    std::sort(edges.begin(), edges.end(), [](const DirectedEdge& a, const DirectedEdge& b) {
-        if (a.low != b.low) return a.low < b.low;
-        if (a.high != b.high) return a.high < b.high;
-        return a.corner < b.corner;
-    });
-    return edges;
-}
 
 inline std::size_t next_corner(std::size_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
@@ -46,10 +24,10 @@ struct ManifoldPieces {
 inline ManifoldPieces join_faces(const Triangles& faces) {
     const auto corners = static_cast<std::size_t>(faces.rows()) * 3;
     ManifoldPieces out{core::DisjointSets(corners), core::DisjointSets(corners / 3)};
-    const std::vector<DirectedEdge> edges = directed_edges(faces);
+    const std::vector<core::DirectedEdge> edges = core::directed_edges(faces);
     for (std::size_t i = 0; i < edges.size();) {
         std::size_t end = i;
-        while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) ++end;
+        while (end < edges.size() && edges[end].joins_same(edges[i])) ++end;
         if (end - i == 2 && edges[i].forward != edges[i + 1].forward) {
             const std::size_t a = edges[i].corner, b = edges[i + 1].corner;
             out.same_vertex.unite(a, next_corner(b));

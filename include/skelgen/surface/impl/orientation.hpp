@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/surface/face_tree.hpp>
-#include <skelgen/surface/manifold_parts.hpp>
 #include <skelgen/surface/visibility.hpp>
 
 namespace skelgen::surface {
@@ -30,10 +30,10 @@ struct Neighbours {
 inline Neighbours neighbours_of(const Triangles& faces) {
     Neighbours out;
     out.of_face.resize(static_cast<std::size_t>(faces.rows()));
-    const std::vector<DirectedEdge> edges = directed_edges(faces);
+    const std::vector<core::DirectedEdge> edges = core::directed_edges(faces);
     for (std::size_t i = 0; i < edges.size();) {
         std::size_t end = i;
-        while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) ++end;
+        while (end < edges.size() && edges[end].joins_same(edges[i])) ++end;
         if (end - i == 2) {
             const std::size_t a = edges[i].corner, b = edges[i + 1].corner;
             const bool opposed = edges[i].forward == edges[i + 1].forward;

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/surface/face_tree.hpp>
-#include <skelgen/surface/manifold_parts.hpp>
 #include <skelgen/surface/visibility.hpp>
 
 namespace skelgen::surface {
@@ -76,7 +76,7 @@ struct Patches {
 template <typename Scalar>
 Patches patches_of(const TriangleMesh<Scalar>& mesh) {
     const auto m = static_cast<std::size_t>(mesh.faces.rows());
-    const std::vector<DirectedEdge> edges = directed_edges(mesh.faces);
+    const std::vector<core::DirectedEdge> edges = core::directed_edges(mesh.faces);
     core::DisjointSets joined(m);
     struct Ending {
         std::size_t face, edge;
@@ -86,7 +86,7 @@ Patches patches_of(const TriangleMesh<Scalar>& mesh) {
     Patches out;
     for (std::size_t i = 0; i < edges.size();) {
         std::size_t end = i;
-        while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) ++end;
+        while (end < edges.size() && edges[end].joins_same(edges[i])) ++end;
         if (end - i == 1) free_faces.push_back(edges[i].corner / 3);
         if (end - i == 2) joined.unite(edges[i].corner / 3, edges[i + 1].corner / 3);
         if (end - i > 2) {

@@ -1,0 +1,22 @@
+#include "fitted_file.hpp"
+
+#include <string>
+
+#include "console.hpp"
+
+namespace skelgen::cli {
+
+FittedFile fit_file(const MeshInput& input, const ExtractOptions& options) {
+    FittedFile out;
+    out.mesh = load_mesh(input);
+    out.found = extract_body(out.mesh, options);
+    out.source = {input.file.filename().string(), out.mesh.vertices.rows(), out.mesh.faces.rows(),
+                  out.found.extraction.geodesic_diameter};
+    return out;
+}
+
+void print_warnings(const std::filesystem::path& file, const KinematicSkeleton<double>& skeleton) {
+    for (const std::string& warning : skeleton.quality.warnings) print_warning(file.string() + ": " + warning);
+}
+
+} // namespace skelgen::cli
