@@ -103,6 +103,7 @@ set(skelgen_core_headers
     include/skelgen/surface/orientation.hpp
     include/skelgen/surface/pieces.hpp
     include/skelgen/surface/prepare.hpp
+    include/skelgen/surface/rounded.hpp
     include/skelgen/surface/similarity.hpp
     include/skelgen/surface/small_parts.hpp
     include/skelgen/surface/sound_faces.hpp
@@ -198,6 +199,7 @@ set(skelgen_core_definitions
     include/skelgen/surface/impl/orientation.hpp
     include/skelgen/surface/impl/pieces.hpp
     include/skelgen/surface/impl/prepare.hpp
+    include/skelgen/surface/impl/rounded.hpp
     include/skelgen/surface/impl/sound_faces.hpp
     include/skelgen/surface/impl/triangulate_rim.hpp
     include/skelgen/surface/impl/visibility.hpp

@@ -15,6 +15,7 @@
 #include <skelgen/surface/impl/orientation.hpp>
 #include <skelgen/surface/impl/pieces.hpp>
 #include <skelgen/surface/impl/prepare.hpp>
+#include <skelgen/surface/impl/rounded.hpp>
 #include <skelgen/surface/impl/sound_faces.hpp>
 #include <skelgen/surface/impl/triangulate_rim.hpp>
 #include <skelgen/surface/impl/visibility.hpp>
@@ -42,6 +43,7 @@ namespace skelgen::surface {
     template Visibility look_out(const TriangleMesh<Scalar>&, const FaceTree<Scalar>&, const std::vector<int>&, int);  \
     template SoundFaces sound_faces(const TriangleMesh<Scalar>&);                                                      \
     template OrientedMesh<Scalar> orient(TriangleMesh<Scalar>);                                                        \
+    template TriangleMesh<Scalar> rounded(const TriangleMesh<Scalar>&);                                                \
     template bool is_sound(const TriangleMesh<Scalar>&);                                                               \
     template CleanMesh<Scalar> clean(const TriangleMesh<Scalar>&);                                                     \
     template std::optional<std::vector<std::array<int, 3>>> triangulate_rim(const TriangleMesh<Scalar>&, const Rim&,   \

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstddef>
 
+#include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/surface/manifold_parts.hpp>
 
 namespace skelgen::surface {
 namespace detail {
@@ -120,10 +120,10 @@ std::vector<bool> in_closed_pieces(const TriangleMesh<Scalar>& mesh, const std::
     for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) ++faces[joined.find(vertex(f, 0))];
     std::vector<bool> is_closed(n, false), is_copy(n, true);
     for (std::size_t piece = 0; piece < n; ++piece) is_closed[piece] = faces[piece] >= least_faces;
-    const std::vector<detail::DirectedEdge> edges = detail::directed_edges(mesh.faces);
+    const std::vector<core::DirectedEdge> edges = core::directed_edges(mesh.faces);
     for (std::size_t i = 0; i < edges.size();) {
         std::size_t end = i;
-        while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) ++end;
+        while (end < edges.size() && edges[end].joins_same(edges[i])) ++end;
         if (end - i != 2) is_closed[joined.find(static_cast<std::size_t>(edges[i].low))] = false;
         i = end;
     }
