@@ -110,9 +110,11 @@ set(skelgen_core_headers
     include/skelgen/surface/orientation.hpp
     include/skelgen/surface/pieces.hpp
     include/skelgen/surface/prepare.hpp
+    include/skelgen/surface/rounded.hpp
     include/skelgen/surface/similarity.hpp
     include/skelgen/surface/small_parts.hpp
     include/skelgen/surface/sound_faces.hpp
+    include/skelgen/surface/triangulate_rim.hpp
     include/skelgen/surface/visibility.hpp
     include/skelgen/surface/weld.hpp
     include/skelgen/surface/winding_tree.hpp
@@ -211,7 +213,9 @@ set(skelgen_core_definitions
     include/skelgen/surface/impl/orientation.hpp
     include/skelgen/surface/impl/pieces.hpp
     include/skelgen/surface/impl/prepare.hpp
+    include/skelgen/surface/impl/rounded.hpp
     include/skelgen/surface/impl/sound_faces.hpp
+    include/skelgen/surface/impl/triangulate_rim.hpp
     include/skelgen/surface/impl/visibility.hpp
     include/skelgen/surface/impl/weld.hpp
     include/skelgen/surface/impl/winding_tree.hpp

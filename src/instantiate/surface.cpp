@@ -15,7 +15,9 @@
 #include <skelgen/surface/impl/orientation.hpp>
 #include <skelgen/surface/impl/pieces.hpp>
 #include <skelgen/surface/impl/prepare.hpp>
+#include <skelgen/surface/impl/rounded.hpp>
 #include <skelgen/surface/impl/sound_faces.hpp>
+#include <skelgen/surface/impl/triangulate_rim.hpp>
 #include <skelgen/surface/impl/visibility.hpp>
 #include <skelgen/surface/impl/weld.hpp>
 #include <skelgen/surface/impl/winding_tree.hpp>
@@ -36,12 +38,16 @@ namespace skelgen::surface {
                                                            const Vector3<Scalar>&, Scalar);                            \
     template Eigen::AlignedBox<Scalar, 3> robust_box(const TriangleMesh<Scalar>&);                                     \
     template Triangles faces_within_reach(const TriangleMesh<Scalar>&);                                                \
-    template WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>&, Scalar);                                             \
+    template WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>&, Scalar, const std::vector<bool>&);                   \
+    template std::vector<bool> in_closed_pieces(const TriangleMesh<Scalar>&, const std::vector<int>&);                 \
     template Visibility look_out(const TriangleMesh<Scalar>&, const FaceTree<Scalar>&, const std::vector<int>&, int);  \
     template SoundFaces sound_faces(const TriangleMesh<Scalar>&);                                                      \
     template OrientedMesh<Scalar> orient(TriangleMesh<Scalar>);                                                        \
+    template TriangleMesh<Scalar> rounded(const TriangleMesh<Scalar>&);                                                \
     template bool is_sound(const TriangleMesh<Scalar>&);                                                               \
     template CleanMesh<Scalar> clean(const TriangleMesh<Scalar>&);                                                     \
+    template std::optional<std::vector<std::array<int, 3>>> triangulate_rim(const TriangleMesh<Scalar>&, const Rim&,   \
+                                                                            const std::function<bool(int, int)>&);     \
     template FilledSurface<Scalar> fill_holes(const TriangleMesh<Scalar>&, double);                                    \
     template Lattice<Scalar> lattice_around(const TriangleMesh<Scalar>&, Scalar, int);                                 \
     template SparseGrid<Scalar> distance_band(const TriangleMesh<Scalar>&, const Lattice<Scalar>&, Scalar);            \

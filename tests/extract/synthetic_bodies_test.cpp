@@ -1,6 +1,10 @@
 // What must not change a skeleton, on bodies made by code.
 
+#include <algorithm>
 #include <random>
+#include <regex>
+#include <string>
+#include <vector>
 
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
@@ -183,7 +187,13 @@ TEST_CASE("noise of half an edge's length does little harm, because it is smooth
     std::normal_distribution<double> noise(0, 0.012);
     for (double& x : noisy.vertices.reshaped()) x += noise(random);
     const Extraction<double> expected = extract_skeleton(body.mesh);
-    CHECK(difference(extract_skeleton(noisy), expected).joint < another_section);
+    const Extraction<double> out = extract_skeleton(noisy);
+    CHECK(difference(out, expected).joint < another_section);
+    const std::vector<std::string>& warnings = out.skeleton.quality.warnings;
+    CHECK(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+        return std::regex_match(warning, std::regex("noise smoothed away: (0\\.[5-9]|1\\.[0-9]) % of the size"));
+    }));
+    CHECK(out.skeleton.quality.sides_confidence < expected.skeleton.quality.sides_confidence);
     ExtractOptions as_it_is;
     as_it_is.prepare.denoise.most_passes = 0;
     // Left as it is, it loses joints, or all of them.

@@ -107,6 +107,49 @@ TEST_CASE("vertices up to the tolerance apart become one, others do not") {
     CHECK(weld(soup, 1e-9).mesh.vertices.rows() > 2 * cube(1).vertices.rows());
 }
 
+TEST_CASE("closed pieces are welded where all become one surface, and left apart where a seam would tear them") {
+    const Mesh low = cylinder(0.3, 2);
+    const auto mirrored_above = [&](double below) { // its lowest ring but for that of the lid is widened
+        Mesh upper = low;
+        for (Eigen::Index v = 0; v < upper.vertices.rows(); ++v) {
+            if (upper.vertices(v, 2) > 2 - 1e-9 && below > 0) upper.vertices.row(v).head(2) *= 1.5;
+            upper.vertices(v, 2) = 4 - below - upper.vertices(v, 2);
+        }
+        upper.faces.col(0).swap(upper.faces.col(1));
+        return upper;
+    };
+    SECTION("one set upon the other: the wall between them goes") {
+        const CleanMesh<double> whole = clean(side_by_side(low, mirrored_above(0)));
+        CHECK(is_sound(whole.mesh));
+        CHECK(enclosed_volume(whole.mesh) == Approx(2 * enclosed_volume(low)).epsilon(1e-12));
+    }
+    SECTION("one ends around the other, and has a ring of vertices where that has its last") {
+        const Mesh both = side_by_side(low, mirrored_above(2.0 / 40));
+        REQUIRE(weld(both, 1e-9).welded == 32);
+        const CleanMesh<double> apart = clean(both);
+        CHECK(apart.mesh.vertices == both.vertices);
+        CHECK(apart.mesh.faces == both.faces);
+        CHECK(apart.notes.empty());
+    }
+    SECTION("a piece that is there twice is one") {
+        const Mesh ball = moved(sphere(0.1, 2), {Eigen::Matrix3d::Identity(), 1, Vec3(0.6, 0, 1)});
+        const Mesh twice = side_by_side(side_by_side(low, low), ball);
+        const CleanMesh<double> once = clean(twice);
+        CHECK(once.mesh.faces.rows() == low.faces.rows() + ball.faces.rows());
+        const std::vector<bool> closed = in_closed_pieces(twice, weld(twice, 0.0).placed);
+        CHECK(std::count(closed.begin(), closed.end(), true) == ball.vertices.rows());
+    }
+    SECTION("a soup of triangles with both their sides has no closed piece") {
+        Mesh soup = as_soup(low);
+        const Eigen::Index m = soup.faces.rows();
+        soup.faces.conservativeResize(2 * m, 3);
+        for (Eigen::Index f = 0; f < m; ++f)
+            soup.faces.row(m + f) << soup.faces(f, 0), soup.faces(f, 2), soup.faces(f, 1);
+        const std::vector<bool> closed = in_closed_pieces(soup, weld(soup, 0.0).placed);
+        CHECK(std::count(closed.begin(), closed.end(), true) == 0);
+    }
+}
+
 TEST_CASE("vertices that no face uses are left out and do not count for the size") {
     const Mesh ball = sphere(1, 3), mesh = with_vertex(ball, Vec3(1e6, 0, 0));
     const WeldedMesh<double> welded = weld(mesh, 0.0);

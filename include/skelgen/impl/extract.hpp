@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -293,6 +294,28 @@ Fit<Scalar> less_certain(Fit<Scalar> fit) {
     return fit;
 }
 
+/// How far a body's vertices have been moved off the input's by smoothing: the root mean square, part of its size.
+template <typename Scalar>
+double smoothed_away(const Body<Scalar>& body, const TriangleMesh<Scalar>& mesh) {
+    core::Accumulator sum = 0;
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < body.source.size(); ++v) {
+        if (body.source[v] < 0) continue;
+        const auto row = static_cast<Eigen::Index>(v);
+        sum += (body.similarity.to_canonical(core::point(mesh.vertices, body.source[v])) -
+                core::point(body.mesh.vertices, row))
+                   .squaredNorm();
+        ++count;
+    }
+    const double size = static_cast<double>(core::bounding_diagonal(body.mesh.vertices));
+    return count > 0 && size > 0 ? std::sqrt(static_cast<double>(sum) / static_cast<double>(count)) / size : 0;
+}
+
+inline std::string noise_smoothed(double noise) {
+    const auto tenths = static_cast<int>(std::lround(1000 * noise)); // of a per cent
+    return "noise smoothed away: " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " % of the size";
+}
+
 /// How sure a skeleton is: of its sides, but less for every joint that looks misplaced.
 template <typename Scalar>
 double sureness(const KinematicSkeleton<Scalar>& skeleton) {
@@ -308,6 +331,7 @@ template <typename Scalar>
 Outcome<FittedBody<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh, const SkeletonTemplate& wanted,
                                                 const ExtractOptions& options) {
     constexpr double sure = 0.4;
+    constexpr double much_noise = 0.005; // a centimetre on a person
     Stopwatch stage;
     const surface::BodyMaterial<Scalar> material = surface::gather(mesh, options.prepare);
     if (material.bodies > 1 && options.prepare.component == 0)
@@ -317,12 +341,14 @@ Outcome<FittedBody<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh
     Body<Scalar> best_body;
     StageTimings timings;
     for (const surface::Remedy remedy : material.remedies) {
+        const bool is_no_body = best && !*best && best->failure().reason == FailureReason::no_body;
+        if (remedy == surface::Remedy::rounded && is_no_body) break; // however round
         Outcome<Body<Scalar>> body = surface::make_body_by(remedy, material, options.prepare);
         if (!body) {
             if (!best) best = body.failure();
             continue;
         }
-        if (remedy != surface::Remedy::largest_piece)
+        if (remedy == surface::Remedy::envelope || remedy == surface::Remedy::wrap)
             if (const auto failure = too_compact(*body)) {
                 if (!best) best = *failure;
                 continue;
@@ -330,11 +356,17 @@ Outcome<FittedBody<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh
         const curve::CurveResult<Scalar> curve = find_curve(*body, options.curve);
         timings.curve += stage.lap();
         // What is wrong with one of several surfaces is not the curve's doing: the next surface may serve better.
-        const int attempts = material.remedies.size() == 1 ? most_attempts : 1;
+        const int attempts = material.remedies.back() == material.remedies.front() ||
+                                     material.remedies.back() == surface::Remedy::rounded
+                                 ? most_attempts
+                                 : 1;
         Outcome<Fit<Scalar>> found = fit_to_body(*body, curve, wanted, options, attempts);
         stage.lap();
         if (found) timings = timings + found->timings;
-        const bool is_as_given = remedy == surface::Remedy::largest_piece && body->dropped_pieces == 0;
+        const double noise = smoothed_away(*body, mesh);
+        const bool is_noisy = noise > much_noise;
+        if (found && is_noisy) found->skeleton.quality.warnings.push_back(noise_smoothed(noise));
+        const bool is_as_given = remedy == surface::Remedy::largest_piece && body->dropped_pieces == 0 && !is_noisy;
         if (found && !is_as_given) found = less_certain(*std::move(found));
         const bool better = found && (!best || !*best || sureness(found->skeleton) > sureness((*best)->skeleton));
         if (better || !best) {

@@ -18,8 +18,9 @@ struct CleanMesh {
 };
 
 /// Puts a mesh's connectivity right: vertices at equal places welded (then those nearer than a millionth of the size),
-/// degenerate and duplicate faces, fins and inner walls left out, faces turned outwards. A mesh that needs none of it
-/// comes back as it is. O(n log n). \throws Error bad_input when fewer than four faces are left.
+/// degenerate and duplicate faces, fins and inner walls left out, faces turned outwards. Pieces that are closed by
+/// themselves are welded to others only where all become one closed surface. A mesh that needs none of it comes back as
+/// it is. O(n log n). \throws Error bad_input when fewer than four faces are left.
 template <typename Scalar>
 [[nodiscard]] CleanMesh<Scalar> clean(const TriangleMesh<Scalar>& mesh);
 

@@ -12,11 +12,13 @@ struct FilledSurface {
     TriangleMesh<Scalar> mesh; ///< the old vertices and faces first, as they were
     int filled = 0;            ///< holes closed
     int open = 0;              ///< holes left
-    double open_area = 0;      ///< of the fans that would close the holes left, part of the surface's area
+    double open_area = 0;      ///< of the lids that would close the holes left, part of the surface's area
 };
 
-/// Closes the holes of a manifold surface by fans around a new vertex in the middle of the rim (a hole of three edges
-/// by one face), but for those whose fan has more than `largest` of the surface's area. O(n log n).
+/// Closes the holes of a manifold surface but for those whose lids have more than `largest` of the surface's area. A
+/// lid goes on as the surface does around the hole (triangulate_rim); a fan around a new vertex in the middle of the
+/// rim closes holes with too many edges for that, more than 500 together, or where no such lid exists. O(n log n)
+/// besides.
 template <typename Scalar>
 [[nodiscard]] FilledSurface<Scalar> fill_holes(const TriangleMesh<Scalar>& mesh, double largest);
 

@@ -31,6 +31,7 @@ enum class Remedy {
     largest_piece, ///< the piece with the largest area, its small holes closed, its triangles untouched
     envelope,      ///< winding_envelope around all pieces
     wrap,          ///< rolling_envelope
+    rounded,       ///< the largest piece, rounder than its faces (surface::rounded): those of a coarse one bend bones
 };
 
 /// The faces of one body, put right as far as that goes without moving a vertex, and what may make one surface of them.
@@ -43,8 +44,9 @@ struct BodyMaterial {
 };
 
 /// Cleans a mesh and chooses what belongs to the body. One piece that is closed but for small holes and has nearly all
-/// of the surface is the body; one that reaches as far as all together is tried first; otherwise an envelope comes
-/// first. O(n log n). \throws Error as `prepare`; usage when `options.component` is larger than the number of bodies.
+/// of the surface is the body, rounded where it is coarse and does not do as it is; one that reaches as far as all
+/// together is tried first; otherwise an envelope comes first. O(n log n). \throws Error as `prepare`; usage when
+/// `options.component` is larger than the number of bodies.
 template <typename Scalar>
 [[nodiscard]] BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptions& options = {});
 

@@ -28,10 +28,18 @@ template <typename Scalar>
 [[nodiscard]] Triangles faces_within_reach(const TriangleMesh<Scalar>& mesh);
 
 /// Makes one vertex of those at equal places, then of those in chains of steps up to `tolerance` (in the mesh's unit),
-/// and leaves out what no face uses; the first of each group stays, and all keep their order. Faces may come to repeat
-/// a vertex. A mesh without any of this comes back with the same vertices and faces. O(n log n) where few lie as near.
+/// and leaves out what no face uses; the first of each group stays, and all keep their order. `apart` (empty: none)
+/// marks vertices that stay as they are. Faces may come to repeat a vertex. A mesh without any of this comes back with
+/// the same vertices and faces. O(n log n) where few lie as near.
 template <typename Scalar>
-[[nodiscard]] WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>& mesh, Scalar tolerance);
+[[nodiscard]] WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>& mesh, Scalar tolerance,
+                                      const std::vector<bool>& apart = {});
+
+/// Marks the vertices of closed pieces: of four faces or more that hang together by vertices, two at every edge. Not
+/// those of copies, which have another piece's vertex at each of their places, as `placed` (of WeldedMesh) says: such a
+/// piece bounds something by itself, and where another one touches it, a seam would tear both. O(n log n).
+template <typename Scalar>
+[[nodiscard]] std::vector<bool> in_closed_pieces(const TriangleMesh<Scalar>& mesh, const std::vector<int>& placed);
 
 } // namespace skelgen::surface
 

@@ -2,36 +2,65 @@
 
 #include <skelgen/surface/fill_holes.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <optional>
+#include <utility>
 
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/surface/triangulate_rim.hpp>
 
 namespace skelgen::surface {
 namespace detail {
 
-/// The rims of a manifold surface's holes: vertices in the order in which faces that close them have to run.
-inline std::vector<std::vector<int>> rims_of(const Triangles& faces, Eigen::Index vertex_count) {
+/// The rims of a manifold surface's holes.
+inline std::vector<Rim> rims_of(const Triangles& faces, Eigen::Index vertex_count) {
     const Triangles adjacency = core::face_adjacency(faces);
-    std::vector<int> next(static_cast<std::size_t>(vertex_count), -1); // against the sense of the face at the rim
+    std::vector<int> next(static_cast<std::size_t>(vertex_count), -1), beside = next; // against the sense of the face
     for (Eigen::Index f = 0; f < faces.rows(); ++f)
-        for (int k = 0; k < 3; ++k)
-            if (adjacency(f, k) < 0) next[static_cast<std::size_t>(faces(f, (k + 1) % 3))] = faces(f, k);
-    std::vector<std::vector<int>> rims;
-    for (std::size_t first = 0; first < next.size(); ++first) {
-        std::vector<int> rim;
-        for (auto v = static_cast<int>(first); v >= 0;) {
-            const int following = next[static_cast<std::size_t>(v)];
-            if (following < 0) break;
-            rim.push_back(v);
-            next[static_cast<std::size_t>(v)] = -1;
-            v = following;
+        for (int k = 0; k < 3; ++k) {
+            if (adjacency(f, k) >= 0) continue;
+            const auto v = static_cast<std::size_t>(faces(f, (k + 1) % 3));
+            next[v] = faces(f, k);
+            beside[v] = static_cast<int>(f);
         }
-        if (!rim.empty()) rims.push_back(std::move(rim));
+    std::vector<Rim> rims;
+    for (std::size_t first = 0; first < next.size(); ++first) {
+        Rim rim;
+        for (std::size_t v = first; next[v] >= 0; v = static_cast<std::size_t>(std::exchange(next[v], -1))) {
+            rim.vertices.push_back(static_cast<int>(v));
+            rim.faces.push_back(beside[v]);
+        }
+        if (!rim.vertices.empty()) rims.push_back(std::move(rim));
     }
     return rims;
 }
+
+/// The edges of a surface between vertices of its rims.
+class RimEdges {
+public:
+    RimEdges(const Triangles& faces, const std::vector<Rim>& rims, Eigen::Index vertex_count) {
+        std::vector<bool> at_rim(static_cast<std::size_t>(vertex_count), false);
+        for (const Rim& rim : rims)
+            for (const int v : rim.vertices) at_rim[static_cast<std::size_t>(v)] = true;
+        for (Eigen::Index f = 0; f < faces.rows(); ++f)
+            for (int k = 0; k < 3; ++k) {
+                const int a = faces(f, k), b = faces(f, (k + 1) % 3);
+                if (at_rim[static_cast<std::size_t>(a)] && at_rim[static_cast<std::size_t>(b)])
+                    edges_.emplace_back(std::min(a, b), std::max(a, b));
+            }
+        std::sort(edges_.begin(), edges_.end());
+    }
+    [[nodiscard]] bool has(int a, int b) const {
+        return std::binary_search(edges_.begin(), edges_.end(), std::pair(std::min(a, b), std::max(a, b)));
+    }
+
+private:
+    std::vector<std::pair<int, int>> edges_; ///< the lesser vertex first, in order
+};
 
 template <typename Scalar>
 Vector3<Scalar> middle_of(const Points<Scalar>& points, const std::vector<int>& rim) {
@@ -51,30 +80,71 @@ core::Accumulator fan_area(const Points<Scalar>& points, const std::vector<int>&
     return area;
 }
 
+/// What closes a hole: faces of the surface's vertices and, where there is one, of a new vertex after them.
+template <typename Scalar>
+struct Lid {
+    std::vector<std::array<int, 3>> faces;
+    std::optional<Vector3<Scalar>> middle;
+    core::Accumulator area = 0;
+};
+
+template <typename Scalar>
+Lid<Scalar> fan_across(const TriangleMesh<Scalar>& mesh, const Rim& rim, int new_vertex) {
+    const std::vector<int>& around = rim.vertices;
+    Lid<Scalar> out;
+    out.middle = middle_of(mesh.vertices, around);
+    out.area = fan_area(mesh.vertices, around, *out.middle);
+    for (std::size_t i = 0; i < around.size(); ++i)
+        out.faces.push_back({around[i], around[(i + 1) % around.size()], new_vertex});
+    return out;
+}
+
+/// None where the rim has an edge across it wherever a triangle would have to be.
+template <typename Scalar>
+std::optional<Lid<Scalar>> triangles_across(const TriangleMesh<Scalar>& mesh, const Rim& rim, const RimEdges& edges) {
+    const auto vertex = [&](int i) { return rim.vertices[static_cast<std::size_t>(i)]; };
+    const auto triangles = triangulate_rim(mesh, rim, [&](int i, int j) { return edges.has(vertex(i), vertex(j)); });
+    if (!triangles) return std::nullopt;
+    Lid<Scalar> out;
+    for (const std::array<int, 3>& t : *triangles) {
+        out.faces.push_back({vertex(t[0]), vertex(t[1]), vertex(t[2])});
+        const Vector3<Scalar> a = core::point(mesh.vertices, vertex(t[0]));
+        out.area +=
+            (core::point(mesh.vertices, vertex(t[1])) - a).cross(core::point(mesh.vertices, vertex(t[2])) - a).norm() /
+            2;
+    }
+    return out;
+}
+
 } // namespace detail
 
 template <typename Scalar>
 FilledSurface<Scalar> fill_holes(const TriangleMesh<Scalar>& mesh, double largest) {
     FilledSurface<Scalar> out;
     const core::Accumulator area = core::surface_area(mesh);
+    double work = 500.0 * 500 * 500; // that triangulations may take: half a second
     std::vector<Vector3<Scalar>> added;
     std::vector<std::array<int, 3>> faces;
-    for (const std::vector<int>& rim : detail::rims_of(mesh.faces, mesh.vertices.rows())) {
-        const Vector3<Scalar> middle = detail::middle_of(mesh.vertices, rim);
-        const core::Accumulator fan = detail::fan_area(mesh.vertices, rim, middle);
-        if (fan > largest * area || rim.size() < 3) {
+    const std::vector<Rim> rims = detail::rims_of(mesh.faces, mesh.vertices.rows());
+    const detail::RimEdges edges(mesh.faces, rims, mesh.vertices.rows());
+    for (const Rim& rim : rims) {
+        const double cube = std::pow(static_cast<double>(rim.vertices.size()), 3);
+        std::optional<detail::Lid<Scalar>> lid;
+        if (cube <= work) {
+            work -= cube;
+            lid = detail::triangles_across(mesh, rim, edges);
+        }
+        if (!lid)
+            lid =
+                detail::fan_across(mesh, rim, static_cast<int>(mesh.vertices.rows()) + static_cast<int>(added.size()));
+        if (lid->area > largest * area || rim.vertices.size() < 3) {
             ++out.open;
-            out.open_area += static_cast<double>(fan / area);
+            out.open_area += static_cast<double>(lid->area / area);
             continue;
         }
         ++out.filled;
-        if (rim.size() == 3) {
-            faces.push_back({rim[0], rim[1], rim[2]});
-            continue;
-        }
-        const int centre = static_cast<int>(mesh.vertices.rows()) + static_cast<int>(added.size());
-        added.push_back(middle);
-        for (std::size_t i = 0; i < rim.size(); ++i) faces.push_back({rim[i], rim[(i + 1) % rim.size()], centre});
+        if (lid->middle) added.push_back(*lid->middle);
+        faces.insert(faces.end(), lid->faces.begin(), lid->faces.end());
     }
     out.mesh.vertices.resize(mesh.vertices.rows() + static_cast<Eigen::Index>(added.size()), 3);
     out.mesh.vertices.topRows(mesh.vertices.rows()) = mesh.vertices;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,7 @@
 #include <skelgen/surface/fill_holes.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
 #include <skelgen/surface/pieces.hpp>
+#include <skelgen/surface/rounded.hpp>
 
 namespace skelgen::surface {
 template <typename Scalar>
@@ -53,7 +55,7 @@ struct ChosenPiece {
     std::vector<std::string> notes;
 };
 
-inline constexpr double small_hole = 0.02; // of the surface: a hand, or the soles of both feet (LB44)
+inline constexpr double small_hole = 0.04; // of the surface: the skin of an upper arm (LB44)
 
 /// The largest piece, its small holes closed. A mesh of one closed piece is taken as it is.
 template <typename Scalar>
@@ -158,12 +160,28 @@ std::string overlapping_pieces(const TriangleMesh<Scalar>& mesh) {
     return std::to_string(manifold_parts(mesh).size());
 }
 
-/// The largest piece of the material as a body.
+/// The largest piece of the material.
 template <typename Scalar>
-Body<Scalar> body_of_piece(const BodyMaterial<Scalar>& material, const PrepareOptions& options) {
+ChosenPiece<Scalar> chosen_of(const BodyMaterial<Scalar>& material) {
     ChosenPiece<Scalar> piece = choose_piece(material.clean);
     piece.notes.insert(piece.notes.begin(), material.clean.notes.begin(), material.clean.notes.end());
     piece.dropped_pieces += material.dropped_pieces;
+    return piece;
+}
+
+/// The same, rounder.
+template <typename Scalar>
+Body<Scalar> body_of_rounded_piece(const BodyMaterial<Scalar>& material, const PrepareOptions& options) {
+    ChosenPiece<Scalar> piece = chosen_of(material);
+    if (piece.source.empty()) {
+        piece.source.resize(static_cast<std::size_t>(piece.mesh.vertices.rows()));
+        std::iota(piece.source.begin(), piece.source.end(), 0);
+    }
+    const Eigen::Index faces = piece.mesh.faces.rows();
+    piece.mesh = rounded(piece.mesh);
+    piece.source.resize(static_cast<std::size_t>(piece.mesh.vertices.rows()), -1);
+    piece.notes.push_back("coarse surface made rounder: " + std::to_string(piece.mesh.faces.rows()) + " faces of " +
+                          std::to_string(faces));
     return body_of(std::move(piece), material.clean.placed, options);
 }
 
@@ -201,6 +219,7 @@ template <typename Scalar>
 BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptions& options) {
     constexpr Scalar nearly_all = Scalar(0.98), nearly_as_far = Scalar(0.85), much = Scalar(0.4);
     constexpr double wide_open = 0.1;
+    constexpr Eigen::Index few_vertices = 3000; // as many as the curve's proxy has
     require_surface(mesh);
     validate(options);
     BodyMaterial<Scalar> out{clean(mesh), 1, 0, {}};
@@ -221,8 +240,11 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
         out.clean.is_sound = false;
     }
 
+    const std::vector<Remedy> for_one_piece = out.clean.mesh.vertices.rows() < few_vertices
+                                                  ? std::vector<Remedy>{Remedy::largest_piece, Remedy::rounded}
+                                                  : std::vector<Remedy>{Remedy::largest_piece};
     if (out.clean.is_sound) {
-        out.remedies = {Remedy::largest_piece};
+        out.remedies = for_one_piece;
         return out;
     }
     const TriangleMesh<Scalar> part = largest_manifold_part(out.clean.mesh).mesh;
@@ -231,7 +253,7 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
     const Vector3<Scalar> extent = detail::extent_of(part), whole_extent = detail::extent_of(out.clean.mesh);
     const bool reaches_as_far = extent.maxCoeff() >= nearly_as_far * whole_extent.maxCoeff();
     if (filled.open == 0 && share >= nearly_all)
-        out.remedies = {Remedy::largest_piece};
+        out.remedies = for_one_piece;
     else if (filled.open_area <= wide_open && reaches_as_far && share >= much)
         out.remedies = {Remedy::largest_piece, Remedy::envelope, Remedy::wrap};
     else
@@ -241,7 +263,9 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
 
 template <typename Scalar>
 Outcome<Body<Scalar>> make_body_by(Remedy remedy, const BodyMaterial<Scalar>& material, const PrepareOptions& options) {
-    if (remedy == Remedy::largest_piece) return detail::body_of_piece(material, options);
+    if (remedy == Remedy::largest_piece)
+        return detail::body_of(detail::chosen_of(material), material.clean.placed, options);
+    if (remedy == Remedy::rounded) return detail::body_of_rounded_piece(material, options);
     return detail::body_of_envelope(remedy, material, options);
 }
 

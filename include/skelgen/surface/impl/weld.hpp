@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
 
@@ -77,14 +78,16 @@ Triangles faces_within_reach(const TriangleMesh<Scalar>& mesh) {
 }
 
 template <typename Scalar>
-WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>& mesh, Scalar tolerance) {
+WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>& mesh, Scalar tolerance, const std::vector<bool>& apart) {
     const auto n = static_cast<std::size_t>(mesh.vertices.rows());
     std::vector<bool> is_used(n, false);
     for (Eigen::Index i = 0; i < mesh.faces.size(); ++i) is_used[static_cast<std::size_t>(mesh.faces.data()[i])] = true;
     std::vector<int> used;
     for (std::size_t v = 0; v < n; ++v)
         if (is_used[v]) used.push_back(static_cast<int>(v));
-    core::DisjointSets groups = detail::near_points(mesh.vertices, used, tolerance);
+    std::vector<int> loose = used;
+    if (!apart.empty()) std::erase_if(loose, [&](int v) { return apart[static_cast<std::size_t>(v)]; });
+    core::DisjointSets groups = detail::near_points(mesh.vertices, loose, tolerance);
     const auto first_of = [&](int v) { return static_cast<int>(groups.find(static_cast<std::size_t>(v))); };
 
     WeldedMesh<Scalar> out;
@@ -102,6 +105,39 @@ WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>& mesh, Scalar tolerance) {
     out.mesh.faces = mesh.faces;
     for (Eigen::Index i = 0; i < mesh.faces.size(); ++i)
         out.mesh.faces.data()[i] = out.placed[static_cast<std::size_t>(mesh.faces.data()[i])];
+    return out;
+}
+
+template <typename Scalar>
+std::vector<bool> in_closed_pieces(const TriangleMesh<Scalar>& mesh, const std::vector<int>& placed) {
+    constexpr int least_faces = 4; // a tetrahedron's; a triangle stored with both its sides has two
+    const auto n = static_cast<std::size_t>(mesh.vertices.rows());
+    core::DisjointSets joined(n);
+    const auto vertex = [&](Eigen::Index f, int k) { return static_cast<std::size_t>(mesh.faces(f, k)); };
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
+        for (int k = 1; k < 3; ++k) joined.unite(vertex(f, 0), vertex(f, k));
+    std::vector<int> faces(n, 0);
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) ++faces[joined.find(vertex(f, 0))];
+    std::vector<bool> is_closed(n, false), is_copy(n, true);
+    for (std::size_t piece = 0; piece < n; ++piece) is_closed[piece] = faces[piece] >= least_faces;
+    const std::vector<core::DirectedEdge> edges = core::directed_edges(mesh.faces);
+    for (std::size_t i = 0; i < edges.size();) {
+        std::size_t end = i;
+        while (end < edges.size() && edges[end].joins_same(edges[i])) ++end;
+        if (end - i != 2) is_closed[joined.find(static_cast<std::size_t>(edges[i].low))] = false;
+        i = end;
+    }
+    std::vector<std::size_t> piece_at(n, n); // per place the one piece there, n + 1 for several
+    const auto place_of = [&](std::size_t v) { return static_cast<std::size_t>(placed[v]); };
+    for (std::size_t v = 0; v < n; ++v) {
+        if (placed[v] < 0) continue;
+        std::size_t& piece = piece_at[place_of(v)];
+        piece = piece == n || piece == joined.find(v) ? joined.find(v) : n + 1;
+    }
+    for (std::size_t v = 0; v < n; ++v)
+        if (placed[v] >= 0 && piece_at[place_of(v)] <= n) is_copy[joined.find(v)] = false;
+    std::vector<bool> out(n, false);
+    for (std::size_t v = 0; v < n; ++v) out[v] = is_closed[joined.find(v)] && !is_copy[joined.find(v)];
     return out;
 }
 
