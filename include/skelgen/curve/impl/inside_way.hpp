@@ -79,7 +79,9 @@ struct LinePiece {
 template <typename Scalar>
 std::optional<LinePiece> outside_piece(const std::vector<BranchSection<Scalar>>& sections, Eigen::Index begin) {
     const auto size = static_cast<Eigen::Index>(sections.size());
-    const auto is_out = [&](Eigen::Index i) { return is_outside(sections[static_cast<std::size_t>(i)]); };
+    const auto is_out = [&](Eigen::Index i) { // there are no sections at the ends, nor far from any surface outside
+        return i > 0 && i + 1 < size && !sections[static_cast<std::size_t>(i)].encloses;
+    };
     Eigen::Index first = begin;
     while (first + 1 < size && (is_out(first) || !is_out(first + 1))) ++first;
     Eigen::Index last = first + 1;
