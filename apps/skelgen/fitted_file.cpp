@@ -16,7 +16,11 @@ FittedFile fit_file(const MeshInput& input, const ExtractOptions& options) {
 }
 
 void print_warnings(const std::filesystem::path& file, const KinematicSkeleton<double>& skeleton) {
+    constexpr double likely = 0.6; // below, sides or limbs are wrong often: README, Measured
     for (const std::string& warning : skeleton.quality.warnings) print_warning(file.string() + ": " + warning);
+    if (skeleton.quality.sides_confidence < likely)
+        print_warning(file.string() + ": the skeleton is a guess: confidence " +
+                      std::to_string(skeleton.quality.sides_confidence).substr(0, 4) + "; look at it (render)");
 }
 
 } // namespace skelgen::cli

@@ -21,7 +21,7 @@ struct FittedFile {
 /// Reads a mesh and finds the body in it. \throws Error as `io::read_mesh` and `extract_body`, without the file's name.
 [[nodiscard]] FittedFile fit_file(const MeshInput& input, const ExtractOptions& options = {});
 
-/// Prints what is to be known of a skeleton that was found in a file.
+/// Prints what is to be known of a skeleton that was found in a file, and that it is a guess where it is one.
 void print_warnings(const std::filesystem::path& file, const KinematicSkeleton<double>& skeleton);
 
 } // namespace skelgen::cli

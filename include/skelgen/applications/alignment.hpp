@@ -14,9 +14,9 @@ struct PelvisDirections {
     Vector3<Scalar> left, up;
 };
 
-/// Left is from the right hip to the left one. Up is from between the hips to the waist, and half as much on to the
-/// chest: where the trunk bends, errors of the two point against each other. The weight is calibrated on registered
-/// bodies. \throws Error usage when a joint of human21 is missing. O(joints).
+/// Left is from the right hip to the left one. Up is the mean of the directions from between the hips to crotch, waist
+/// and chest: where the trunk bends, their errors point against each other. \throws Error usage when a joint of human21
+/// is missing. O(joints).
 template <typename Scalar>
 [[nodiscard]] PelvisDirections<Scalar> pelvis_directions(const KinematicSkeleton<Scalar>& skeleton);
 

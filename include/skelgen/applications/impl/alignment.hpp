@@ -14,11 +14,12 @@ namespace skelgen::applications {
 
 template <typename Scalar>
 PelvisDirections<Scalar> pelvis_directions(const KinematicSkeleton<Scalar>& skeleton) {
-    constexpr Scalar weight_of_chest = Scalar(0.5);
     const Vector3<Scalar> left = joint_place(skeleton, "left_hip"), right = joint_place(skeleton, "right_hip");
     const Vector3<Scalar> middle = (left + right) / 2;
-    return {left - right, (joint_place(skeleton, "waist") - middle).stableNormalized() +
-                              weight_of_chest * (joint_place(skeleton, "chest") - middle).stableNormalized()};
+    Vector3<Scalar> up = Vector3<Scalar>::Zero();
+    for (const char* joint : {"crotch", "waist", "chest"})
+        up += (joint_place(skeleton, joint) - middle).stableNormalized();
+    return {left - right, up};
 }
 
 SKELGEN_INLINE void validate(const AlignmentOptions& options) {
