@@ -22,6 +22,7 @@ namespace skelgen::embedding {
                                         const MatchingOptions&);                                                       \
     template Outcome<Embedding> embed(const CurveSkeleton<Scalar>&, const SkeletonTemplate&, const MatchingOptions&);  \
     template Scalar unmatched_reach(const CurveSkeleton<Scalar>&, const Embedding&);                                   \
+    template int contact_count(const CurveSkeleton<Scalar>&);                                                          \
     template std::vector<LoopCut> find_loop_cuts(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,                \
                                                  const MatchingOptions&);                                              \
     template std::optional<PartedBody<Scalar>> part_contacts(const Body<Scalar>&, const CurveSkeleton<Scalar>&,        \

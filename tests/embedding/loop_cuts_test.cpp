@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/error.hpp>
@@ -45,6 +46,30 @@ bool contains(const std::vector<int>& nodes, int node) {
 } // namespace
 
 TEST_CASE("a tree has no loop to cut") { CHECK(find_loop_cuts(human_curve(), human()).empty()); }
+
+TEST_CASE("a small loop from a junction back to itself is no contact, a limb's loop is") {
+    CurveSkeleton<double> curve = human_curve();
+    CHECK(contact_count(curve) == 0);
+    const int hip = middle_of_bone(curve, "left_hip", "left_knee");
+    const auto first = static_cast<int>(curve.nodes.rows());
+    const Vector3<double> place = curve.nodes.row(hip);
+    curve.nodes.conservativeResize(first + 2, 3);
+    curve.nodes.row(first) = (place + Vector3<double>(0.05, 0.05, 0)).transpose();
+    curve.nodes.row(first + 1) = (place + Vector3<double>(0.05, -0.05, 0)).transpose();
+    curve.radii.resize(curve.radii.size() + 2, 0.02);
+    curve.regions.resize(curve.regions.size() + 2);
+    for (const auto& edge : {std::array{hip, first}, std::array{first, first + 1}, std::array{hip, first + 1}})
+        curve.edges.push_back(edge);
+    CHECK(contact_count(curve) == 0);
+    CHECK(find_loop_cuts(curve, human()).empty());
+
+    const int hand = tip(curve, "right_hand"), thigh = middle_of_bone(curve, "right_hip", "right_knee");
+    curve.edges.push_back({std::min(hand, thigh), std::max(hand, thigh)});
+    CHECK(contact_count(curve) == 1);
+    const std::vector<LoopCut> cuts = find_loop_cuts(curve, human());
+    REQUIRE(cuts.size() == 1);
+    CHECK(cuts[0].limb.front() == hand);
+}
 
 TEST_CASE("clasped hands are cut between the hands") {
     CurveSkeleton<double> curve = human_curve();

@@ -14,12 +14,17 @@ struct LoopCut {
     std::vector<int> other; ///< what is not nearer to that other end
 };
 
+/// How often a body touches itself: the independent cycles of its curve but for short ones from a junction back to
+/// itself, as of a finger on a hip, which no limb makes. O(k^2).
+template <typename Scalar>
+[[nodiscard]] int contact_count(const CurveSkeleton<Scalar>& curve);
+
 /// Where the loops of a body that touches itself are to be opened, so that the template fits what remains best: a loop
 /// is cut in the middle of one of its branches (hands clasped), or where a branch comes out of what it touches (a hand
 /// on a thigh). Beam search over the cuts of one loop after the other by the distortion of the embedding, which takes
-/// some hundred embeddings a loop at most. \returns as many cuts as the connected curve has independent cycles; none
-/// when it is a tree, when it has more than six of them (a scan's tunnels are no contacts), or when no set of cuts lets
-/// the template in. \throws Error usage when an option is out of its range.
+/// some hundred embeddings a loop at most. \returns as many cuts as the connected curve has contacts (`contact_count`);
+/// none when these are none or more than six (a scan's tunnels are no contacts), or when no set of cuts lets the
+/// template in. \throws Error usage when an option is out of its range.
 template <typename Scalar>
 [[nodiscard]] std::vector<LoopCut> find_loop_cuts(const CurveSkeleton<Scalar>& curve,
                                                   const SkeletonTemplate& skeleton_template,

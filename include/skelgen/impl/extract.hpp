@@ -17,6 +17,7 @@
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/template_rules.hpp>
 #include <skelgen/embedding/embed.hpp>
+#include <skelgen/embedding/loop_cuts.hpp>
 #include <skelgen/embedding/part_contacts.hpp>
 #include <skelgen/refinement/end_points.hpp>
 #include <skelgen/surface/canonical_form.hpp>
@@ -211,7 +212,7 @@ Outcome<Fit<Scalar>> fit_touching_body(const Body<Scalar>& body, const curve::Cu
         if (const auto failure = not_single(curve, *embedding)) return *failure;
 
     Stopwatch stage;
-    const int contacts = core::cycle_count(curve);
+    const int contacts = embedding::contact_count(curve);
     const auto parted = embedding::part_contacts(body, curve, wanted, options.matching, options.curve);
     StageTimings cutting;
     cutting.curve = stage.lap();
@@ -232,7 +233,7 @@ Outcome<Fit<Scalar>> fit_touching_body(const Body<Scalar>& body, const curve::Cu
 template <typename Scalar>
 Outcome<Fit<Scalar>> fit_to_body(const Body<Scalar>& body, const curve::CurveResult<Scalar>& curve,
                                  const SkeletonTemplate& wanted, const ExtractOptions& options, int attempts) {
-    if (core::cycle_count(curve.curve) > 0) return fit_touching_body(body, curve, wanted, options, attempts);
+    if (embedding::contact_count(curve.curve) > 0) return fit_touching_body(body, curve, wanted, options, attempts);
     return to_fit(body, fit_to_finer_curves(body, curve, wanted, options, attempts));
 }
 

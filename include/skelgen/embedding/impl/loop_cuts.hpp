@@ -57,6 +57,18 @@ std::vector<std::vector<int>> loop_branches(const CurveSkeleton<Scalar>& curve) 
     return out;
 }
 
+/// The edges of loops that are no limb's: short ones that go out from a junction and back to it, as of a finger on a
+/// hip. An arm that touches the trunk makes one of a quarter of the way from toe to fingertip, and more.
+template <typename Scalar>
+std::set<Edge> edges_of_small_loops(const CurveSkeleton<Scalar>& curve) {
+    constexpr auto longest = static_cast<Scalar>(0.2); // of the curve's diameter
+    const Scalar bound = longest * core::curve_diameter(core::curve_graph(curve));
+    std::set<Edge> out;
+    for (const std::vector<int>& branch : loop_branches(curve))
+        if (branch.front() == branch.back() && core::path_length(curve, branch) < bound) out.merge(edges_of(branch));
+    return out;
+}
+
 /// First node of the path farther than `distance` from its start along it; at most the last.
 template <typename Scalar>
 std::size_t first_beyond(const CurveSkeleton<Scalar>& curve, const std::vector<int>& path, Scalar distance) {
@@ -160,6 +172,13 @@ struct Opening {
 } // namespace detail
 
 template <typename Scalar>
+int contact_count(const CurveSkeleton<Scalar>& curve) {
+    if (core::cycle_count(curve) == 0) return 0;
+    return core::cycle_count(
+        detail::without_lone_nodes(detail::without_edges(curve, detail::edges_of_small_loops(curve))));
+}
+
+template <typename Scalar>
 std::vector<LoopCut> find_loop_cuts(const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template,
                                     const MatchingOptions& options) {
     using detail::Opening;
@@ -168,9 +187,9 @@ std::vector<LoopCut> find_loop_cuts(const CurveSkeleton<Scalar>& curve, const Sk
         6; // hands on hips, legs together and heels: a body makes four; more are a scan's tunnels
     validate(options);
     constexpr std::size_t most_branches = 40; // a body with so many loops has 5 limbs, and 3 branches more for each
-    const int loops = core::cycle_count(curve);
+    const int loops = contact_count(curve);
     if (loops < 1 || loops > most_loops || core::branches(core::curve_graph(curve)).size() > most_branches) return {};
-    std::vector<Opening> openings{Opening{}};
+    std::vector<Opening> openings{Opening{{}, detail::edges_of_small_loops(curve)}};
     for (int level = 0; level < loops; ++level) {
         std::vector<Opening> next;
         for (const Opening& opening : openings)

@@ -90,8 +90,8 @@ part_contacts(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve, cons
         std::optional<Body<Scalar>> cut = detail::with_cuts(uncut, looped, cuts);
         if (!cut) return std::nullopt;
         curve::CurveResult<Scalar> found = curve::find_curve(*cut, curve_options);
-        const int loops = core::cycle_count(found.curve);
-        if (loops >= core::cycle_count(looped)) return std::nullopt;
+        const int loops = contact_count(found.curve);
+        if (loops >= contact_count(looped)) return std::nullopt;
         parted = PartedBody<Scalar>{*std::move(cut), std::move(found)};
         if (loops == 0) return parted;
     }
