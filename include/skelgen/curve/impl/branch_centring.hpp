@@ -181,6 +181,16 @@ Scalar mean_off_centre(const CentredBranches<Scalar>& curve) {
     return count > 0 ? sum / count : Scalar(0);
 }
 
+/// All that lies outside pulled inside, as far as that goes.
+template <typename Scalar>
+CentredBranches<Scalar> all_pulled_inside(CentredBranches<Scalar> curve, const Body<Scalar>& body, Scalar spacing) {
+    for (int round = 0; round < pulls && any_outside(curve.sections); ++round) {
+        curve.branched = pulled_inside(std::move(curve.branched), curve.sections, spacing);
+        curve.sections = all_sections(curve.branched, body, spacing);
+    }
+    return curve;
+}
+
 } // namespace detail
 
 SKELGEN_INLINE void validate(const BranchCentringOptions& options) {
@@ -199,11 +209,9 @@ CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Bo
     CentredBranches<Scalar> out = detail::centred(branched, body, options, spacing, false);
     if (!detail::any_outside(out.sections)) return out;
     CentredBranches<Scalar> led = detail::centred(std::move(branched), body, options, spacing, true);
-    if (detail::mean_off_centre(led) < detail::mean_off_centre(out)) out = std::move(led);
-    for (int round = 0; round < detail::pulls && detail::any_outside(out.sections); ++round) {
-        out.branched = detail::pulled_inside(std::move(out.branched), out.sections, spacing);
-        out.sections = detail::all_sections(out.branched, body, spacing);
-    }
+    out = detail::all_pulled_inside(std::move(out), body, spacing);
+    led = detail::all_pulled_inside(std::move(led), body, spacing);
+    if (detail::mean_off_centre(led) < detail::mean_off_centre(out)) return led;
     return out;
 }
 
