@@ -181,6 +181,17 @@ Scalar mean_off_centre(const CentredBranches<Scalar>& curve) {
     return count > 0 ? sum / count : Scalar(0);
 }
 
+/// How many of the points, but for the ends of branches, lie outside by the winding number. O(points faces).
+template <typename Scalar>
+int count_outside(const CentredBranches<Scalar>& curve, const Body<Scalar>& body) {
+    constexpr Scalar inside = Scalar(0.5);
+    int count = 0;
+    for (const Branch<Scalar>& branch : curve.branched.branches)
+        for (Eigen::Index i = 1; i + 1 < branch.line.rows(); ++i)
+            count += core::winding_number(body.mesh, core::point(branch.line, i)) > inside ? 0 : 1;
+    return count;
+}
+
 /// All that lies outside pulled inside, as far as that goes.
 template <typename Scalar>
 CentredBranches<Scalar> all_pulled_inside(CentredBranches<Scalar> curve, const Body<Scalar>& body, Scalar spacing) {
@@ -209,9 +220,10 @@ CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Bo
     CentredBranches<Scalar> out = detail::centred(branched, body, options, spacing, false);
     if (!detail::any_outside(out.sections)) return out;
     CentredBranches<Scalar> led = detail::centred(std::move(branched), body, options, spacing, true);
+    const bool led_is_better = detail::mean_off_centre(led) < detail::mean_off_centre(out);
     out = detail::all_pulled_inside(std::move(out), body, spacing);
     led = detail::all_pulled_inside(std::move(led), body, spacing);
-    if (detail::mean_off_centre(led) < detail::mean_off_centre(out)) return led;
+    if (led_is_better && detail::count_outside(led, body) == 0) return led;
     return out;
 }
 
