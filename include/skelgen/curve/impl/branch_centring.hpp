@@ -87,27 +87,28 @@ BranchedCurve<Scalar> smoothed(BranchedCurve<Scalar> branched) {
     return branched;
 }
 
-/// A place inside a contour near one outside: on the chord through the contour's nearest point, `depth` along it or in
-/// its middle.
+/// A place inside a section's contour near one outside: on a chord from the contour's nearest point, `depth` along it
+/// or in its middle; of the chords on which that lies inside, the one that goes straightest on. The place itself where
+/// there is none.
 template <typename Scalar>
-Vector3<Scalar> place_within(const surface::Contour<Scalar>& contour, const Vector3<Scalar>& place, Scalar depth) {
+Vector3<Scalar> place_within(const BranchSection<Scalar>& section, const Vector3<Scalar>& place, Scalar depth) {
+    const auto& points = section.contour.points;
     const auto nearer = [&](const Vector3<Scalar>& a, const Vector3<Scalar>& b) {
         return (a - place).squaredNorm() < (b - place).squaredNorm();
     };
-    const Vector3<Scalar> entry = *std::min_element(contour.points.begin(), contour.points.end(), nearer);
-    // Of the chords from there, that one that comes nearest to going straight on.
-    Vector3<Scalar> exit = entry;
+    const Vector3<Scalar> entry = *std::min_element(points.begin(), points.end(), nearer);
+    const Vector3<Scalar> on = (entry - place).normalized();
+    Vector3<Scalar> best = place;
     Scalar straightest = 0;
-    for (const Vector3<Scalar>& p : contour.points) {
-        const Vector3<Scalar> chord = p - entry;
-        const Scalar cosine = chord.norm() > 0 ? chord.normalized().dot((entry - place).normalized()) : Scalar(0);
-        if (!(cosine > straightest)) continue;
-        straightest = cosine;
-        exit = p;
+    for (const Vector3<Scalar>& exit : points) {
+        const Scalar length = (exit - entry).norm();
+        if (!((exit - entry).dot(on) > straightest * length)) continue;
+        const Vector3<Scalar> inner = entry + std::min(depth / length, Scalar(0.5)) * (exit - entry);
+        if (!surface::relate(section.contour, inner, section.normal).encloses) continue;
+        straightest = (exit - entry).dot(on) / length;
+        best = inner;
     }
-    const Vector3<Scalar> middle = (entry + exit) / 2;
-    const Scalar half = (middle - entry).norm();
-    return half > depth ? Vector3<Scalar>(entry + depth / half * (middle - entry)) : middle;
+    return best;
 }
 
 /// Moving a point in turns the sections of its neighbours: some rounds.
@@ -131,7 +132,7 @@ BranchedCurve<Scalar> pulled_inside(BranchedCurve<Scalar> branched, const Sectio
             if (!is_outside(section)) continue;
             const auto row = static_cast<Eigen::Index>(i);
             Points<Scalar>& line = branched.branches[b].line;
-            core::set_point(line, row, place_within(section.contour, core::point(line, row), spacing));
+            core::set_point(line, row, place_within(section, core::point(line, row), spacing));
         }
     return branched;
 }
@@ -181,15 +182,19 @@ Scalar mean_off_centre(const CentredBranches<Scalar>& curve) {
     return count > 0 ? sum / count : Scalar(0);
 }
 
-/// How many of the points, but for the ends of branches, lie outside by the winding number. O(points faces).
+/// Whether all but the tips lies inside by the winding number. O(points faces).
 template <typename Scalar>
-int count_outside(const CentredBranches<Scalar>& curve, const Body<Scalar>& body) {
-    constexpr Scalar inside = Scalar(0.5);
-    int count = 0;
+bool all_inside(const CentredBranches<Scalar>& curve, const Body<Scalar>& body) {
+    const auto inside = [&](const Vector3<Scalar>& place) {
+        return core::winding_number(body.mesh, place) > Scalar(0.5);
+    };
+    const std::vector<int> degrees = curve.branched.degrees();
+    for (std::size_t k = 0; k < degrees.size(); ++k)
+        if (degrees[k] > 1 && !inside(curve.branched.knots[k])) return false;
     for (const Branch<Scalar>& branch : curve.branched.branches)
         for (Eigen::Index i = 1; i + 1 < branch.line.rows(); ++i)
-            count += core::winding_number(body.mesh, core::point(branch.line, i)) > inside ? 0 : 1;
-    return count;
+            if (!inside(core::point(branch.line, i))) return false;
+    return true;
 }
 
 /// All that lies outside pulled inside, as far as that goes.
@@ -223,7 +228,7 @@ CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Bo
     const bool led_is_better = detail::mean_off_centre(led) < detail::mean_off_centre(out);
     out = detail::all_pulled_inside(std::move(out), body, spacing);
     led = detail::all_pulled_inside(std::move(led), body, spacing);
-    if (led_is_better && detail::count_outside(led, body) == 0) return led;
+    if (led_is_better && detail::all_inside(led, body)) return led;
     return out;
 }
 
