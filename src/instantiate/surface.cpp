@@ -70,7 +70,7 @@ namespace skelgen::surface {
                                           const std::vector<std::vector<int>>&);                                       \
     template std::vector<Scalar> crease_factors(const TriangleMesh<Scalar>&, const Triangles&);                        \
     template std::vector<HandleLoop<Scalar>> handle_loops(const TriangleMesh<Scalar>&, const Triangles&, int);         \
-    template Body<Scalar> open_handles(Body<Scalar>);                                                                  \
+    template std::optional<Body<Scalar>> open_handles(const Body<Scalar>&);                                            \
     template Body<Scalar> make_body(TriangleMesh<Scalar>, const Similarity<Scalar>&, std::vector<int>, int);           \
     template Body<Scalar> resurfaced(Body<Scalar>, TriangleMesh<Scalar>, std::vector<int>);                            \
     template CurveSkeleton<Scalar> to_input(const Body<Scalar>&, const CurveSkeleton<Scalar>&);                        \

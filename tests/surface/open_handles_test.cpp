@@ -89,23 +89,17 @@ TEST_CASE("in a crease of a right angle a fifth of the length counts, on ridges 
 }
 
 TEST_CASE("a thin ring is opened, a thick one is not") {
-    const Body<double> thin = open_handles(prepare(torus(1, 0.005)));
-    CHECK(genus(thin.mesh) == 0);
-    CHECK(is_closed(thin.mesh.faces));
-    REQUIRE(thin.repairs.size() == 1);
-    CHECK(thin.repairs.front() == "the body has grown together with itself in 1 place: it was opened there");
-    CHECK(thin.source.size() == static_cast<std::size_t>(thin.mesh.vertices.rows()));
+    const Body<double> ring = prepare(torus(1, 0.005));
+    const auto opened = open_handles(ring);
+    REQUIRE(opened);
+    CHECK(genus(opened->mesh) == 0);
+    CHECK(is_closed(opened->mesh.faces));
+    REQUIRE(opened->repairs.size() == 1);
+    CHECK(opened->repairs.front() == "the body has grown together with itself in 1 place: it was opened there");
+    REQUIRE(opened->source.size() == static_cast<std::size_t>(opened->mesh.vertices.rows()));
+    for (std::size_t v = 0; v < ring.source.size(); ++v) CHECK(opened->source[v] == ring.source[v]);
 
-    const Body<double> ring = prepare(torus(1, 0.2));
-    const Body<double> thick = open_handles(ring);
-    CHECK(thick.mesh.vertices == ring.mesh.vertices);
-    CHECK(thick.mesh.faces == ring.mesh.faces);
-    CHECK(thick.repairs.empty());
+    CHECK_FALSE(open_handles(prepare(torus(1, 0.2))));
 }
 
-TEST_CASE("a body without handles stays as it is") {
-    const Body<double> ball = prepare(sphere(1));
-    const Body<double> same = open_handles(ball);
-    CHECK(same.mesh.vertices == ball.mesh.vertices);
-    CHECK(same.mesh.faces == ball.mesh.faces);
-}
+TEST_CASE("a body without handles has nothing to open") { CHECK_FALSE(open_handles(prepare(sphere(1)))); }

@@ -89,19 +89,51 @@ std::optional<Failure> not_all_matched(Scalar unmatched) {
     return std::nullopt;
 }
 
-/// Elbows and knees as near to those of the other side as only one limb's own can be: the other limb has been lost on
-/// the way to the curve. Upper arms pressed together keep twice their radius, a twentieth of the diameter, apart.
+/// An arm below its shoulder or a leg below its hip, by role and side; all that the trunk has in one; none for what may
+/// lie in either.
+enum class MainPart { none, trunk, arm, leg };
+
+inline MainPart main_part(JointRole role) {
+    switch (role) {
+    case JointRole::waist:
+    case JointRole::chest:
+    case JointRole::neck:
+        return MainPart::trunk;
+    case JointRole::elbow:
+    case JointRole::wrist:
+    case JointRole::hand:
+        return MainPart::arm;
+    case JointRole::knee:
+    case JointRole::ankle:
+    case JointRole::foot:
+        return MainPart::leg;
+    default:
+        return MainPart::none;
+    }
+}
+
+/// A joint of a limb in the midst of another limb, or of the trunk: the limb has been lost on the way to the curve.
+/// Where limbs lie on each other their joints are farther from the other's bone than they are thick: 1.1 times the
+/// radius at least on real bodies.
 template <typename Scalar>
-std::optional<Failure> not_apart(const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& wanted,
-                                 Scalar diameter) {
-    constexpr Scalar least = Scalar(0.015);
-    for (const JointRole role : {JointRole::elbow, JointRole::knee}) {
-        const int left = find_joint(wanted, role, Side::left), right = find_joint(wanted, role, Side::right);
-        if (left < 0 || right < 0) continue;
-        const auto place = [&](int joint) { return skeleton.joints[static_cast<std::size_t>(joint)].position; };
-        if ((place(left) - place(right)).norm() < least * diameter)
-            return Failure{FailureReason::no_match,
-                           "no human body: two limbs lie along one; check that all stand free"};
+std::optional<Failure> not_apart(const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& wanted) {
+    constexpr Scalar least = Scalar(0.8); // of the joint's radius
+    const std::size_t count = wanted.joints.size();
+    for (std::size_t j = 0; j < count; ++j) {
+        const TemplateJoint& joint = wanted.joints[j];
+        const MainPart limb = main_part(joint.role);
+        if (limb != MainPart::arm && limb != MainPart::leg) continue;
+        for (std::size_t k = 0; k < count; ++k) {
+            const TemplateJoint& other = wanted.joints[k];
+            const MainPart part = main_part(other.role);
+            if (part == MainPart::none || other.parent < 0 || (part == limb && other.side == joint.side)) continue;
+            const Vector3<Scalar>& from = skeleton.joints[static_cast<std::size_t>(other.parent)].position;
+            const Vector3<Scalar>& place = skeleton.joints[j].position;
+            const auto nearest = core::nearest_on_segment<Scalar, 3>(place, from, skeleton.joints[k].position);
+            if (nearest.distance < least * skeleton.joints[j].radius)
+                return Failure{FailureReason::no_match,
+                               "no human body: two limbs lie along one; check that all stand free"};
+        }
     }
     return std::nullopt;
 }
@@ -156,7 +188,7 @@ Attempt<Scalar> fit_to_curve(const Body<Scalar>& body, const curve::CurveResult<
     auto completed = anatomy::complete_skeleton(symmetry::assemble(joints, wanted, *sides), body, curve, wanted);
     timings.sides = stage.lap();
     if (!completed) return failed(completed.failure());
-    if (const auto failure = not_apart(completed->skeleton, wanted, diameter)) return failed(*failure);
+    if (const auto failure = not_apart(completed->skeleton, wanted)) return failed(*failure);
     completed->skeleton.quality.matched_nodes = embedding->matched_nodes;
     completed->skeleton =
         less_certain(std::move(completed->skeleton), 1 - std::min(static_cast<double>(unmatched), 1.0));
@@ -361,6 +393,29 @@ double sureness(const KinematicSkeleton<Scalar>& skeleton) {
     return skeleton.quality.sides_confidence / static_cast<double>(1 + misplaced);
 }
 
+/// The template in the curve of a body.
+template <typename Scalar>
+Outcome<Fit<Scalar>> fit_whole(const Body<Scalar>& body, const SkeletonTemplate& wanted, const ExtractOptions& options,
+                               int attempts) {
+    Stopwatch stage;
+    const curve::CurveResult<Scalar> curve = find_curve(body, options.curve);
+    const double curve_time = stage.lap();
+    Outcome<Fit<Scalar>> found = fit_to_body(body, curve, wanted, options, attempts);
+    if (found) found->timings.curve += curve_time;
+    return found;
+}
+
+/// The same for a body opened where it has grown together with itself, or, where the template fits no such one, for the
+/// body as it is.
+template <typename Scalar>
+Outcome<Fit<Scalar>> fit_opened(const Body<Scalar>& body, const SkeletonTemplate& wanted, const ExtractOptions& options,
+                                int attempts) {
+    const std::optional<Body<Scalar>> opened = surface::open_handles(body);
+    if (opened)
+        if (Outcome<Fit<Scalar>> found = fit_whole(*opened, wanted, options, attempts)) return found;
+    return fit_whole(body, wanted, options, attempts);
+}
+
 /// Makes one surface of a mesh by the gentlest remedy that serves, as what comes out shows: the first skeleton that is
 /// sure, or the surest of all. Of several bodies none is taken unless the caller says which.
 template <typename Scalar>
@@ -368,7 +423,6 @@ Outcome<FittedBody<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh
                                                 const ExtractOptions& options) {
     constexpr double sure = 0.4;
     constexpr double much_noise = 0.005; // a centimetre on a person
-    Stopwatch stage;
     const surface::BodyMaterial<Scalar> material = surface::gather(mesh, options.prepare);
     if (material.bodies > 1 && options.prepare.component == 0)
         return Failure{FailureReason::no_body,
@@ -389,16 +443,12 @@ Outcome<FittedBody<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh
                 if (!best) best = *failure;
                 continue;
             }
-        *body = surface::open_handles(*std::move(body));
-        const curve::CurveResult<Scalar> curve = find_curve(*body, options.curve);
-        timings.curve += stage.lap();
         // What is wrong with one of several surfaces is not the curve's doing: the next surface may serve better.
         const int attempts = material.remedies.back() == material.remedies.front() ||
                                      material.remedies.back() == surface::Remedy::rounded
                                  ? most_attempts
                                  : 1;
-        Outcome<Fit<Scalar>> found = fit_to_body(*body, curve, wanted, options, attempts);
-        stage.lap();
+        Outcome<Fit<Scalar>> found = fit_opened(*body, wanted, options, attempts);
         if (found) timings = timings + found->timings;
         const double noise = smoothed_away(*body, mesh);
         const bool is_noisy = noise > much_noise;
