@@ -28,8 +28,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int status_some_failed = 5;
-
 struct BatchCommand {
     std::vector<std::string> inputs;
     std::string output_folder;
@@ -300,6 +298,25 @@ std::vector<std::string> parts_of(const BatchCommand& command) {
     return parts;
 }
 
+bool writes_report_file(const BatchCommand& command) { return !command.report.empty() && command.report != "-"; }
+
+/// What is written for all meshes together.
+std::vector<fs::path> files_beside(const BatchCommand& command, const BatchSummary& summary) {
+    std::vector<fs::path> files{summary.file()};
+    if (writes_report_file(command)) files.emplace_back(command.report);
+    return files;
+}
+
+/// Refuses what cannot be written before the long work, and not after it.
+void require_folder_of(const fs::path& file) {
+    std::error_code error;
+    const fs::path folder = fs::absolute(file, error).parent_path();
+    if (!fs::is_directory(folder, error))
+        throw Error(ErrorCode::usage,
+                    file.string() +
+                        ": cannot be written: its folder does not exist; make it first, or choose another output file");
+}
+
 #if SKELGEN_WITH_RENDER
 void write_report(const BatchCommand& command, const std::vector<BatchItem>& items, const SummaryLines& lines) {
     write_result(command.report, batch_report("skelgen batch: " + command.output_folder, items, lines));
@@ -316,12 +333,13 @@ int run(const BatchCommand& command) {
     const auto all = find_batch_items(command.inputs, folder);
     const auto items = take_shard(all, parse_shard(command.shard));
     const std::vector<std::string> parts = parts_of(command);
-    require_own_files(all, parts);
+    const BatchSummary summary(folder);
     for (const BatchItem& item : all) require_different_files(item.mesh, command.report);
+    require_own_files(all, parts, files_beside(command, summary));
     make_folder(folder);
+    if (writes_report_file(command)) require_folder_of(command.report);
     clean_up(items, folder);
 
-    const BatchSummary summary(folder);
     std::vector<BatchItem> left = items;
     if (command.resume)
         left = resume(items, summary, options.skeleton_template, parts);

@@ -44,7 +44,7 @@ void make_folder(const std::filesystem::path& folder) {
     if (!error && std::filesystem::is_directory(folder)) return;
     throw Error(error ? io::write_error_code(error.value()) : ErrorCode::usage,
                 folder.string() + ": cannot be made a folder: " + (error ? error.message() : "it is a file") +
-                    "; choose another one with -o");
+                    "; choose another one");
 }
 
 void require_different_files(const std::filesystem::path& input, const std::string& output) {

@@ -73,8 +73,7 @@ void add_extract_command(CLI::App& app) {
     sub->add_option("--template", command->skeleton_template, "Built-in template, or a template's file (JSON)")
         ->capture_default_str();
     sub->add_option("--curve", command->curve, "Also write the curve skeleton: .json, .obj, .ply or .swc");
-    sub->add_option("--component", command->component, "Which of several bodies that stand apart; 1 is the largest")
-        ->check(CLI::Range(1, 1000));
+    add_component_option(*sub, command->component);
     sub->add_option("--threads", command->threads, "Threads to use (not in use yet); the result does not depend on it")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();

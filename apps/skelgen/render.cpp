@@ -22,8 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int status_some_failed = 5;
-
 struct RenderCommand {
     std::vector<std::string> inputs;
     std::string output = "-";

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <skelgen/applications/skinning.hpp>
 #include <skelgen/core/error.hpp>
