@@ -24,6 +24,7 @@ struct AnimateCommand {
 
 void run(const AnimateCommand& command) {
     require_different_files(command.mesh.file, command.output);
+    require_folder_of(command.output);
     require_different_files(command.clip, command.output);
     if (io::rig_format_of(command.output) != io::RigFormat::glb)
         throw Error(ErrorCode::usage, command.output + ": its name must end in .glb");

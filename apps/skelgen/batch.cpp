@@ -307,16 +307,6 @@ std::vector<fs::path> files_beside(const BatchCommand& command, const BatchSumma
     return files;
 }
 
-/// Refuses what cannot be written before the long work, and not after it.
-void require_folder_of(const fs::path& file) {
-    std::error_code error;
-    const fs::path folder = fs::absolute(file, error).parent_path();
-    if (!fs::is_directory(folder, error))
-        throw Error(ErrorCode::usage,
-                    file.string() +
-                        ": cannot be written: its folder does not exist; make it first, or choose another output file");
-}
-
 #if SKELGEN_WITH_RENDER
 void write_report(const BatchCommand& command, const std::vector<BatchItem>& items, const SummaryLines& lines) {
     write_result(command.report, batch_report("skelgen batch: " + command.output_folder, items, lines));
@@ -337,7 +327,7 @@ int run(const BatchCommand& command) {
     for (const BatchItem& item : all) require_different_files(item.mesh, command.report);
     require_own_files(all, parts, files_beside(command, summary));
     make_folder(folder);
-    if (writes_report_file(command)) require_folder_of(command.report);
+    require_folder_of(command.report);
     clean_up(items, folder);
 
     std::vector<BatchItem> left = items;

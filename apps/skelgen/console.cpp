@@ -47,6 +47,15 @@ void make_folder(const std::filesystem::path& folder) {
                     "; choose another one");
 }
 
+void require_folder_of(const std::string& output) {
+    if (output.empty() || output == "-") return;
+    std::error_code error;
+    if (!std::filesystem::is_directory(std::filesystem::absolute(output, error).parent_path(), error))
+        throw Error(ErrorCode::usage,
+                    output + ": cannot be written: its folder does not exist; make it first, or choose another "
+                             "output file");
+}
+
 void require_different_files(const std::filesystem::path& input, const std::string& output) {
     std::error_code error; // of files that are not there: they are not the same
     if (std::filesystem::is_regular_file(output, error) && std::filesystem::equivalent(input, output, error))

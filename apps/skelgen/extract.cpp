@@ -40,6 +40,7 @@ void print_details(const FileExtraction& result) {
 void run(const ExtractCommand& command) {
     require_different_files(command.mesh.file, command.output);
     require_different_files(command.mesh.file, command.curve);
+    for (const std::string& output : {command.output, command.curve}) require_folder_of(output);
     require_different_outputs(command.output, "-o", command.curve, "--curve");
     ExtractOptions options;
     options.skeleton_template = in_file("--template", [&] { return load_template(command.skeleton_template); });

@@ -87,6 +87,7 @@ TriangleMesh<double> held_as_in_clip(const PoseCommand& command, const FittedFil
 
 void run(const PoseCommand& command) {
     require_different_files(command.mesh.file, command.output);
+    require_folder_of(command.output);
     for (const std::string& file : {command.like, command.pose, command.clip})
         require_different_files(file, command.output);
     const auto format = io::mesh_format_of(command.output);

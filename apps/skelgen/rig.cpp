@@ -37,6 +37,7 @@ RestPose rest_pose(const RigCommand& command, io::RigFormat format) {
 
 void run(const RigCommand& command) {
     require_different_files(command.mesh.file, command.output);
+    require_folder_of(command.output);
     const auto format = io::rig_format_of(command.output);
     if (!format) throw Error(ErrorCode::usage, command.output + ": its name must end in .glb, .vrm or .bvh");
     const CharacterOptions options{command.component, rest_pose(command, *format)};

@@ -62,6 +62,7 @@ void run(const ViewCommand& command) {
     if (!command.clip.empty()) require_different_files(command.clip, command.output);
     const std::vector<BatchItem> items = find_items(command.inputs, {});
     for (const BatchItem& item : items) require_different_files(item.mesh, command.output);
+    require_folder_of(command.output);
     std::optional<ClipInput> clip;
     if (!command.clip.empty()) clip = load_clip(command.clip);
     std::vector<std::string> bodies;

@@ -29,7 +29,7 @@ struct PartName {
     bool is_clear = true;
 };
 
-inline constexpr std::array<PartName, 46> part_names{{
+inline constexpr std::array<PartName, 46> named_parts{{
     {"head", NamedPart::head},
     {"skull", NamedPart::head},
     {"arm", NamedPart::upper_arm},
@@ -79,7 +79,7 @@ inline constexpr std::array<PartName, 46> part_names{{
 }};
 
 inline bool is_part_name(std::string_view name) {
-    return std::any_of(part_names.begin(), part_names.end(), [&](const PartName& row) { return row.name == name; });
+    return std::any_of(named_parts.begin(), named_parts.end(), [&](const PartName& row) { return row.name == name; });
 }
 
 /// The words of a name in lower case: "mixamorig:LeftUpLeg1" has left, up and leg, "LHip" l and hip.
@@ -210,7 +210,7 @@ public:
 
 private:
     static bool is_called(std::string_view name, NamedPart part, bool is_clear) {
-        return std::any_of(part_names.begin(), part_names.end(), [&](const PartName& row) {
+        return std::any_of(named_parts.begin(), named_parts.end(), [&](const PartName& row) {
             return row.name == name && row.part == part && row.is_clear == is_clear;
         });
     }
