@@ -252,7 +252,7 @@ inline std::string fault_of(const ClipLimb& limb, const ClipTree& tree, const st
 inline std::string fault_of(const std::array<ClipLimb, 2>& limbs, const PartFinder& parts, const ClipTree& tree,
                             const LimbNames& names) {
     for (const std::size_t i : {0U, 1U})
-        if (const std::string fault = fault_of(limbs[i], tree, i == 0 ? "left" : "right", names); !fault.empty())
+        if (std::string fault = fault_of(limbs[i], tree, i == 0 ? "left" : "right", names); !fault.empty())
             return fault;
     // A side without upper arm must not have its collar bone taken for one.
     constexpr std::array<int ClipLimb::*, 3> joints{&ClipLimb::upper, &ClipLimb::lower, &ClipLimb::end};

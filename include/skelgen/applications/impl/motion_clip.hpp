@@ -21,7 +21,7 @@ inline void append_clip_joint(ClipPose& pose, int parent, const Eigen::Quaternio
         return;
     }
     const auto above = static_cast<std::size_t>(parent);
-    pose.positions.push_back(pose.positions[above] + pose.turns[above] * offset);
+    pose.positions.emplace_back(pose.positions[above] + pose.turns[above] * offset);
     pose.turns.push_back((pose.turns[above] * turn).normalized());
 }
 
