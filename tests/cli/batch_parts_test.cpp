@@ -125,7 +125,8 @@ TEST_CASE("batch --also and --report: what would replace a mesh or another resul
           "out/../out/a.transform.json: is a result of the batch");
     fails({"-o", "out", "--report", "out/summary.jsonl"}, "out/summary.jsonl: is a result of the batch");
     // Before the work and not after it.
-    fails({"-o", "out", "--report", "no/such/report.html"}, "no/such/report.html: cannot be written: its folder does not exist");
+    fails({"-o", "out", "--report", "no/such/report.html"},
+          "no/such/report.html: cannot be written: its folder does not exist");
 }
 
 } // namespace
