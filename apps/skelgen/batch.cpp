@@ -298,13 +298,10 @@ std::vector<std::string> parts_of(const BatchCommand& command) {
     return parts;
 }
 
-bool writes_report_file(const BatchCommand& command) { return !command.report.empty() && command.report != "-"; }
-
-/// What is written for all meshes together.
+/// What a report must not replace, and the report itself; nothing where no file is to be written.
 std::vector<fs::path> files_beside(const BatchCommand& command, const BatchSummary& summary) {
-    std::vector<fs::path> files{summary.file()};
-    if (writes_report_file(command)) files.emplace_back(command.report);
-    return files;
+    if (command.report.empty() || command.report == "-") return {};
+    return {summary.file(), command.report};
 }
 
 #if SKELGEN_WITH_RENDER
