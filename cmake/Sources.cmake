@@ -24,6 +24,7 @@ set(skelgen_core_headers
     include/skelgen/applications/laplace_basis.hpp
     include/skelgen/applications/measurement.hpp
     include/skelgen/applications/motion_clip.hpp
+    include/skelgen/applications/part_axes.hpp
     include/skelgen/applications/part_shares.hpp
     include/skelgen/applications/pose_transfer.hpp
     include/skelgen/applications/posing.hpp
@@ -31,6 +32,7 @@ set(skelgen_core_headers
     include/skelgen/applications/rig.hpp
     include/skelgen/applications/segmentation.hpp
     include/skelgen/applications/skinning.hpp
+    include/skelgen/applications/surface_labels.hpp
     include/skelgen/applications/surface_laplacian.hpp
     include/skelgen/core/adjacency.hpp
     include/skelgen/core/builtin_templates.hpp
@@ -145,6 +147,7 @@ set(skelgen_core_definitions
     include/skelgen/applications/impl/laplace_basis.hpp
     include/skelgen/applications/impl/measurement.hpp
     include/skelgen/applications/impl/motion_clip.hpp
+    include/skelgen/applications/impl/part_axes.hpp
     include/skelgen/applications/impl/part_shares.hpp
     include/skelgen/applications/impl/pose_transfer.hpp
     include/skelgen/applications/impl/posing.hpp
@@ -152,6 +155,7 @@ set(skelgen_core_definitions
     include/skelgen/applications/impl/rig.hpp
     include/skelgen/applications/impl/segmentation.hpp
     include/skelgen/applications/impl/skinning.hpp
+    include/skelgen/applications/impl/surface_labels.hpp
     include/skelgen/core/impl/builtin_templates.hpp
     include/skelgen/core/impl/curve_graph.hpp
     include/skelgen/core/impl/geodesics.hpp
@@ -421,6 +425,7 @@ set(skelgen_cli_sources
     batch_inputs.cpp
     batch_parts.cpp
     batch_summary.cpp
+    character.cpp
     clip_input.cpp
     command_outline.cpp
     completions.cpp

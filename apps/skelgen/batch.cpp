@@ -28,8 +28,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int status_some_failed = 5;
-
 struct BatchCommand {
     std::vector<std::string> inputs;
     std::string output_folder;
@@ -300,6 +298,12 @@ std::vector<std::string> parts_of(const BatchCommand& command) {
     return parts;
 }
 
+/// What a report must not replace, and the report itself; nothing where no file is to be written.
+std::vector<fs::path> files_beside(const BatchCommand& command, const BatchSummary& summary) {
+    if (command.report.empty() || command.report == "-") return {};
+    return {summary.file(), command.report};
+}
+
 #if SKELGEN_WITH_RENDER
 void write_report(const BatchCommand& command, const std::vector<BatchItem>& items, const SummaryLines& lines) {
     write_result(command.report, batch_report("skelgen batch: " + command.output_folder, items, lines));
@@ -316,12 +320,13 @@ int run(const BatchCommand& command) {
     const auto all = find_batch_items(command.inputs, folder);
     const auto items = take_shard(all, parse_shard(command.shard));
     const std::vector<std::string> parts = parts_of(command);
-    require_own_files(all, parts);
+    const BatchSummary summary(folder);
     for (const BatchItem& item : all) require_different_files(item.mesh, command.report);
+    require_own_files(all, parts, files_beside(command, summary));
     make_folder(folder);
+    require_folder_of(command.report);
     clean_up(items, folder);
 
-    const BatchSummary summary(folder);
     std::vector<BatchItem> left = items;
     if (command.resume)
         left = resume(items, summary, options.skeleton_template, parts);

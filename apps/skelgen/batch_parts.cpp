@@ -141,7 +141,9 @@ fs::path part_file(const BatchItem& item, std::string_view part) {
     return fs::path(item.output).replace_extension(find_part(part).extension);
 }
 
-void require_own_files(const std::vector<BatchItem>& items, const std::vector<std::string>& names) {
+void require_own_files(const std::vector<BatchItem>& items, const std::vector<std::string>& names,
+                       const std::vector<fs::path>& others) {
+    if (names.empty() && others.empty()) return; // to look up the places of a million meshes takes a minute
     std::set<fs::path> meshes, results;
     for (const BatchItem& item : items) {
         meshes.insert(place_of(item.mesh));
@@ -157,6 +159,9 @@ void require_own_files(const std::vector<BatchItem>& items, const std::vector<st
                 throw Error(ErrorCode::usage,
                             file.string() + ": would be written twice; give the meshes names that differ in more");
         }
+    for (const fs::path& file : others)
+        if (!results.insert(place_of(file)).second)
+            throw Error(ErrorCode::usage, file.string() + ": is a result of the batch; choose another file");
 }
 
 void write_part(std::string_view part, const BatchItem& item, const FittedFile& body,
@@ -168,12 +173,15 @@ void write_part(std::string_view part, const BatchItem& item, const FittedFile& 
 
 #if SKELGEN_WITH_RENDER
 void draw_refused(const BatchItem& item, const std::string& reason) {
-    render::Scene scene;
-    scene.mesh = load_mesh({item.mesh, {}});
-    scene.failure = reason;
+    const std::string text = in_file(item.mesh, [&] {
+        render::Scene scene;
+        scene.mesh = load_mesh({item.mesh, {}});
+        scene.failure = reason;
+        return picture(scene);
+    });
     const fs::path file = part_file(item, "render");
     make_folder(file.parent_path());
-    in_file(file, [&] { io::write_file_atomically(file, picture(scene)); });
+    in_file(file, [&] { io::write_file_atomically(file, text); });
 }
 #else
 void draw_refused(const BatchItem&, const std::string&) {}

@@ -25,9 +25,10 @@ namespace skelgen::cli {
 /// Where a part goes: beside the skeleton's file, with an extension of its own in place of .json.
 [[nodiscard]] std::filesystem::path part_file(const BatchItem& item, std::string_view part);
 
-/// Refuses parts that would replace one of the meshes, or two results that would have the same file. \throws Error
-/// usage, naming the file.
-void require_own_files(const std::vector<BatchItem>& items, const std::vector<std::string>& parts);
+/// Refuses parts that would replace one of the meshes, or two results that would have the same file; `others` are
+/// results of all meshes together. \throws Error usage, naming the file.
+void require_own_files(const std::vector<BatchItem>& items, const std::vector<std::string>& parts,
+                       const std::vector<std::filesystem::path>& others);
 
 /// Writes a part to its file. \throws Error as the command of its name, with the file's name in front.
 void write_part(std::string_view part, const BatchItem& item, const FittedFile& body,

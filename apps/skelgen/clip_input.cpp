@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <skelgen/applications/clip_body.hpp>
 #include <skelgen/applications/retarget.hpp>
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/io/bvh.hpp>
@@ -10,11 +11,20 @@
 
 namespace skelgen::cli {
 
-applications::Animation<double> follow_clip(const std::filesystem::path& file, const applications::Rig<double>& rig) {
+ClipInput load_clip(const std::filesystem::path& file) {
     return in_file(file, [&] {
-        auto followed = applications::retarget(read_bvh(file), rig, builtin_template("human21"));
+        ClipInput input{file, read_bvh(file)};
+        if (const auto body = applications::find_body(input.clip); !body)
+            throw Error(ErrorCode::bad_input, body.failure().what);
+        return input;
+    });
+}
+
+applications::Animation<double> follow_clip(const ClipInput& input, const applications::Rig<double>& rig) {
+    return in_file(input.file, [&] {
+        auto followed = applications::retarget(input.clip, rig, builtin_template("human21"));
         if (!followed) throw Error(ErrorCode::bad_input, followed.failure().what);
-        followed->name = file.stem().string();
+        followed->name = input.file.stem().string();
         return *std::move(followed);
     });
 }

@@ -8,6 +8,9 @@ namespace skelgen::cli {
 // throw skelgen::Error, its text beginning with the file concerned, or CLI::RuntimeError with an exit status when
 // everything has been said already.
 
+/// The exit status of a command that works on many meshes where some of them failed.
+inline constexpr int status_some_failed = 5;
+
 void add_extract_command(CLI::App& app);
 void add_batch_command(CLI::App& app);
 void add_evaluate_command(CLI::App& app);

@@ -8,7 +8,7 @@ namespace skelgen::cli {
 namespace {
 
 /// What a value may be completed to.
-enum class ValueKind { none, choice, folder, file, other };
+enum class ValueKind { none, choice, folder, file, number };
 
 ValueKind kind_of(const OptionOutline& option) {
     constexpr std::array<std::string_view, 3> numbers{"INT", "UINT", "FLOAT"};
@@ -16,7 +16,7 @@ ValueKind kind_of(const OptionOutline& option) {
     if (option.value.empty()) return ValueKind::none;
     if (option.value == "DIR") return ValueKind::folder;
     const bool is_number = std::find(numbers.begin(), numbers.end(), option.value) != numbers.end();
-    return is_number ? ValueKind::other : ValueKind::file;
+    return is_number ? ValueKind::number : ValueKind::file;
 }
 
 std::string joined(const std::vector<std::string>& words, const std::string& between) {
@@ -75,7 +75,7 @@ std::string bash_values(const CommandOutline& command) {
         case ValueKind::file:
             reply = "mapfile -t COMPREPLY < <(compgen -f -- \"$current\")";
             break;
-        case ValueKind::other:
+        case ValueKind::number:
             reply = "COMPREPLY=()";
             break;
         }
@@ -105,7 +105,7 @@ std::string zsh_value(const OptionOutline& option) {
         return ":" + option.value + ":_files -/";
     case ValueKind::file:
         return ":" + zsh_text(option.value) + ":_files";
-    case ValueKind::other:
+    case ValueKind::number:
         return ":" + option.value + ":";
     }
     return "";
@@ -147,7 +147,7 @@ std::string fish_option(const std::string& condition, const OptionOutline& optio
     case ValueKind::file:
         out += " -r -F";
         break;
-    case ValueKind::other:
+    case ValueKind::number:
         out += " -x";
         break;
     }

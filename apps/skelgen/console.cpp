@@ -44,7 +44,16 @@ void make_folder(const std::filesystem::path& folder) {
     if (!error && std::filesystem::is_directory(folder)) return;
     throw Error(error ? io::write_error_code(error.value()) : ErrorCode::usage,
                 folder.string() + ": cannot be made a folder: " + (error ? error.message() : "it is a file") +
-                    "; choose another one with -o");
+                    "; choose another one");
+}
+
+void require_folder_of(const std::string& output) {
+    if (output.empty() || output == "-") return;
+    std::error_code error;
+    if (!std::filesystem::is_directory(std::filesystem::absolute(output, error).parent_path(), error))
+        throw Error(ErrorCode::usage,
+                    output + ": cannot be written: its folder does not exist; make it first, or choose another "
+                             "output file");
 }
 
 void require_different_files(const std::filesystem::path& input, const std::string& output) {

@@ -24,6 +24,10 @@ void write_result(const std::string& path, std::string_view text);
 /// \throws Error with `io::write_error_code`, its text beginning with the folder's name, when that cannot be done.
 void make_folder(const std::filesystem::path& folder);
 
+/// Refuses a file that is to be written where no folder is: before the long work, and not after it. An empty name and
+/// "-" are no files. \throws Error usage.
+void require_folder_of(const std::string& output);
+
 /// Refuses to replace the input by the output.
 /// \throws Error usage when both are the same file.
 void require_different_files(const std::filesystem::path& input, const std::string& output);

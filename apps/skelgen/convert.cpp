@@ -17,6 +17,7 @@ struct ConvertCommand {
 
 void run(const ConvertCommand& command) {
     require_different_files(command.mesh.file, command.output);
+    require_folder_of(command.output);
     const auto format = io::mesh_format_of(command.output);
     if (!format || !io::is_written(*format))
         throw Error(ErrorCode::usage, command.output + ": its name must end in " + io::written_mesh_extensions_text());

@@ -94,6 +94,7 @@ void run(const CorrespondCommand& command) {
         for (const fs::path& file : coloured_files(command)) outputs.push_back(file.string());
     for (const std::string& output : outputs)
         for (const fs::path& input : {command.from, command.to}) require_different_files(input, output);
+    require_folder_of(command.output);
     const ComparedFile from = load(command.from), to = load(command.to);
     const applications::Correspondence found = applications::correspond(from.body, to.body);
     const std::vector<int> to_mesh = mesh_vertices(to), from_mesh = mesh_vertices(from);

@@ -49,6 +49,7 @@ void print_warnings(const std::string& mesh, const std::vector<curve::CurveResul
 void run(const CurveCommand& command) {
     const std::string file = command.mesh.file.string();
     require_different_files(file, command.output);
+    require_folder_of(command.output);
     auto results = in_file(file, [&] { return find_curves(load_mesh(command.mesh), extract_options(command)); });
     std::vector<CurveSkeleton<double>> curves;
     for (auto& result : results) curves.push_back(std::move(result.curve));

@@ -40,6 +40,7 @@ void print_details(const FileExtraction& result) {
 void run(const ExtractCommand& command) {
     require_different_files(command.mesh.file, command.output);
     require_different_files(command.mesh.file, command.curve);
+    for (const std::string& output : {command.output, command.curve}) require_folder_of(output);
     require_different_outputs(command.output, "-o", command.curve, "--curve");
     ExtractOptions options;
     options.skeleton_template = in_file("--template", [&] { return load_template(command.skeleton_template); });
@@ -73,8 +74,7 @@ void add_extract_command(CLI::App& app) {
     sub->add_option("--template", command->skeleton_template, "Built-in template, or a template's file (JSON)")
         ->capture_default_str();
     sub->add_option("--curve", command->curve, "Also write the curve skeleton: .json, .obj, .ply or .swc");
-    sub->add_option("--component", command->component, "Which of several bodies that stand apart; 1 is the largest")
-        ->check(CLI::Range(1, 1000));
+    add_component_option(*sub, command->component);
     sub->add_option("--threads", command->threads, "Threads to use (not in use yet); the result does not depend on it")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();

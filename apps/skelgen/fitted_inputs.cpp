@@ -4,12 +4,11 @@
 
 #include <skelgen/io/mesh_format.hpp>
 
+#include "commands.hpp"
 #include "console.hpp"
 
 namespace skelgen::cli {
 namespace {
-
-constexpr int status_some_failed = 5;
 
 FittedInput fit(const BatchItem& item) {
     if (!item.fault.empty()) throw Error(ErrorCode::bad_input, item.fault);

@@ -12,26 +12,12 @@
 #include "commands.hpp"
 #include "console.hpp"
 
-// Which optional parts of the library this program is linked with; the build says so.
-#ifndef SKELGEN_WITH_EVALUATION
-#define SKELGEN_WITH_EVALUATION 1
-#endif
-#ifndef SKELGEN_WITH_RENDER
-#define SKELGEN_WITH_RENDER 1
-#endif
-#ifndef SKELGEN_WITH_SYNTH
-#define SKELGEN_WITH_SYNTH 1
-#endif
-#ifndef SKELGEN_WITH_VIEW
-#define SKELGEN_WITH_VIEW 1
-#endif
-
 namespace skelgen::cli {
 namespace {
 
 constexpr int to_status(ErrorCode code) { return static_cast<int>(code); }
 
-/// A command that needs what not every build has.
+/// A command that needs what not every build has: the build defines SKELGEN_WITH_... as 0 or 1.
 struct OptionalCommand {
     std::string_view name;
     std::string_view build_option;

@@ -28,6 +28,7 @@ io::MeasuredBody measured(const FittedInput& input) {
 void run(const MeasureCommand& command) {
     const std::vector<BatchItem> items = find_items(command.inputs, {});
     for (const BatchItem& item : items) require_different_files(item.mesh, command.output);
+    require_folder_of(command.output);
     std::vector<io::MeasuredBody> bodies;
     const auto write = [&] {
         const bool is_csv = command.as_csv || std::filesystem::path(command.output).extension() == ".csv";

@@ -38,13 +38,18 @@ void add_mesh_input(CLI::App& command, MeshInput& input, const std::string& help
         ->capture_default_str();
 }
 
+void add_component_option(CLI::App& command, int& component) {
+    command.add_option("--component", component, "Which of several bodies that stand apart; 1 is the largest")
+        ->check(CLI::Range(1, 1000));
+}
+
 TriangleMesh<double> load_mesh(const MeshInput& input) {
     if (input.file != standard_input) return read_mesh<double>(input.file, input.options);
     return io::parse_mesh<double>(io::read_file("/dev/stdin"), input.options);
 }
 
 io::SceneLooks load_looks(const MeshInput& input) {
-    if (input.file == "-") return {};
+    if (input.file == standard_input) return {};
     return io::read_looks(input.file).value_or(io::SceneLooks{});
 }
 

@@ -20,6 +20,9 @@ struct MeshInput {
 /// Adds the positional MESH, with `help` as what it says there, and the options --format, --animation and --time.
 void add_mesh_input(CLI::App& command, MeshInput& input, const std::string& help);
 
+/// Adds the option --component: which of several bodies a command works on, as `PrepareOptions::component`.
+void add_component_option(CLI::App& command, int& component);
+
 /// \throws Error as `io::read_mesh`, without the file's name.
 [[nodiscard]] TriangleMesh<double> load_mesh(const MeshInput& input);
 

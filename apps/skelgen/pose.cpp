@@ -65,34 +65,45 @@ TriangleMesh<double> held_like_model(const PoseCommand& command, const FittedFil
     });
 }
 
+/// The clip, in which the frame is.
+ClipInput load_posing_clip(const PoseCommand& command) {
+    ClipInput input = load_clip(command.clip);
+    if (command.frame >= input.clip.frames.rows())
+        throw Error(ErrorCode::usage, command.clip + ": has no frame " + std::to_string(command.frame) + ", but " +
+                                          std::to_string(input.clip.frames.rows()) + ", counted from 0");
+    return input;
+}
+
 /// The body as the clip's skeleton is in the frame: +y up, on the floor, in the mesh's unit.
-TriangleMesh<double> held_as_in_clip(const PoseCommand& command, const FittedFile& body) {
+TriangleMesh<double> held_as_in_clip(const PoseCommand& command, const FittedFile& body, const ClipInput& clip) {
     const auto rig = in_file(command.mesh.file, [&] {
         return applications::make_rig(body.mesh, body.found.body, body.skeleton(), human());
     });
-    const auto animation = follow_clip(command.clip, rig);
-    const auto frame = static_cast<std::size_t>(command.frame);
-    if (frame >= animation.frames.size())
-        throw Error(ErrorCode::usage, command.clip + ": has no frame " + std::to_string(command.frame) + ", but " +
-                                          std::to_string(animation.frames.size()) + ", counted from 0");
-    TriangleMesh<double> held = posed(rig, animation.frames[frame]);
+    const auto animation = follow_clip(clip, rig); // all of it: its floor is that of all frames
+    TriangleMesh<double> held = posed(rig, animation.frames[static_cast<std::size_t>(command.frame)]);
     held.vertices /= rig.metres_per_unit;
     return held;
 }
 
 void run(const PoseCommand& command) {
     require_different_files(command.mesh.file, command.output);
+    require_folder_of(command.output);
     for (const std::string& file : {command.like, command.pose, command.clip})
         require_different_files(file, command.output);
     const auto format = io::mesh_format_of(command.output);
     if (!format || !io::is_written(*format))
         throw Error(ErrorCode::usage, command.output + ": its name must end in " + io::written_mesh_extensions_text());
     std::optional<Model> model;
-    if (command.clip.empty()) model = load_model(command);
+    std::optional<ClipInput> clip;
+    if (command.clip.empty())
+        model = load_model(command);
+    else
+        clip = load_posing_clip(command);
     ExtractOptions options;
     options.prepare.component = command.component;
     const FittedFile body = in_file(command.mesh.file, [&] { return fit_file(command.mesh, options); });
-    const TriangleMesh<double> held = model ? held_like_model(command, body, *model) : held_as_in_clip(command, body);
+    const TriangleMesh<double> held =
+        model ? held_like_model(command, body, *model) : held_as_in_clip(command, body, *clip);
     in_file(command.output, [&] { write_mesh(command.output, held); });
     if (!command.quiet) print_warnings(command.mesh.file, body.skeleton());
 }
@@ -113,8 +124,7 @@ void add_pose_command(CLI::App& app) {
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     sub->add_option("-o,--output", command->output, "Mesh to write: " + io::written_mesh_extensions_text())->required();
-    sub->add_option("--component", command->component, "Which of several bodies that stand apart; 1 is the largest")
-        ->check(CLI::Range(1, 1000));
+    add_component_option(*sub, command->component);
     sub->add_flag("-q,--quiet", command->quiet, "No warnings");
     sub->footer("Examples:\n  skelgen pose woman.off --like walking_man.ply -o walking_woman.off\n"
                 "  skelgen pose character.glb --pose walking.json -o walking.glb\n"

@@ -22,8 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int status_some_failed = 5;
-
 struct RenderCommand {
     std::vector<std::string> inputs;
     std::string output = "-";
@@ -182,6 +180,7 @@ void render_sheet(const RenderCommand& command, const std::vector<BatchItem>& it
 
 void run(const RenderCommand& command) {
     check_output(command.output);
+    require_folder_of(command.output);
     const std::vector<BatchItem> items = find_batch_items(command.inputs, {});
     const bool sheet = items.size() > 1 || fs::is_directory(command.inputs.front());
     if (sheet)

@@ -1,9 +1,9 @@
 #include <map>
 #include <memory>
 
-#include <skelgen/applications/rig.hpp>
 #include <skelgen/io/rig_formats.hpp>
 
+#include "character.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "fitted_file.hpp"
@@ -37,23 +37,18 @@ RestPose rest_pose(const RigCommand& command, io::RigFormat format) {
 
 void run(const RigCommand& command) {
     require_different_files(command.mesh.file, command.output);
+    require_folder_of(command.output);
     const auto format = io::rig_format_of(command.output);
     if (!format) throw Error(ErrorCode::usage, command.output + ": its name must end in .glb, .vrm or .bvh");
-    const RestPose rest = rest_pose(command, *format);
-    ExtractOptions options;
-    options.prepare.component = command.component;
-    in_file(command.mesh.file, [&] {
-        const FittedFile body = fit_file(command.mesh, options);
-        const SkeletonTemplate& human = builtin_template(body.skeleton().template_name);
-        const auto rig = applications::make_rig(body.mesh, body.found.body, body.skeleton(), human, rest);
-        const io::SceneLooks looks = load_looks(command.mesh);
-        in_file(command.output, [&] { write_rig(command.output, rig, *io::joint_names_named(command.names), looks); });
-        if (command.quiet) return;
-        print_warnings(command.mesh.file, body.skeleton());
-        if (!rig.unit_is_known)
-            print_warning(command.mesh.file.string() + ": its unit is unknown, as it has no person's height in any; " +
-                          "lengths are left as they are");
-    });
+    const CharacterOptions options{command.component, rest_pose(command, *format)};
+    const Character character = in_file(command.mesh.file, [&] { return make_character(command.mesh, options); });
+    in_file(command.output,
+            [&] { write_rig(command.output, character.rig, *io::joint_names_named(command.names), character.looks); });
+    if (command.quiet) return;
+    print_warnings(command.mesh.file, character.skeleton);
+    if (!character.rig.unit_is_known)
+        print_warning(command.mesh.file.string() + ": its unit is unknown, as it has no person's height in any; " +
+                      "lengths are left as they are");
 }
 
 } // namespace
@@ -64,13 +59,10 @@ void add_rig_command(CLI::App& app) {
     add_mesh_input(*sub, command->mesh, "Mesh of one body");
     sub->add_option("-o,--output", command->output, "Character (.glb, .vrm) or skeleton alone (.bvh) to write")
         ->required();
-    sub->add_option("--names", command->names, "Whose names the joints get; VRM's own in .vrm")
-        ->check(CLI::IsMember({"skelgen", "smpl", "mixamo", "vrm"}))
-        ->capture_default_str();
+    add_joint_names_option(*sub, command->names, "Whose names the joints get; VRM's own in .vrm");
     sub->add_option("--rest", command->rest, "Pose at rest: as-is, or un-posed (default: as-is; in .vrm t-pose)")
         ->check(CLI::IsMember({"as-is", "t-pose", "a-pose"}));
-    sub->add_option("--component", command->component, "Which of several bodies that stand apart; 1 is the largest")
-        ->check(CLI::Range(1, 1000));
+    add_component_option(*sub, command->component);
     sub->add_flag("-q,--quiet", command->quiet, "No warnings");
     sub->footer("Examples:\n  skelgen rig body.off -o body.glb\n"
                 "  skelgen rig scan.ply -o avatar.vrm\n"

@@ -55,7 +55,10 @@ void run(const SegmentCommand& command) {
     const bool into_folder = are_many(command.inputs, items) || !is_file_name(command.output);
     if (into_folder && is_file_name(command.output))
         throw Error(ErrorCode::usage, "-o " + command.output + ": several meshes need a folder");
-    if (into_folder) make_folder(command.output);
+    if (into_folder)
+        make_folder(command.output);
+    else
+        require_folder_of(command.output);
     for_each_fitted(command.inputs, items, [&](const FittedInput& input) {
         if (into_folder)
             segment_into_folder(command, input);

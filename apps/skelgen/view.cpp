@@ -1,11 +1,11 @@
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <skelgen/applications/bone_sections.hpp>
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/extract.hpp>
-#include <skelgen/io/bvh.hpp>
 #include <skelgen/io/view_page.hpp>
 
 #include "clip_input.hpp"
@@ -18,8 +18,6 @@
 
 namespace skelgen::cli {
 namespace {
-
-constexpr int status_some_failed = 5;
 
 struct ViewCommand {
     FittedInputs inputs;
@@ -43,7 +41,7 @@ io::ViewedBody viewed(const BatchItem& item, const TriangleMesh<double>& mesh) {
 
 /// A mesh as the page shows it, with or without a skeleton. \throws Error when it cannot be read, or a clip not be
 /// followed.
-std::string shown(const ViewCommand& command, const BatchItem& item) {
+std::string shown(const ViewCommand& command, const std::optional<ClipInput>& clip, const BatchItem& item) {
     if (!item.fault.empty()) throw Error(ErrorCode::bad_input, item.fault);
     const TriangleMesh<double> mesh = load_mesh({item.mesh, {}});
     io::ViewedBody body;
@@ -55,23 +53,23 @@ std::string shown(const ViewCommand& command, const BatchItem& item) {
         print_warning(item.mesh.string() + ": " + failure);
         return io::refused_body_to_json(item.file, failure, mesh);
     }
-    if (!command.clip.empty()) body.animations = {follow_clip(command.clip, body.rig)};
+    if (clip) body.animations = {follow_clip(*clip, body.rig)};
     if (!command.inputs.quiet) print_warnings(item.mesh, body.skeleton);
     return viewed_body_to_json(body);
 }
 
 void run(const ViewCommand& command) {
-    if (!command.clip.empty()) {
-        require_different_files(command.clip, command.output);
-        in_file(command.clip, [&] { (void)read_bvh(command.clip); }); // one that is damaged is no fault of any body's
-    }
+    if (!command.clip.empty()) require_different_files(command.clip, command.output);
     const std::vector<BatchItem> items = find_items(command.inputs, {});
+    for (const BatchItem& item : items) require_different_files(item.mesh, command.output);
+    require_folder_of(command.output);
+    std::optional<ClipInput> clip;
+    if (!command.clip.empty()) clip = load_clip(command.clip);
     std::vector<std::string> bodies;
     std::size_t failed = 0;
     for (const BatchItem& item : items) {
-        require_different_files(item.mesh, command.output);
         try {
-            bodies.push_back(in_file(item.mesh, [&] { return shown(command, item); }));
+            bodies.push_back(in_file(item.mesh, [&] { return shown(command, clip, item); }));
         } catch (const Error& error) {
             if (!are_many(command.inputs, items)) throw;
             print_error(error.what());

@@ -1,12 +1,13 @@
 // node bundle.mjs OUT.cpp: the page with its scripts and styles as one text, in the C++ that apps/skelgen compiles.
 import { readFile, writeFile } from "node:fs/promises";
+import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const beside = (name) => new URL(name, import.meta.url);
 const [out] = process.argv.slice(2);
 
 const bundled = await build({
-  entryPoints: [beside("main.mjs").pathname],
+  entryPoints: [fileURLToPath(beside("main.mjs"))],
   bundle: true,
   minify: true,
   format: "iife",

@@ -71,6 +71,6 @@ export class Poses {
     if (!this.playing) return false;
     const duration = this.duration();
     if (duration > 0) this.go_to((this.time + seconds) % duration);
-    return true;
+    return duration > 0; // a clip of one frame stands still
   }
 }

@@ -47,7 +47,9 @@ def run_skelgen(program, points, polygons, names):
                 [program, "rig", mesh, "-o", rig, "--names", names], capture_output=True, text=True, check=False
             )
         except OSError as error:
-            raise Refusal(f"{program} cannot be run ({error.strerror}); set its path in the add-on's preferences")
+            raise Refusal(
+                f"{program} cannot be run ({error.strerror}); set its path in the add-on's preferences"
+            ) from error
         said = [line.replace(f"{mesh}: ", "") for line in run.stderr.splitlines()]
         if run.returncode != 0:
             errors = [line for line in said if line.startswith("skelgen: error: ")]

@@ -3,8 +3,10 @@
 #include <skelgen/applications/impl/alignment.hpp>
 #include <skelgen/applications/impl/body_coordinates.hpp>
 #include <skelgen/applications/impl/measurement.hpp>
+#include <skelgen/applications/impl/part_axes.hpp>
 #include <skelgen/applications/impl/part_shares.hpp>
 #include <skelgen/applications/impl/segmentation.hpp>
+#include <skelgen/applications/impl/surface_labels.hpp>
 
 namespace skelgen::applications {
 
@@ -13,6 +15,10 @@ namespace skelgen::applications {
     template Vector3<Scalar> joint_place(const KinematicSkeleton<Scalar>&, const std::string&);                        \
     template Vector3<Scalar> end_place(const KinematicSkeleton<Scalar>&, const std::string&, const std::string&);      \
     template Eigen::MatrixX<core::Accumulator> part_shares(const Body<Scalar>&, const std::vector<int>&, int, double); \
+    template std::vector<PartAxis<Scalar>> part_axes(const KinematicSkeleton<Scalar>&);                                \
+    template Scalar distance_to_axis(const Vector3<Scalar>&, const PartAxis<Scalar>&);                                 \
+    template std::vector<int> smoothed_labels(const Body<Scalar>&, const std::vector<int>&, int, double);              \
+    template std::vector<int> in_one_piece(const Body<Scalar>&, const std::vector<int>&, int);                         \
     template PelvisDirections<Scalar> pelvis_directions(const KinematicSkeleton<Scalar>&);                             \
     template Eigen::Matrix<Scalar, 4, 4> alignment(const KinematicSkeleton<Scalar>&, const Points<Scalar>&,            \
                                                    const AlignmentOptions&);                                           \

@@ -27,6 +27,12 @@ bool is_same_word(std::string_view a, std::string_view b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
 }
 
+// What a clip may be at most, so that one made to fill a machine's memory, or its day, does not: each frame is kept as
+// a pose of the whole rig, and takes a look at each joint.
+constexpr std::size_t deepest = 500;          ///< joints below each other; what shows them may be recursive
+constexpr std::size_t most_joints = 5000;     ///< several times those of a character whose face moves, too
+constexpr std::int64_t most_frames = 1000000; ///< more than two hours at 120 frames a second
+
 class BvhParser {
 public:
     explicit BvhParser(std::string_view text) : scanner_(text, "clip") {}
@@ -81,10 +87,11 @@ private:
     }
 
     void open_joint(int parent) {
-        constexpr std::size_t deepest = 500; // no skeleton is as deep; what writes and shows it may be recursive
-        if (open_.size() >= deepest) scanner_.fail("joints are nested more than 500 deep");
+        if (open_.size() >= deepest) scanner_.fail("joints are nested more than " + std::to_string(deepest) + " deep");
         ClipJoint joint;
         joint.parent = parent;
+        if (clip_.joints.size() >= most_joints)
+            scanner_.fail("there are more than " + std::to_string(most_joints) + " joints");
         joint.name = read_name();
         if (joint.name.empty()) scanner_.fail("a joint's name is missing");
         expect("{");
@@ -177,19 +184,30 @@ private:
         if (scanner_.at_line_end() || !scanner_.take(':')) fail();
     }
 
+    /// Seconds for each of so many frames: the times of all are to be single precision, as characters' files have them.
+    double read_frame_time(std::int64_t frames) {
+        constexpr double least = std::numeric_limits<float>::min(), most = std::numeric_limits<float>::max();
+        const char* const start = scanner_.position();
+        const double seconds = read_number("frame time");
+        if (!(seconds > 0)) scanner_.fail_at(start, "the frame time is not above zero");
+        if (seconds < least) scanner_.fail_at(start, "the frame time is too small");
+        if (seconds > most / static_cast<double>(std::max<std::int64_t>(frames, 1)))
+            scanner_.fail_at(start, "the frame time is too large");
+        return seconds;
+    }
+
     void read_motion() {
         expect_title({"Frames"});
         const std::int64_t count = scanner_.whole_integer("number of frames");
         expect_title({"Frame", "Time"});
-        const char* const time = scanner_.position();
-        clip_.seconds_per_frame = read_number("frame time");
-        if (!(clip_.seconds_per_frame > 0)) scanner_.fail_at(time, "the frame time is not above zero");
+        clip_.seconds_per_frame = read_frame_time(count);
         if (channels_ == 0) scanner_.fail("no joint has a channel: nothing moves");
         // Each number takes two bytes at least: what is promised beyond that must not be made room for.
         const std::size_t most = (scanner_.bytes_left() + 1) / 2 / channels_;
         if (count < 1 || static_cast<std::uint64_t>(count) > most)
             scanner_.fail(count < 1 ? std::string("there are no frames")
                                     : "there is not as much motion as " + std::to_string(count) + " frames take");
+        if (count > most_frames) scanner_.fail("there are more than " + std::to_string(most_frames) + " frames");
         clip_.frames.resize(count, static_cast<Eigen::Index>(channels_));
         for (Eigen::Index i = 0; i < clip_.frames.size(); ++i) clip_.frames.data()[i] = read_number("channel's value");
         if (scanner_.seek_word()) scanner_.fail("there is more motion than " + std::to_string(count) + " frames take");

@@ -1,9 +1,11 @@
 #include <skelgen/io/bvh.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <vector>
+
+#include <skelgen/core/error.hpp>
 
 #include "number_text.hpp"
 
@@ -87,6 +89,12 @@ private:
 
 } // namespace
 
-std::string clip_to_bvh(const MotionClip& clip) { return BvhWriter(clip).write(); }
+std::string clip_to_bvh(const MotionClip& clip) {
+    validate(clip);
+    const auto roots =
+        std::count_if(clip.joints.begin(), clip.joints.end(), [](const ClipJoint& joint) { return joint.parent < 0; });
+    if (roots != 1) throw Error(ErrorCode::usage, "a clip needs one root, not " + std::to_string(roots));
+    return BvhWriter(clip).write();
+}
 
 } // namespace skelgen::io

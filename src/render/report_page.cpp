@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "io/base64.hpp"
 #include "xml_text.hpp"
 
 namespace skelgen::render {
@@ -109,7 +110,7 @@ std::string item_of(const ReportEntry& entry, std::size_t rank) {
                       attribute("joints", text_of(entry.least_confidence)) + ">\n";
     if (!entry.picture.empty())
         out += "<img alt=\"" + xml_text(entry.file) + "\" loading=\"lazy\" src=\"data:image/png;base64," +
-               base64(entry.picture) + "\">\n";
+               io::detail::encode_base64(entry.picture) + "\">\n";
     out += "<h2>" + xml_text(entry.file) + "</h2>\n";
     if (entry.status != "ok") out += "<p class=\"error\"><strong>" + xml_text(entry.status) + "</strong></p>\n";
     return out + paragraphs(entry.messages, "error") + paragraphs(entry.warnings, "warning") + numbers_of(entry) +

@@ -9,6 +9,7 @@
 #include "body.hpp"
 #include "check.hpp"
 #include "drawing.hpp"
+#include "io/base64.hpp"
 #include "xml_text.hpp"
 
 namespace skelgen::render {
@@ -81,7 +82,7 @@ std::string body_image(const Scene& scene, const Drawing& drawing, RenderOptions
     const Image body = draw_body(scene, drawing.projection, {}, options);
     return "<image" + attribute("width", std::to_string(options.width)) +
            attribute("height", std::to_string(options.height)) +
-           attribute("href", "data:image/png;base64," + base64(encode_png(body))) + "/>\n";
+           attribute("href", "data:image/png;base64," + io::detail::encode_base64(encode_png(body))) + "/>\n";
 }
 
 /// The farthest first, so that later elements cover earlier ones.

@@ -12,7 +12,4 @@ namespace skelgen::render {
 /// A number with at most two decimals, the same in every locale.
 [[nodiscard]] std::string decimal(double value);
 
-/// RFC 4648, with padding.
-[[nodiscard]] std::string base64(std::string_view bytes);
-
 } // namespace skelgen::render

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <skelgen/applications/clip_body.hpp>
+#include <skelgen/core/error.hpp>
 
 #include "catch.hpp"
 #include "walking_clip.hpp"
@@ -169,9 +170,29 @@ TEST_CASE("clips: what is missing is named", "[applications][clip]") {
     CHECK_THAT(fault("Head", "b12"), Catch::Matchers::Contains("head"));
     CHECK_THAT(fault("RightFoot", "RightFoot", 0), Catch::Matchers::Contains("right foot does not hang on the shin"));
     CHECK_THAT(fault("Head", "Head", -1), Catch::Matchers::Contains("do not hang together"));
+    MotionClip two_halves = test::standing_clip(); // each side hangs on a root of its own
+    for (ClipJoint& joint : two_halves.joints)
+        if (joint.name == "LeftUpLeg" || joint.name == "RightUpLeg") joint.parent = -1;
+    const auto halves = find_body(two_halves);
+    REQUIRE_FALSE(halves);
+    CHECK_THAT(halves.failure().what, Catch::Matchers::Contains("do not hang together"));
     MotionClip nobody;
     nobody.joints.push_back({"root", -1, {0, 0, 0}});
     CHECK_FALSE(find_body(nobody));
+}
+
+TEST_CASE("clips: joints before their parents, or frames of another skeleton, are refused", "[applications][clip]") {
+    for (const int parent : {1, 2, -2}) { // itself, one below it, none that there is
+        MotionClip clip = test::standing_clip();
+        clip.joints[1].parent = parent;
+        CHECK_THROWS_AS(validate(clip), Error);
+        CHECK_THROWS_AS(find_body(clip), Error);
+        CHECK_THROWS_AS(rest_pose(clip), Error);
+        CHECK_THROWS_AS(pose_in(clip, 0), Error);
+    }
+    MotionClip clip = test::standing_clip();
+    clip.joints[1].channels.pop_back();
+    CHECK_THROWS_AS(validate(clip), Error);
 }
 
 } // namespace

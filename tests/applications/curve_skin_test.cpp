@@ -43,6 +43,7 @@ TEMPLATE_TEST_CASE("a curve's node follows the joints that its region follows on
 
 TEST_CASE("a curve of another mesh, or without regions, has no skin", "[applications][curve_skin]") {
     Curve<double> given;
+    CHECK_THROWS_AS(curve_skin(given.curve, given.skin, 2), Error); // the skin knows three joints
     given.curve.regions[0] = {4};
     CHECK_THROWS_AS(curve_skin(given.curve, given.skin, 3), Error);
     given.curve.regions = {{}, {}, {}};

@@ -64,6 +64,12 @@ TEST_CASE("animate and pose: what cannot be done is one line and no file", "[cli
     fails({"animate", sample_body, "--bvh", "odd.bvh", "-o", "x.glb"}, 3, "odd.bvh: line 2: the file ends too early");
     fails({"animate", sample_body, "--bvh", "arm.bvh", "-o", "x.glb"}, 3, "arm.bvh: the clip's skeleton is not known");
     fails({"animate", sample_body, "--bvh", walk, "-o", "x.bvh"}, 2, "x.bvh: its name must end in .glb");
+    // What is wrong with the clip is said before the body is looked for.
+    fails({"animate", "capsule.off", "--bvh", "arm.bvh", "-o", "x.glb"}, 3,
+          "arm.bvh: the clip's skeleton is not known");
+    fails({"pose", "capsule.off", "--bvh", walk, "--frame", "30", "-o", "x.off"}, 2, walk + ": has no frame 30");
+    fails({"animate", "capsule.off", "--bvh", walk, "-o", "no/x.glb"}, 2, "no/x.glb: cannot be written: its folder");
+    fails({"pose", "capsule.off", "--bvh", walk, "-o", "no/x.off"}, 2, "no/x.off: cannot be written: its folder");
     fails({"animate", sample_body, "-o", "x.glb"}, 2, "animate: --bvh is required");
     fails({"animate", sample_body, "--bvh", "arm.bvh", "-o", "arm.bvh"}, 2, "arm.bvh: is the input");
     fails({"pose", sample_body, "--bvh", walk, "--frame", "30", "-o", "x.off"}, 2, walk + ": has no frame 30");

@@ -120,6 +120,13 @@ TEST_CASE("batch --also and --report: what would replace a mesh or another resul
     fails({"-o", "out", "--also", "rig,pose"}, "--also: 'pose' is none of rig, segment, measure, align, curve");
     fails({"-o", "out", "--also", ","}, "--also: '' is none of");
     fails({"-o", "out", "--report", "in/b.off"}, "in/b.off: is the input");
+    fails({"-o", "out", "--report", "out/b.json"}, "out/b.json: is a result of the batch");
+    fails({"-o", "out", "--also", "align", "--report", "out/../out/a.transform.json"},
+          "out/../out/a.transform.json: is a result of the batch");
+    fails({"-o", "out", "--report", "out/summary.jsonl"}, "out/summary.jsonl: is a result of the batch");
+    // Before the work and not after it.
+    fails({"-o", "out", "--report", "no/such/report.html"},
+          "no/such/report.html: cannot be written: its folder does not exist");
 }
 
 } // namespace

@@ -44,6 +44,13 @@ bool has_program(const fs::path& folder, const std::string& name) {
     return run_shell(folder, "command -v " + name).status == 0;
 }
 
+/// What a line of shell prints; it must have nothing to complain of.
+std::string printed_by(const fs::path& folder, const std::string& line) {
+    const CliResult result = run_shell(folder, line);
+    CHECK(result.err.empty());
+    return result.out;
+}
+
 TEST_CASE("manual pages: one for each command, with every option of its help", "[cli][documentation]") {
     const Documentation documentation;
     const fs::path folder = documentation.folder.path(), pages = folder / "share/man/man1";
@@ -90,10 +97,8 @@ TEST_CASE("completion: bash", "[cli][documentation]") {
                                          "_skelgen\nprintf '%s\\n' \"${COMPREPLY[@]}\" | sort\n");
     write_file(folder / "body.off", "");
     const auto completed = [&](const std::string& words) {
-        const CliResult result = run_shell(folder, "bash complete.bash " + words);
-        CHECK(result.err.empty());
         std::vector<std::string> lines;
-        std::istringstream text(result.out);
+        std::istringstream text(printed_by(folder, "bash complete.bash " + words));
         for (std::string line; std::getline(text, line);) lines.push_back(line);
         return lines;
     };
@@ -116,11 +121,9 @@ TEST_CASE("completion: fish", "[cli][documentation]") {
     const fs::path folder = documentation.folder.path();
     if (!has_program(folder, "fish")) SKELGEN_SKIP("fish is not there");
     const auto completed = [&](const std::string& line) {
-        const CliResult result = run_shell(
-            folder, "HOME=$PWD fish -N -c 'source share/fish/vendor_completions.d/skelgen.fish; complete -C \"" + line +
-                        "\"' | cut -f 1");
-        CHECK(result.err.empty());
-        return result.out;
+        return printed_by(folder, "HOME=$PWD fish -N -c 'source share/fish/vendor_completions.d/skelgen.fish; "
+                                  "complete -C \"" +
+                                      line + "\"' | cut -f 1");
     };
     CHECK(completed("skelgen seg") == "segment\n");
     CHECK(completed("skelgen rig --names v") == "vrm\n");
@@ -137,11 +140,7 @@ TEST_CASE("completion: zsh", "[cli][documentation]") {
                                         "compdef() { }\n"
                                         "want=$1; words=(\"${@[2,-1]}\")\n"
                                         "source share/zsh/site-functions/_skelgen\n_skelgen\n");
-    const auto given = [&](const std::string& words) {
-        const CliResult result = run_shell(folder, "zsh -f complete.zsh " + words);
-        CHECK(result.err.empty());
-        return result.out;
-    };
+    const auto given = [&](const std::string& words) { return printed_by(folder, "zsh -f complete.zsh " + words); };
     const std::string first = given("command");
     for (const std::string& command : commands(folder)) CHECK(first.find(command + ":") != std::string::npos);
     const std::string rig = given("argument rig");

@@ -57,6 +57,8 @@ TEST_CASE("rig: what cannot be done is one line and no file", "[cli][rig]") {
     fails({"capsule.off", "-o", "x.vrm", "--rest", "a-pose"}, 2);
     fails({"capsule.off", "-o", "capsule.off"}, 2);
     fails({sample_body, "-o", "no/such/folder/x.glb"}, 2);
+    const CliResult nowhere = run_cli(folder.path(), {"rig", sample_body, "-o", "no/such/folder/x.glb"});
+    CHECK(nowhere.err.rfind("skelgen: error: no/such/folder/x.glb: cannot be written", 0) == 0); // it is not the mesh's
 }
 
 } // namespace

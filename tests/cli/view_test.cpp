@@ -9,8 +9,6 @@ namespace {
 using namespace skelgen;
 using namespace skelgen::test;
 
-const std::string sample_body = SKELGEN_DATA "/sample/body.off";
-
 #if SKELGEN_WITH_VIEW
 
 std::size_t count(const std::string& text, const std::string& part) {
@@ -61,6 +59,7 @@ TEST_CASE("view: what cannot be done is one line and no page", "[cli][view]") {
     };
     fails({"view", "torn.off", "-o", "x.html"}, 3);
     fails({"view", "torn.off", "-o", "torn.off"}, 2);
+    fails({"view", sample_body, "torn.off", "-o", "torn.off"}, 2);
     fails({"view", "-o", "x.html"}, 2);
     fails({"view", sample_body, "--bvh", "torn.off", "-o", "x.html"}, 3);
     fails({"view", sample_body, "--bvh", "torn.off", "-o", "torn.off"}, 2);

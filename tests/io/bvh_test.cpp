@@ -144,6 +144,8 @@ TEST_CASE("BVH: damaged files are refused with the line", "[io][bvh]") {
         {{"Frames: 2", "Frames 2"}, "\"Frames:\" is missing"},
         {{"Frame Time: 0.04", "Frame Rate: 25"}, "\"Frame Time:\" is missing"},
         {{"Frame Time: 0.04", "Frame Time: 0"}, "not above zero"},
+        {{"Frame Time: 0.04", "Frame Time: 1e-300"}, "line 18: the frame time is too small"},
+        {{"Frame Time: 0.04", "Frame Time: 3e38"}, "line 18: the frame time is too large"},
         {{"90 90\n", "90 nan\n"}, "line 20: the channel's value is no usable number: 'nan'"},
     };
     for (const auto& [change, message] : damages) {
@@ -167,6 +169,27 @@ TEST_CASE("BVH: damaged files are refused with the line", "[io][bvh]") {
     CHECK_THROWS_WITH(io::parse_bvh("HIERARCHY ROOT a\n{ OFFSET 0 0 0 }\nMOTION\nFrames: 9\nFrame Time: 1\n"),
                       Catch::Matchers::Contains("nothing moves"));
     CHECK_THROWS_AS(io::read_bvh("missing.bvh"), Error);
+}
+
+TEST_CASE("BVH: what would fill a machine is refused", "[io][bvh]") {
+    std::string wide = "HIERARCHY ROOT a\n{ OFFSET 0 0 0 CHANNELS 1 Xrotation ";
+    for (int i = 0; i < 5000; ++i) wide += "JOINT a\n{ OFFSET 0 0 0 } ";
+    wide += "}\nMOTION\nFrames: 1\nFrame Time: 1\n0\n";
+    CHECK_THROWS_WITH(io::parse_bvh(wide), Catch::Matchers::Contains("more than 5000 joints"));
+    std::string longest = "HIERARCHY ROOT a\n{ OFFSET 0 0 0 CHANNELS 1 Xrotation }\nMOTION\nFrames: 1000001\n"
+                          "Frame Time: 1\n";
+    for (int i = 0; i < 1000001; ++i) longest += "0\n";
+    CHECK_THROWS_WITH(io::parse_bvh(longest), Catch::Matchers::Contains("more than 1000000 frames"));
+}
+
+TEST_CASE("BVH: a clip that is none is not written", "[io][bvh]") {
+    CHECK_THROWS_AS(io::clip_to_bvh({}), Error);
+    MotionClip clip = test::standing_clip();
+    clip.joints[14].parent = -1;
+    CHECK_THROWS_WITH(io::clip_to_bvh(clip), Catch::Matchers::Contains("one root, not 2"));
+    clip = test::standing_clip();
+    clip.frames.conservativeResize(Eigen::NoChange, 6);
+    CHECK_THROWS_AS(io::clip_to_bvh(clip), Error);
 }
 
 } // namespace

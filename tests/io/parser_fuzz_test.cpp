@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <random>
 #include <string>
@@ -50,20 +52,39 @@ std::vector<Sample> samples() {
     };
 }
 
-/// Whether a mesh came out; then it must be a sound one.
-bool parses(const std::string& bytes, std::optional<MeshFormat> extension) {
+/// Whether `parse`, which looks at what came out, takes its input; if not, the input must be what is to blame.
+template <typename Parse>
+bool accepted_by(const Parse& parse) {
     try {
-        const TriangleMesh<double> mesh = parse_mesh(bytes, extension);
-        REQUIRE(mesh.faces.rows() > 0);
-        REQUIRE(mesh.vertices.allFinite());
-        REQUIRE(mesh.faces.minCoeff() >= 0);
-        REQUIRE(mesh.faces.maxCoeff() < mesh.vertices.rows());
+        parse();
         return true;
     } catch (const Error& error) {
         REQUIRE(error.code() == ErrorCode::bad_input);
         REQUIRE(std::string(error.what()).size() > 10);
         return false;
     }
+}
+
+/// Whether a mesh came out; then it must be a sound one.
+bool parses(const std::string& bytes, std::optional<MeshFormat> extension) {
+    return accepted_by([&] {
+        const TriangleMesh<double> mesh = parse_mesh(bytes, extension);
+        REQUIRE(mesh.faces.rows() > 0);
+        REQUIRE(mesh.vertices.allFinite());
+        REQUIRE(mesh.faces.minCoeff() >= 0);
+        REQUIRE(mesh.faces.maxCoeff() < mesh.vertices.rows());
+    });
+}
+
+/// Has `parse` try the text with each of its bytes changed into each of those.
+template <typename Parse>
+void change_every_byte(const std::string& text, std::initializer_list<char> bytes, const Parse& parse) {
+    for (std::size_t i = 0; i < text.size(); ++i)
+        for (const char byte : bytes) {
+            std::string changed = text;
+            changed[i] = byte;
+            static_cast<void>(parse(changed));
+        }
 }
 
 /// One to three bytes changed, removed, doubled or swapped for ones that mean something to a parser.
@@ -107,12 +128,8 @@ TEST_CASE("mesh parsers: files cut short at every byte", "[io][fuzz]") {
 TEST_CASE("mesh parsers: every byte of a file changed", "[io][fuzz]") {
     for (const Sample& sample : samples()) {
         INFO(sample.name);
-        for (std::size_t i = 0; i < sample.bytes.size(); ++i)
-            for (const char byte : {'\0', '-', '9', ' ', '\n', '\x7f', '\xff'}) {
-                std::string changed = sample.bytes;
-                changed[i] = byte;
-                static_cast<void>(parses(changed, sample.extension));
-            }
+        change_every_byte(sample.bytes, {'\0', '-', '9', ' ', '\n', '\x7f', '\xff'},
+                          [&](const std::string& changed) { return parses(changed, sample.extension); });
     }
 }
 
@@ -166,19 +183,14 @@ std::vector<CurveSample> curve_samples() {
 
 /// Whether a curve came out; then it must be a sound one.
 bool parses_curve(const std::string& bytes, const CurveSample& sample) {
-    try {
+    return accepted_by([&] {
         const CurveSkeleton<double> read = sample.parse(bytes);
         REQUIRE(read.nodes.rows() > 0);
         REQUIRE(read.nodes.allFinite());
         for (const auto& [a, b] : read.edges) REQUIRE((0 <= a && a < b && b < read.nodes.rows()));
         REQUIRE(std::is_sorted(read.edges.begin(), read.edges.end()));
         REQUIRE((read.radii.empty() || static_cast<Eigen::Index>(read.radii.size()) == read.nodes.rows()));
-        return true;
-    } catch (const Error& error) {
-        REQUIRE(error.code() == ErrorCode::bad_input);
-        REQUIRE(std::string(error.what()).size() > 10);
-        return false;
-    }
+    });
 }
 
 } // namespace
@@ -191,12 +203,8 @@ TEST_CASE("curve parsers: cut short at every byte, and every byte changed", "[io
             const bool parsed = parses_curve(sample.bytes.substr(0, size), sample);
             if (sample.name == "JSON" && size + 2 < sample.bytes.size()) CHECK_FALSE(parsed);
         }
-        for (std::size_t i = 0; i < sample.bytes.size(); ++i)
-            for (const char byte : {'\0', '-', '9', ' ', '\n', '#', '\x7f', '\xff'}) {
-                std::string changed = sample.bytes;
-                changed[i] = byte;
-                static_cast<void>(parses_curve(changed, sample));
-            }
+        change_every_byte(sample.bytes, {'\0', '-', '9', ' ', '\n', '#', '\x7f', '\xff'},
+                          [&](const std::string& changed) { return parses_curve(changed, sample); });
     }
 }
 
@@ -223,18 +231,13 @@ namespace {
 
 /// Whether a clip came out; then it must be a sound one.
 bool parses_clip(const std::string& bytes) {
-    try {
+    return accepted_by([&] {
         const auto clip = parse_bvh(bytes);
         REQUIRE(clip.frames.rows() > 0);
         REQUIRE(clip.frames.allFinite());
         REQUIRE(pose_in(clip, 0).positions.size() == clip.joints.size());
         for (std::size_t j = 0; j < clip.joints.size(); ++j) REQUIRE(clip.joints[j].parent < static_cast<int>(j));
-        return true;
-    } catch (const Error& error) {
-        REQUIRE(error.code() == ErrorCode::bad_input);
-        REQUIRE(std::string(error.what()).size() > 10);
-        return false;
-    }
+    });
 }
 
 } // namespace
@@ -245,12 +248,7 @@ TEST_CASE("BVH parser: cut short, every byte changed, random changes", "[io][fuz
                              "MOTION\nFrames: 2\nFrame Time: 0.04\n1 2 3\n4 5 6\n";
     REQUIRE(parses_clip(clip));
     for (std::size_t size = 0; size + 2 < clip.size(); ++size) CHECK_FALSE(parses_clip(clip.substr(0, size)));
-    for (std::size_t i = 0; i < clip.size(); ++i)
-        for (const char byte : {'\0', '-', '9', ' ', '\n', '}', '\x7f', '\xff'}) {
-            std::string changed = clip;
-            changed[i] = byte;
-            static_cast<void>(parses_clip(changed));
-        }
+    change_every_byte(clip, {'\0', '-', '9', ' ', '\n', '}', '\x7f', '\xff'}, parses_clip);
     std::mt19937 random(2023);
     int refused = 0;
     for (int trial = 0; trial < 3000; ++trial) refused += !parses_clip(mutated(clip, random));

@@ -1,7 +1,7 @@
 // With link_2.cpp: the whole core, header-only, in two translation units of one program. A function that should be
 // inline and is not gives a link error.
 
-#include <skelgen/extract.hpp>
+#include "core_forwards.hpp"
 
 std::size_t joints_seen_by_the_other_file();
 

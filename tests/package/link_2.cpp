@@ -1,4 +1,4 @@
-#include <skelgen/extract.hpp>
+#include "core_backwards.hpp"
 
 std::size_t joints_seen_by_the_other_file();
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <random>
 #include <vector>
 
+#include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/surface/clean.hpp>
@@ -105,6 +107,52 @@ TEST_CASE("vertices up to the tolerance apart become one, others do not") {
         soup.vertices(v, v % 3) += 1e-7 * static_cast<double>(v % 5);
     CHECK(weld(soup, 1e-6).mesh.vertices.rows() == cube(1).vertices.rows());
     CHECK(weld(soup, 1e-9).mesh.vertices.rows() > 2 * cube(1).vertices.rows());
+}
+
+TEST_CASE("what is welded is what comparing every vertex with every other one says") {
+    std::mt19937 random(17);
+    std::uniform_real_distribution<double> place(0, 1);
+    const double tolerance = 0.05;
+    Mesh soup;
+    soup.vertices.resize(300, 3);
+    soup.faces.resize(100, 3);
+    for (Eigen::Index i = 0; i < 300; ++i) {
+        soup.vertices.row(i) << place(random), place(random), place(random);
+        soup.faces(i / 3, i % 3) = static_cast<int>(i);
+    }
+    DisjointSets groups(300);
+    for (std::size_t a = 0; a < 300; ++a)
+        for (std::size_t b = a + 1; b < 300; ++b)
+            if ((point(soup.vertices, static_cast<Eigen::Index>(a)) -
+                 point(soup.vertices, static_cast<Eigen::Index>(b)))
+                    .norm() <= tolerance)
+                groups.unite(a, b);
+    for (const double far : {0.0, 1e6}) { // also where rounding takes much of what the places differ by
+        Mesh moved_soup = soup;
+        moved_soup.vertices.array() += far;
+        const WeldedMesh<double> welded = weld(moved_soup, tolerance);
+        CHECK(welded.welded > 10);
+        CHECK(static_cast<std::size_t>(welded.mesh.vertices.rows()) == groups.count());
+        for (std::size_t v = 0; v < 300; ++v) REQUIRE(welded.placed[v] == welded.placed[groups.find(v)]);
+    }
+    CHECK_THROWS_AS(weld(soup, tolerance, std::vector<bool>(299)), Error);
+}
+
+TEST_CASE("a large flat sheet is welded in no time, whatever axis it is square to") {
+    constexpr int n = 500;
+    for (const int axis : {0, 1, 2}) {
+        Mesh sheet;
+        sheet.vertices.setZero(n * n, 3);
+        sheet.faces.resize((n - 1) * (n - 1), 3);
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j) {
+                const int v = i * n + j;
+                sheet.vertices(v, (axis + 1) % 3) = i;
+                sheet.vertices(v, (axis + 2) % 3) = j;
+                if (i + 1 < n && j + 1 < n) sheet.faces.row(i * (n - 1) + j) << v, v + 1, v + n;
+            }
+        CHECK(weld(sheet, 1e-6 * n).welded == 0); // compared by pairs, it would be minutes
+    }
 }
 
 TEST_CASE("closed pieces are welded where all become one surface, and left apart where a seam would tear them") {

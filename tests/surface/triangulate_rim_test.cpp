@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/surface/fill_holes.hpp>
 #include <skelgen/surface/pieces.hpp>
@@ -76,6 +77,7 @@ TEST_CASE("no triangle takes an edge that is there already", "[surface]") {
 TEST_CASE("a rim of two edges, or all on one line, cannot be closed", "[surface]") {
     SquareHole hole;
     CHECK_FALSE(triangulate_rim(hole.mesh, Rim{{0, 1}, {0, 1}}, nothing_there));
+    CHECK_THROWS_AS(triangulate_rim(hole.mesh, Rim{{0, 1, 2}, {0}}, nothing_there), Error);
     hole.mesh.vertices.topRows(4).col(1).setZero();
     CHECK_FALSE(triangulate_rim(hole.mesh, hole.rim, nothing_there));
 }

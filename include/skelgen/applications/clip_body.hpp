@@ -30,7 +30,7 @@ struct ClipBody {
 /// them: those of skelgen, SMPL, Mixamo and MotionBuilder (LeftUpLeg), VRM (leftUpperLeg), Biovision (LeftHip,
 /// LeftKnee), Poser (lThigh, lShin), 3ds Max's Biped (L Thigh), Unreal (thigh_l) and Acclaim (lfemur), with
 /// prefixes, numbers and any case. What names leave open is seen in how the joints hang together: a LeftShoulder above
-/// a LeftArm is a collar bone. \returns a failure that names what is missing. O(joints).
+/// a LeftArm is a collar bone. \returns a failure that names what is missing. O(joints). \throws Error as `validate`.
 [[nodiscard]] Outcome<ClipBody> find_body(const MotionClip& clip);
 
 } // namespace skelgen::applications

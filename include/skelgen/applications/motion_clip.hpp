@@ -41,11 +41,16 @@ struct ClipPose {
     std::vector<Vector3<double>> positions;
 };
 
-/// The clip's skeleton with all channels zero but positions, for which the offsets stand. O(joints).
+/// \throws Error usage when a clip's joint has a parent that is not before it, or the rows of its frames have not as
+/// many numbers as its joints have channels. O(joints).
+void validate(const MotionClip& clip);
+
+/// The clip's skeleton with all channels zero but positions, for which the offsets stand. O(joints). \throws Error as
+/// `validate`.
 [[nodiscard]] ClipPose rest_pose(const MotionClip& clip);
 
-/// The clip's skeleton in a frame, counted from 0. O(joints). \throws Error usage when there is no such frame, or its
-/// row has not as many numbers as the joints have channels.
+/// The clip's skeleton in a frame, counted from 0. O(joints). \throws Error usage when there is no such frame, or as
+/// `validate`.
 [[nodiscard]] ClipPose pose_in(const MotionClip& clip, std::size_t frame);
 
 } // namespace skelgen::applications

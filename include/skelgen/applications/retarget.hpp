@@ -16,8 +16,8 @@ namespace skelgen::applications {
 /// line), the first frame does. The root moves as the middle of the clip's hips, scaled by the legs' lengths; it starts
 /// above the origin, and the feet come to the floor (`on_floor`). The axis of the clip's coordinates in which its
 /// skeleton stands becomes +y, and a clip at rest faces +z. \returns a failure where the clip has no body, or one whose
-/// left and right are exchanged. \throws Error usage when the rig's joints are not the template's, or a frame has not
-/// as many numbers as the clip has channels. O(frames joints).
+/// left and right are exchanged, or whose legs are next to nothing beside its ways. \throws Error usage when the rig's
+/// joints are not the template's, or a frame has not as many numbers as the clip has channels. O(frames joints).
 template <typename Scalar>
 [[nodiscard]] Outcome<Animation<Scalar>> retarget(const MotionClip& clip, const Rig<Scalar>& rig,
                                                   const SkeletonTemplate& skeleton_template);

@@ -426,7 +426,8 @@ Outcome<FittedBody<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh
     const surface::BodyMaterial<Scalar> material = surface::gather(mesh, options.prepare);
     if (material.bodies > 1 && options.prepare.component == 0)
         return Failure{FailureReason::no_body,
-                       std::to_string(material.bodies) + " bodies apart; extract each by its number (--component)"};
+                       std::to_string(material.bodies) +
+                           " bodies apart; give each a file of its own, or take one by its number (--component)"};
     std::optional<Outcome<Fit<Scalar>>> best;
     Body<Scalar> best_body;
     StageTimings timings;

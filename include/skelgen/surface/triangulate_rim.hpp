@@ -18,8 +18,8 @@ struct Rim {
 /// The triangles (indices into the rim's vertices) that close a hole with no new vertex and bend as little as possible
 /// at any edge, those to the faces around the hole included, and of these the ones with the least area (Lie03; BS95):
 /// across a tube's open side, and not through it. `is_edge(i, j)` says whether two of the rim's vertices that are no
-/// neighbours on it have an edge already, which no triangle may then use. \returns nothing where no such triangles
-/// exist. O(n^3).
+/// neighbours on it have an edge already, which no triangle may then use. Any unit. \returns nothing where no such
+/// triangles exist. \throws Error usage when the rim has not one face for each vertex. O(n^3), in memory O(n^2).
 template <typename Scalar>
 [[nodiscard]] std::optional<std::vector<std::array<int, 3>>>
 triangulate_rim(const TriangleMesh<Scalar>& mesh, const Rim& rim, const std::function<bool(int, int)>& is_edge);

@@ -28,9 +28,10 @@ template <typename Scalar>
 [[nodiscard]] Triangles faces_within_reach(const TriangleMesh<Scalar>& mesh);
 
 /// Makes one vertex of those at equal places, then of those in chains of steps up to `tolerance` (in the mesh's unit),
-/// and leaves out what no face uses; the first of each group stays, and all keep their order. `apart` (empty: none)
-/// marks vertices that stay as they are. Faces may come to repeat a vertex. A mesh without any of this comes back with
-/// the same vertices and faces. O(n log n) where few lie as near.
+/// and leaves out what no face uses; the first of each group stays, and all keep their order. `apart` (one entry for
+/// each vertex; empty: none) marks those that stay as they are. Faces may come to repeat a vertex. A mesh without any
+/// of this comes back with the same vertices and faces. \throws Error usage when `apart` has another size. O(n log n)
+/// where few lie as near.
 template <typename Scalar>
 [[nodiscard]] WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>& mesh, Scalar tolerance,
                                       const std::vector<bool>& apart = {});

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <skelgen/applications/skinning.hpp>
 #include <skelgen/core/error.hpp>
@@ -23,9 +26,9 @@ std::vector<Eigen::Index> outermost_vertices(const Rig<Scalar>& rig) {
     std::vector<Eigen::Index> farthest(rig.joints.size());
     std::vector<Scalar> most(rig.joints.size());
     for (int direction = 0; direction < 27; ++direction) {
-        if (direction == 13) continue; // the one that is none
-        const Vector3<Scalar> along(Scalar(direction % 3 - 1), Scalar(direction / 3 % 3 - 1),
-                                    Scalar(direction / 9 - 1));
+        const Eigen::Vector3i steps(direction % 3 - 1, direction / 3 % 3 - 1, direction / 9 - 1);
+        if (steps.isZero()) continue;
+        const Vector3<Scalar> along = steps.template cast<Scalar>();
         std::fill(farthest.begin(), farthest.end(), -1);
         std::fill(most.begin(), most.end(), -std::numeric_limits<Scalar>::infinity());
         for (Eigen::Index v = 0; v < rig.mesh.vertices.rows(); ++v) {

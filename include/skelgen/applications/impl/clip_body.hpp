@@ -3,12 +3,14 @@
 #include <skelgen/applications/clip_body.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/skeleton_template.hpp>
@@ -27,7 +29,7 @@ struct PartName {
     bool is_clear = true;
 };
 
-inline constexpr std::array<PartName, 46> part_names{{
+inline constexpr std::array<PartName, 46> named_parts{{
     {"head", NamedPart::head},
     {"skull", NamedPart::head},
     {"arm", NamedPart::upper_arm},
@@ -77,7 +79,7 @@ inline constexpr std::array<PartName, 46> part_names{{
 }};
 
 inline bool is_part_name(std::string_view name) {
-    return std::any_of(part_names.begin(), part_names.end(), [&](const PartName& row) { return row.name == name; });
+    return std::any_of(named_parts.begin(), named_parts.end(), [&](const PartName& row) { return row.name == name; });
 }
 
 /// The words of a name in lower case: "mixamorig:LeftUpLeg1" has left, up and leg, "LHip" l and hip.
@@ -166,11 +168,11 @@ public:
         return false;
     }
 
-    /// The last joint on both paths from the root.
+    /// The last joint on both paths from the root; -1 below different roots.
     [[nodiscard]] int fork(int a, int b) const {
         const std::vector<int> to_a = path_to(a), to_b = path_to(b);
         const auto [end, unused] = std::mismatch(to_a.begin(), to_a.end(), to_b.begin(), to_b.end());
-        return *(end - 1);
+        return end == to_a.begin() ? -1 : *(end - 1);
     }
 
     /// The joints strictly between one and another below it.
@@ -208,7 +210,7 @@ public:
 
 private:
     static bool is_called(std::string_view name, NamedPart part, bool is_clear) {
-        return std::any_of(part_names.begin(), part_names.end(), [&](const PartName& row) {
+        return std::any_of(named_parts.begin(), named_parts.end(), [&](const PartName& row) {
             return row.name == name && row.part == part && row.is_clear == is_clear;
         });
     }
@@ -216,70 +218,84 @@ private:
     std::vector<std::optional<ReadName>> names_;
 };
 
+/// What a limb's joints are called, from the trunk on: as parts, and all but the tip in messages.
+struct LimbNames {
+    std::array<NamedPart, 4> parts;
+    std::array<const char*, 3> words;
+};
+inline constexpr LimbNames arm_names{{NamedPart::upper_arm, NamedPart::elbow, NamedPart::wrist, NamedPart::knuckles},
+                                     {"upper arm", "forearm", "hand"}};
+inline constexpr LimbNames leg_names{{NamedPart::thigh, NamedPart::knee, NamedPart::ankle, NamedPart::toes},
+                                     {"thigh", "shin", "foot"}};
+
 /// A limb, whose tip must lie beyond its end: a hand is the wrist where there is no wrist.
-inline ClipLimb find_limb(const PartFinder& parts, const ClipTree& tree, Side side,
-                          const std::array<NamedPart, 4>& names) {
-    ClipLimb limb{parts.find(names[0], side), parts.find(names[1], side), parts.find(names[2], side),
-                  parts.find(names[3], side)};
+inline ClipLimb find_limb(const PartFinder& parts, const ClipTree& tree, Side side, const LimbNames& names) {
+    ClipLimb limb{parts.find(names.parts[0], side), parts.find(names.parts[1], side), parts.find(names.parts[2], side),
+                  parts.find(names.parts[3], side)};
     if (limb.tip >= 0 && (limb.end < 0 || !tree.is_below(limb.tip, limb.end))) limb.tip = -1;
     return limb;
 }
 
 /// What a limb lacks; empty where nothing does.
 inline std::string fault_of(const ClipLimb& limb, const ClipTree& tree, const std::string& side,
-                            const std::array<const char*, 3>& names) {
+                            const LimbNames& names) {
     const std::array<int, 3> joints{limb.upper, limb.lower, limb.end};
     for (std::size_t i = 0; i < joints.size(); ++i)
-        if (joints[i] < 0) return "no joint is named as a " + side + " " + names[i];
+        if (joints[i] < 0) return "no joint is named as a " + side + " " + names.words[i];
     for (std::size_t i = 1; i < joints.size(); ++i)
         if (!tree.is_below(joints[i], joints[i - 1]))
-            return "its " + side + " " + names[i] + " does not hang on the " + names[i - 1];
+            return "its " + side + " " + names.words[i] + " does not hang on the " + names.words[i - 1];
     return "";
+}
+
+/// What the limbs of a left and a right side lack; empty where nothing does.
+inline std::string fault_of(const std::array<ClipLimb, 2>& limbs, const PartFinder& parts, const ClipTree& tree,
+                            const LimbNames& names) {
+    for (const std::size_t i : {0U, 1U})
+        if (std::string fault = fault_of(limbs[i], tree, i == 0 ? "left" : "right", names); !fault.empty())
+            return fault;
+    // A side without upper arm must not have its collar bone taken for one.
+    constexpr std::array<int ClipLimb::*, 3> joints{&ClipLimb::upper, &ClipLimb::lower, &ClipLimb::end};
+    for (std::size_t i = 0; i < joints.size(); ++i)
+        if (!parts.are_alike(limbs[0].*joints[i], limbs[1].*joints[i]))
+            return std::string("left and right ") + names.words[i] + " are named differently";
+    return "";
+}
+
+/// Whether legs hang on the pelvis, and chest and head above it, arms on the chest.
+inline bool hangs_together(const ClipBody& body, const ClipTree& tree) {
+    bool limbs_hang = true;
+    for (const ClipLimb& leg : body.legs) limbs_hang = limbs_hang && tree.is_below(leg.upper, body.pelvis);
+    for (const ClipLimb& arm : body.arms) limbs_hang = limbs_hang && tree.is_below(arm.upper, body.chest);
+    return limbs_hang && (body.chest == body.pelvis || tree.is_below(body.chest, body.pelvis)) &&
+           tree.is_below(body.head, body.pelvis) && body.head != body.chest && !tree.is_below(body.chest, body.head);
 }
 
 } // namespace detail
 
 SKELGEN_INLINE Outcome<ClipBody> find_body(const MotionClip& clip) {
-    using detail::NamedPart;
-    constexpr std::array<NamedPart, 4> arm{NamedPart::upper_arm, NamedPart::elbow, NamedPart::wrist,
-                                           NamedPart::knuckles};
-    constexpr std::array<NamedPart, 4> leg{NamedPart::thigh, NamedPart::knee, NamedPart::ankle, NamedPart::toes};
-    constexpr std::array<const char*, 3> arm_names{"upper arm", "forearm", "hand"}, leg_names{"thigh", "shin", "foot"};
+    validate(clip);
     const auto failed = [](const std::string& fault) {
         return Failure{FailureReason::no_body,
                        "the clip's skeleton is not known as a body: " + fault +
                            "; name its joints as Mixamo, VRM, SMPL or skelgen does, as Hips, LeftUpLeg, LeftLeg"};
     };
-
     const detail::PartFinder parts(clip);
     const detail::ClipTree tree(clip);
     ClipBody body;
-    body.head = parts.find(NamedPart::head, Side::none);
+    body.head = parts.find(detail::NamedPart::head, Side::none);
     if (body.head < 0) return failed("no joint is named as a head");
     for (const std::size_t i : {0U, 1U}) {
         const Side side = i == 0 ? Side::left : Side::right;
-        const std::string name = i == 0 ? "left" : "right";
-        body.legs[i] = detail::find_limb(parts, tree, side, leg);
-        body.arms[i] = detail::find_limb(parts, tree, side, arm);
-        for (const std::string& fault : {detail::fault_of(body.legs[i], tree, name, leg_names),
-                                         detail::fault_of(body.arms[i], tree, name, arm_names)})
-            if (!fault.empty()) return failed(fault);
+        body.legs[i] = detail::find_limb(parts, tree, side, detail::leg_names);
+        body.arms[i] = detail::find_limb(parts, tree, side, detail::arm_names);
     }
-    // A side without upper arm must not have its collar bone taken for one.
-    for (const std::size_t i : {0U, 1U, 2U}) {
-        constexpr std::array<int ClipLimb::*, 3> joints{&ClipLimb::upper, &ClipLimb::lower, &ClipLimb::end};
-        for (const auto& [limbs, names] : {std::pair{&body.arms, &arm_names}, std::pair{&body.legs, &leg_names}})
-            if (!parts.are_alike((*limbs)[0].*joints[i], (*limbs)[1].*joints[i]))
-                return failed(std::string("left and right ") + (*names)[i] + " are named differently");
-    }
+    for (const std::string& fault : {detail::fault_of(body.legs, parts, tree, detail::leg_names),
+                                     detail::fault_of(body.arms, parts, tree, detail::arm_names)})
+        if (!fault.empty()) return failed(fault);
     body.pelvis = tree.fork(body.legs[0].upper, body.legs[1].upper);
     body.chest = tree.fork(body.arms[0].upper, body.arms[1].upper);
-    const bool hangs_together = (body.chest == body.pelvis || tree.is_below(body.chest, body.pelvis)) &&
-                                tree.is_below(body.head, body.pelvis) && body.head != body.chest &&
-                                !tree.is_below(body.chest, body.head) && body.pelvis != body.legs[0].upper &&
-                                body.pelvis != body.legs[1].upper && body.chest != body.arms[0].upper &&
-                                body.chest != body.arms[1].upper;
-    if (!hangs_together) return failed("trunk, head and limbs do not hang together as a body's do");
+    if (!detail::hangs_together(body, tree)) return failed("trunk, head and limbs do not hang together as a body's do");
     body.spine = tree.between(body.pelvis, body.chest);
     // A head may hang below the chest, on the pelvis' side of it: its neck begins where the two part.
     body.neck = tree.between(tree.fork(body.head, body.chest), body.head);

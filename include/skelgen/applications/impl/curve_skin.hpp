@@ -18,8 +18,11 @@ Eigen::RowVectorX<Scalar> mean_weights(const std::vector<int>& region, const Ski
     for (const int vertex : region) {
         if (vertex < 0 || vertex >= skin.weights.rows())
             throw Error(ErrorCode::usage, "the skin is not of the mesh that the curve skeleton was found in");
-        for (int k = 0; k < Skin<Scalar>::influences; ++k)
+        for (int k = 0; k < Skin<Scalar>::influences; ++k) {
+            if (skin.joints(vertex, k) < 0 || skin.joints(vertex, k) >= joints)
+                throw Error(ErrorCode::usage, "the skin names a joint that the rig does not have");
             mean[skin.joints(vertex, k)] += skin.weights(vertex, k) / static_cast<Scalar>(region.size());
+        }
     }
     return mean;
 }

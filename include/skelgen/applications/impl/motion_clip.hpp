@@ -2,7 +2,9 @@
 
 #include <skelgen/applications/motion_clip.hpp>
 
+#include <cstddef>
 #include <numbers>
+#include <string>
 
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/header_only.hpp>
@@ -19,13 +21,25 @@ inline void append_clip_joint(ClipPose& pose, int parent, const Eigen::Quaternio
         return;
     }
     const auto above = static_cast<std::size_t>(parent);
-    pose.positions.push_back(pose.positions[above] + pose.turns[above] * offset);
+    pose.positions.emplace_back(pose.positions[above] + pose.turns[above] * offset);
     pose.turns.push_back((pose.turns[above] * turn).normalized());
 }
 
 } // namespace detail
 
+SKELGEN_INLINE void validate(const MotionClip& clip) {
+    std::size_t channels = 0;
+    for (std::size_t j = 0; j < clip.joints.size(); ++j) {
+        if (const int parent = clip.joints[j].parent; parent < -1 || parent >= static_cast<int>(j))
+            throw Error(ErrorCode::usage, "a clip's joints must come after their parents");
+        channels += clip.joints[j].channels.size();
+    }
+    if (channels != static_cast<std::size_t>(clip.frames.cols()))
+        throw Error(ErrorCode::usage, "a clip's frames must have as many numbers as its joints have channels");
+}
+
 SKELGEN_INLINE ClipPose rest_pose(const MotionClip& clip) {
+    validate(clip);
     ClipPose pose;
     for (const ClipJoint& joint : clip.joints)
         detail::append_clip_joint(pose, joint.parent, Eigen::Quaterniond::Identity(), joint.offset);
@@ -37,13 +51,9 @@ SKELGEN_INLINE ClipPose pose_in(const MotionClip& clip, std::size_t frame) {
     if (frame >= frames)
         throw Error(ErrorCode::usage, "there is no frame " + std::to_string(frame) + ": the clip has " +
                                           std::to_string(frames) + ", counted from 0");
-    std::size_t channels = 0;
-    for (const ClipJoint& joint : clip.joints) channels += joint.channels.size();
-    if (channels != static_cast<std::size_t>(clip.frames.cols()))
-        throw Error(ErrorCode::usage, "a clip's frames must have as many numbers as its joints have channels");
-
+    validate(clip);
     constexpr double radians = std::numbers::pi / 180;
-    const double* value = clip.frames.data() + frame * channels;
+    const double* value = clip.frames.data() + static_cast<Eigen::Index>(frame) * clip.frames.cols();
     ClipPose pose;
     for (const ClipJoint& joint : clip.joints) {
         Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();

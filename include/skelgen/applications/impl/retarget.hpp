@@ -2,10 +2,12 @@
 
 #include <skelgen/applications/retarget.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
+#include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -325,6 +327,9 @@ void require_joints_of(const SkeletonTemplate& skeleton_template, const Rig<Scal
         throw Error(ErrorCode::usage, "the rig's joints are not those of the template " + skeleton_template.name);
 }
 
+/// As far from the origin as a rig may move: half of what single precision holds, as files of characters have it.
+inline constexpr double farthest_place = std::numeric_limits<float>::max() / 2.0;
+
 /// What is wrong with the body of a clip as it is held in the reference; empty where nothing is.
 inline std::string fault_of_shape(const ClipShape& shape) {
     if (!(shape.leg_length() > 0)) return "the clip's skeleton has legs without length; export it with its offsets";
@@ -360,6 +365,9 @@ Outcome<Animation<Scalar>> retarget(const MotionClip& clip, const Rig<Scalar>& r
         const Orientations<double> axes = follower.axes_in(pose);
         for (const Eigen::Quaterniond& joint : axes) held.axes.push_back(joint.template cast<Scalar>());
         const Vector3<double> root = scale * follower.between_hips(pose) + axes.front() * back * hips.to_root;
+        if (!(root.cwiseAbs().array() <= detail::farthest_place).all())
+            return Failure{FailureReason::no_body, "the clip's skeleton moves farther than numbers reach in frame " +
+                                                       std::to_string(frame) + "; export it with its own offsets"};
         held.root = root.cast<Scalar>();
         out.frames.push_back(std::move(held));
     }

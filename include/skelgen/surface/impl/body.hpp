@@ -53,6 +53,20 @@ std::vector<std::vector<int>> regions_of_input(const Body<Scalar>& body, const C
     return out;
 }
 
+/// A skeleton in other coordinates, given what becomes there of a place, a direction and a length.
+template <typename Scalar, typename Place, typename Direction, typename Length>
+KinematicSkeleton<Scalar> in_coordinates(KinematicSkeleton<Scalar> skeleton, const Place& place,
+                                         const Direction& direction, const Length& length) {
+    for (Joint<Scalar>& joint : skeleton.joints) {
+        joint.position = place(joint.position);
+        joint.radius = length(joint.radius);
+    }
+    for (auto& [name, point] : skeleton.end_points) point = place(point);
+    BodyFrame<Scalar>& frame = skeleton.frame;
+    frame = {place(frame.origin), direction(frame.left), direction(frame.forward), direction(frame.up)};
+    return skeleton;
+}
+
 } // namespace detail
 
 template <typename Scalar>
@@ -77,31 +91,22 @@ CurveSkeleton<Scalar> to_input(const Body<Scalar>& body, const CurveSkeleton<Sca
 
 template <typename Scalar>
 KinematicSkeleton<Scalar> to_input(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton) {
+    using Vector = Vector3<Scalar>;
     const Similarity<Scalar>& similarity = body.similarity;
-    KinematicSkeleton<Scalar> out = skeleton;
-    for (Joint<Scalar>& joint : out.joints) {
-        joint.position = similarity.to_input(joint.position);
-        joint.radius *= similarity.scale;
-    }
-    for (auto& [name, point] : out.end_points) point = similarity.to_input(point);
-    out.frame = {similarity.to_input(skeleton.frame.origin), similarity.direction_to_input(skeleton.frame.left),
-                 similarity.direction_to_input(skeleton.frame.forward),
-                 similarity.direction_to_input(skeleton.frame.up)};
-    return out;
+    return detail::in_coordinates(
+        skeleton, [&](const Vector& p) { return similarity.to_input(p); },
+        [&](const Vector& d) { return similarity.direction_to_input(d); },
+        [&](Scalar length) { return length * similarity.scale; });
 }
 
 template <typename Scalar>
 KinematicSkeleton<Scalar> to_body(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton) {
+    using Vector = Vector3<Scalar>;
     const Similarity<Scalar>& similarity = body.similarity;
-    KinematicSkeleton<Scalar> out = skeleton;
-    for (Joint<Scalar>& joint : out.joints) {
-        joint.position = similarity.to_canonical(joint.position);
-        joint.radius /= similarity.scale;
-    }
-    for (auto& [name, place] : out.end_points) place = similarity.to_canonical(place);
-    out.frame = {similarity.to_canonical(skeleton.frame.origin), similarity.rotation * skeleton.frame.left,
-                 similarity.rotation * skeleton.frame.forward, similarity.rotation * skeleton.frame.up};
-    return out;
+    return detail::in_coordinates(
+        skeleton, [&](const Vector& p) { return similarity.to_canonical(p); },
+        [&](const Vector& d) -> Vector { return similarity.rotation * d; },
+        [&](Scalar length) { return length / similarity.scale; });
 }
 
 } // namespace skelgen::surface

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 
 namespace skelgen::surface {
@@ -106,6 +107,8 @@ private:
 template <typename Scalar>
 std::optional<std::vector<std::array<int, 3>>> triangulate_rim(const TriangleMesh<Scalar>& mesh, const Rim& rim,
                                                                const std::function<bool(int, int)>& is_edge) {
+    if (rim.faces.size() != rim.vertices.size())
+        throw Error(ErrorCode::usage, "triangulate_rim: the rim must have one face for each vertex");
     if (rim.vertices.size() < 3) return std::nullopt;
     return detail::RimTriangles<Scalar>(mesh, rim, is_edge).triangles();
 }

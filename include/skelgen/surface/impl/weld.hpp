@@ -3,16 +3,52 @@
 #include <skelgen/surface/weld.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <numbers>
+#include <utility>
 
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/disjoint_sets.hpp>
+#include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/precision.hpp>
 
 namespace skelgen::surface {
 namespace detail {
 
-/// Joins points no farther apart than `tolerance` (0: at equal places): a sweep along the first axis.
+/// How far along a direction a point lies in which hardly any points of a mesh lie level: none of a plane or of a
+/// lattice along the axes, as of walls, scanned floors and voxels.
+template <typename Scalar>
+core::Accumulator along_odd_direction(const Points<Scalar>& points, int v) {
+    const Vector3<core::Accumulator> direction(1, std::numbers::sqrt2, std::numbers::sqrt3);
+    return core::point(points, v).template cast<core::Accumulator>().dot(direction.normalized());
+}
+
+/// Joins points at different places, no farther apart than `tolerance`: a sweep along that direction.
+template <typename Scalar>
+void join_near_places(core::DisjointSets& groups, const Points<Scalar>& points, const std::vector<int>& places,
+                      Scalar tolerance) {
+    std::vector<std::pair<core::Accumulator, int>> order;
+    core::Accumulator farthest = 0;
+    for (const int v : places) {
+        order.emplace_back(along_odd_direction(points, v), v);
+        farthest = std::max(farthest, std::abs(order.back().first));
+    }
+    std::sort(order.begin(), order.end());
+    // What rounding leaves in a place along the direction must not part two points.
+    const core::Accumulator reach =
+        static_cast<core::Accumulator>(tolerance) + 16 * std::numeric_limits<core::Accumulator>::epsilon() * farthest;
+    for (std::size_t i = 0; i < order.size(); ++i)
+        for (std::size_t j = i + 1; j < order.size() && order[j].first - order[i].first <= reach; ++j) {
+            const int a = order[i].second, b = order[j].second;
+            if ((core::point(points, a) - core::point(points, b)).norm() <= tolerance)
+                groups.unite(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+        }
+}
+
+/// Joins points no farther apart than `tolerance` (0: at equal places).
 template <typename Scalar>
 core::DisjointSets near_points(const Points<Scalar>& points, const std::vector<int>& used, Scalar tolerance) {
     std::vector<int> order = used;
@@ -22,19 +58,14 @@ core::DisjointSets near_points(const Points<Scalar>& points, const std::vector<i
         return a < b;
     });
     core::DisjointSets groups(static_cast<std::size_t>(points.rows()));
-    const auto unite = [&](int a, int b) { groups.unite(static_cast<std::size_t>(a), static_cast<std::size_t>(b)); };
     std::vector<int> places; // one point of each place
     for (const int v : order) {
         if (!places.empty() && points.row(places.back()) == points.row(v))
-            unite(places.back(), v);
+            groups.unite(static_cast<std::size_t>(places.back()), static_cast<std::size_t>(v));
         else
             places.push_back(v);
     }
-    if (!(tolerance > 0)) return groups;
-    for (std::size_t i = 0; i < places.size(); ++i)
-        for (std::size_t j = i + 1; j < places.size() && points(places[j], 0) - points(places[i], 0) <= tolerance; ++j)
-            if ((core::point(points, places[i]) - core::point(points, places[j])).norm() <= tolerance)
-                unite(places[i], places[j]);
+    if (tolerance > 0) join_near_places(groups, points, places, tolerance);
     return groups;
 }
 
@@ -80,6 +111,8 @@ Triangles faces_within_reach(const TriangleMesh<Scalar>& mesh) {
 template <typename Scalar>
 WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>& mesh, Scalar tolerance, const std::vector<bool>& apart) {
     const auto n = static_cast<std::size_t>(mesh.vertices.rows());
+    if (!apart.empty() && apart.size() != n)
+        throw Error(ErrorCode::usage, "weld: `apart` has to have one entry for each vertex");
     std::vector<bool> is_used(n, false);
     for (Eigen::Index i = 0; i < mesh.faces.size(); ++i) is_used[static_cast<std::size_t>(mesh.faces.data()[i])] = true;
     std::vector<int> used;

@@ -1,0 +1,22 @@
+#include "character.hpp"
+
+#include "fitted_file.hpp"
+
+namespace skelgen::cli {
+
+Character make_character(const MeshInput& input, const CharacterOptions& options) {
+    ExtractOptions extraction;
+    extraction.prepare.component = options.component;
+    const FittedFile body = fit_file(input, extraction);
+    const SkeletonTemplate& skeleton_template = builtin_template(body.skeleton().template_name);
+    return {applications::make_rig(body.mesh, body.found.body, body.skeleton(), skeleton_template, options.rest),
+            load_looks(input), body.skeleton()};
+}
+
+void add_joint_names_option(CLI::App& command, std::string& names, const std::string& help) {
+    command.add_option("--names", names, help)
+        ->check(CLI::IsMember({"skelgen", "smpl", "mixamo", "vrm"}))
+        ->capture_default_str();
+}
+
+} // namespace skelgen::cli
