@@ -415,6 +415,7 @@ set(skelgen_cli_sources
     align.cpp
     animate.cpp
     batch.cpp
+    batch_folder.cpp
     batch_inputs.cpp
     batch_parts.cpp
     batch_summary.cpp
@@ -434,6 +435,8 @@ set(skelgen_cli_sources
     main.cpp
     manual_page.cpp
     measure.cpp
+    merge.cpp
+    merge_shards.cpp
     mesh_input.cpp
     parts.cpp
     pose.cpp

@@ -10,6 +10,7 @@ namespace skelgen::cli {
 
 void add_extract_command(CLI::App& app);
 void add_batch_command(CLI::App& app);
+void add_merge_command(CLI::App& app);
 void add_evaluate_command(CLI::App& app);
 void add_curve_command(CLI::App& app);
 void add_convert_command(CLI::App& app);
