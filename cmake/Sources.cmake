@@ -444,6 +444,7 @@ set(skelgen_cli_sources
     rig.cpp
     segment.cpp
     stages.cpp
+    waiting_line.cpp
     worker_pool.cpp
 )
 set(skelgen_cli_render_sources

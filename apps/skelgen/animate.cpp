@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "fitted_file.hpp"
+#include "waiting_line.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -30,6 +31,7 @@ struct Character {
 };
 
 Character make_character(const AnimateCommand& command) {
+    const WaitingLine waiting(command.mesh.file.string(), !command.quiet);
     ExtractOptions options;
     options.prepare.component = command.component;
     const FittedFile body = fit_file(command.mesh, options);

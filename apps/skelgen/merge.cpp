@@ -184,7 +184,7 @@ int run(const MergeCommand& command) {
     print_shards(shards);
 
     const auto merged = [&] {
-        ProgressBar bar(items.size(), !command.quiet);
+        ProgressBar bar(items.size(), !command.quiet, patience_seconds);
         return merge_shards(relative, shards, [&](std::size_t done) { bar.show(done, 0); });
     }();
     make_folder(folder);
@@ -193,7 +193,7 @@ int run(const MergeCommand& command) {
     start_over(items, summary, {});
     std::vector<SummaryLine> lines;
     {
-        ProgressBar bar(items.size(), !command.quiet);
+        ProgressBar bar(items.size(), !command.quiet, patience_seconds);
         for (std::size_t i = 0; i < items.size(); ++i) {
             lines.push_back(gather(items[i], relative[i].output, merged.meshes[i]));
             bar.show(lines.size(), 0);

@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "fitted_file.hpp"
+#include "waiting_line.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -87,6 +88,7 @@ void run(const PoseCommand& command) {
     const auto format = io::mesh_format_of(command.output);
     if (!format || !io::is_written(*format))
         throw Error(ErrorCode::usage, command.output + ": its name must end in " + io::written_mesh_extensions_text());
+    WaitingLine waiting(command.mesh.file.string(), !command.quiet);
     std::optional<Model> model;
     if (command.clip.empty()) model = load_model(command);
     ExtractOptions options;
@@ -94,6 +96,7 @@ void run(const PoseCommand& command) {
     const FittedFile body = in_file(command.mesh.file, [&] { return fit_file(command.mesh, options); });
     const TriangleMesh<double> held = model ? held_like_model(command, body, *model) : held_as_in_clip(command, body);
     in_file(command.output, [&] { write_mesh(command.output, held); });
+    waiting.end();
     if (!command.quiet) print_warnings(command.mesh.file, body.skeleton());
 }
 

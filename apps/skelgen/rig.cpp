@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "fitted_file.hpp"
+#include "waiting_line.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -43,11 +44,13 @@ void run(const RigCommand& command) {
     ExtractOptions options;
     options.prepare.component = command.component;
     in_file(command.mesh.file, [&] {
+        WaitingLine waiting(command.mesh.file.string(), !command.quiet);
         const FittedFile body = fit_file(command.mesh, options);
         const SkeletonTemplate& human = builtin_template(body.skeleton().template_name);
         const auto rig = applications::make_rig(body.mesh, body.found.body, body.skeleton(), human, rest);
         const io::SceneLooks looks = load_looks(command.mesh);
         in_file(command.output, [&] { write_rig(command.output, rig, *io::joint_names_named(command.names), looks); });
+        waiting.end();
         if (command.quiet) return;
         print_warnings(command.mesh.file, body.skeleton());
         if (!rig.unit_is_known)

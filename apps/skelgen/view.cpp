@@ -14,7 +14,9 @@
 #include "fitted_file.hpp"
 #include "fitted_inputs.hpp"
 #include "mesh_input.hpp"
+#include "progress_bar.hpp"
 #include "view_bundle.hpp"
+#include "waiting_line.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -48,6 +50,7 @@ std::string shown(const ViewCommand& command, const BatchItem& item) {
     const TriangleMesh<double> mesh = load_mesh({item.mesh, {}});
     io::ViewedBody body;
     try {
+        const WaitingLine waiting(item.mesh.string(), !command.inputs.quiet);
         body = viewed(item, mesh);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::no_skeleton && error.code() != ErrorCode::bad_input) throw;
@@ -68,6 +71,7 @@ void run(const ViewCommand& command) {
     const std::vector<BatchItem> items = find_items(command.inputs, {});
     std::vector<std::string> bodies;
     std::size_t failed = 0;
+    ProgressBar bar(items.size(), !command.inputs.quiet && items.size() > 1, patience_seconds);
     for (const BatchItem& item : items) {
         require_different_files(item.mesh, command.output);
         try {
@@ -80,7 +84,9 @@ void run(const ViewCommand& command) {
                 item.file, what.rfind(prefix, 0) == 0 ? what.substr(prefix.size()) : what, {}));
             ++failed;
         }
+        bar.show(bodies.size(), failed);
     }
+    bar.clear();
     write_result(command.output, io::view_page(view_bundle(), bodies));
     if (failed > 0) throw CLI::RuntimeError(status_some_failed);
 }
