@@ -335,7 +335,9 @@ void add_batch_command(CLI::App& app) {
                     "Page to write (HTML, one file): pictures, failures first, times, confidences; filter and sort")
         ->type_name("FILE");
 #endif
-    sub->add_option("--shard", command->shard, "Do part K of N only, for several machines")->type_name("K/N");
+    sub->add_option("--shard", command->shard,
+                    "Do part K of N only, for several machines: each into a folder of its own; see merge")
+        ->type_name("K/N");
     sub->add_option("--timeout", command->timeout_seconds, "Seconds after which a mesh is given up; 0: never")
         ->check(CLI::Range(0.0, 1e9))
         ->capture_default_str();

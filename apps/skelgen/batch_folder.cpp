@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> names(const std::vector<BatchItem>& items) {
     std::vector<std::string> files;
+    files.reserve(items.size());
     for (const BatchItem& item : items) files.push_back(item.file);
     return files;
 }
@@ -37,7 +38,7 @@ void start_over(const std::vector<BatchItem>& items, const BatchSummary& summary
         for (const std::string& part : parts) fs::remove(part_file(item, part), error);
         if (const auto line = known.find(item.file); line != known.end()) remove_parts(item, line->second.also);
     }
-    summary.update(names(items), {});
+    static_cast<void>(summary.update(names(items), {}));
 }
 
 void clean_up(const std::vector<BatchItem>& items, const fs::path& output_folder) {

@@ -54,7 +54,8 @@ public:
     /// Removes the lines of `files` and puts `lines` in; then there is one line per file, the last one, ordered by
     /// file. Returns all that is in it. The file is replaced as a whole.
     /// \throws Error with `io::write_error_code` when it cannot be written.
-    SummaryLines update(const std::vector<std::string>& files, const std::vector<SummaryLine>& lines) const;
+    [[nodiscard]] SummaryLines update(const std::vector<std::string>& files,
+                                      const std::vector<SummaryLine>& lines) const;
 
     /// One line per file, the last one.
     [[nodiscard]] SummaryLines read() const;
