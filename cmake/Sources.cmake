@@ -104,9 +104,11 @@ set(skelgen_core_headers
     include/skelgen/surface/envelope.hpp
     include/skelgen/surface/face_tree.hpp
     include/skelgen/surface/fill_holes.hpp
+    include/skelgen/surface/handle_loops.hpp
     include/skelgen/surface/lattice.hpp
     include/skelgen/surface/lattice_surface.hpp
     include/skelgen/surface/manifold_parts.hpp
+    include/skelgen/surface/open_handles.hpp
     include/skelgen/surface/orientation.hpp
     include/skelgen/surface/pieces.hpp
     include/skelgen/surface/prepare.hpp
@@ -210,6 +212,7 @@ set(skelgen_core_definitions
     include/skelgen/surface/impl/fill_holes.hpp
     include/skelgen/surface/impl/lattice_surface.hpp
     include/skelgen/surface/impl/manifold_parts.hpp
+    include/skelgen/surface/impl/open_handles.hpp
     include/skelgen/surface/impl/orientation.hpp
     include/skelgen/surface/impl/pieces.hpp
     include/skelgen/surface/impl/prepare.hpp

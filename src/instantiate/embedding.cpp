@@ -22,12 +22,13 @@ namespace skelgen::embedding {
                                         const MatchingOptions&);                                                       \
     template Outcome<Embedding> embed(const CurveSkeleton<Scalar>&, const SkeletonTemplate&, const MatchingOptions&);  \
     template Scalar unmatched_reach(const CurveSkeleton<Scalar>&, const Embedding&);                                   \
+    template Scalar unmatched_share(const CurveSkeleton<Scalar>&, const Embedding&);                                   \
     template int contact_count(const CurveSkeleton<Scalar>&);                                                          \
-    template std::vector<LoopCut> find_loop_cuts(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,                \
-                                                 const MatchingOptions&);                                              \
-    template std::optional<PartedBody<Scalar>> part_contacts(const Body<Scalar>&, const CurveSkeleton<Scalar>&,        \
-                                                             const SkeletonTemplate&, const MatchingOptions&,          \
-                                                             const curve::CurveOptions&);
+    template std::vector<LoopCuts> find_loop_cuts(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,               \
+                                                  const MatchingOptions&);                                             \
+    template std::vector<PartedBody<Scalar>> part_contacts(const Body<Scalar>&, const CurveSkeleton<Scalar>&,          \
+                                                           const SkeletonTemplate&, const MatchingOptions&,            \
+                                                           const curve::CurveOptions&);
 
 SKELGEN_INSTANTIATE(float)
 SKELGEN_INSTANTIATE(double)

@@ -10,8 +10,10 @@
 #include <skelgen/surface/impl/envelope.hpp>
 #include <skelgen/surface/impl/face_tree.hpp>
 #include <skelgen/surface/impl/fill_holes.hpp>
+#include <skelgen/surface/impl/handle_loops.hpp>
 #include <skelgen/surface/impl/lattice_surface.hpp>
 #include <skelgen/surface/impl/manifold_parts.hpp>
+#include <skelgen/surface/impl/open_handles.hpp>
 #include <skelgen/surface/impl/orientation.hpp>
 #include <skelgen/surface/impl/pieces.hpp>
 #include <skelgen/surface/impl/prepare.hpp>
@@ -64,7 +66,13 @@ namespace skelgen::surface {
     template ManifoldParts<Scalar> largest_manifold_part(const TriangleMesh<Scalar>&);                                 \
     template CutSurface<Scalar> cut_surface(const TriangleMesh<Scalar>&, const std::vector<int>&,                      \
                                             const std::vector<int>&);                                                  \
+    template CutSurface<Scalar> cut_along(const TriangleMesh<Scalar>&, const Triangles&,                               \
+                                          const std::vector<std::vector<int>>&);                                       \
+    template std::vector<Scalar> crease_factors(const TriangleMesh<Scalar>&, const Triangles&);                        \
+    template std::vector<HandleLoop<Scalar>> handle_loops(const TriangleMesh<Scalar>&, const Triangles&, int);         \
+    template Body<Scalar> open_handles(Body<Scalar>);                                                                  \
     template Body<Scalar> make_body(TriangleMesh<Scalar>, const Similarity<Scalar>&, std::vector<int>, int);           \
+    template Body<Scalar> resurfaced(Body<Scalar>, TriangleMesh<Scalar>, std::vector<int>);                            \
     template CurveSkeleton<Scalar> to_input(const Body<Scalar>&, const CurveSkeleton<Scalar>&);                        \
     template KinematicSkeleton<Scalar> to_input(const Body<Scalar>&, const KinematicSkeleton<Scalar>&);                \
     template KinematicSkeleton<Scalar> to_body(const Body<Scalar>&, const KinematicSkeleton<Scalar>&);                 \

@@ -158,6 +158,7 @@ TEST_CASE("what goes on beyond the embedded template is measured") {
     CurveSkeleton<double> curve = human_curve();
     const Embedding bare = embedded(curve);
     CHECK(unmatched_reach(curve, bare) == 0);
+    CHECK(unmatched_share(curve, bare) == 0);
     double matched = 0;
     for (const Chain& chain : bare.chains)
         for (std::size_t i = 1; i < chain.nodes.size(); ++i)
@@ -171,6 +172,13 @@ TEST_CASE("what goes on beyond the embedded template is measured") {
     curve.edges.push_back({calf, n});
     curve.edges.push_back({n, n + 1});
     CHECK(unmatched_reach(curve, bare) == Approx(0.05 / matched));
+    CHECK(unmatched_share(curve, bare) == Approx(0.05 / matched));
+    // The share counts a second one, the reach does not.
+    curve.nodes.conservativeResize(n + 3, 3);
+    curve.nodes.row(n + 2) = curve.nodes.row(calf) + Eigen::RowVector3d(0, 0, 0.04);
+    curve.edges.push_back({calf, n + 2});
+    CHECK(unmatched_reach(curve, bare) == Approx(0.05 / matched));
+    CHECK(unmatched_share(curve, bare) == Approx(0.09 / matched));
 }
 
 TEST_CASE("a curve with too few ends and junctions is no skeleton") {

@@ -214,6 +214,7 @@ TEST_CASE("options out of their range are refused by name") {
         CHECK(message_of(with(&MatchingOptions::distance_scale)).find("matching.distance_scale") != std::string::npos);
         CHECK(message_of(with(&MatchingOptions::radius_cost)).find("matching.radius_cost") != std::string::npos);
         CHECK(message_of(with(&MatchingOptions::degree_cost)).find("matching.degree_cost") != std::string::npos);
+        CHECK(message_of(with(&MatchingOptions::end_cost)).find("matching.end_cost") != std::string::npos);
     }
     MatchingOptions no_scale;
     no_scale.distance_scale = 0; // would divide by it

@@ -36,9 +36,9 @@ struct CentredBranches {
 /// begin.
 /// An end lies where the axis of its branch leaves the surface, and branches that have come to run along each other
 /// become one up to where they part. Then each branch that runs far inside others is joined to them where the way is
-/// best centred, twigs go, and points outside the surface are moved into their sections. Where some stay outside, limbs
-/// that touch have been drawn together: all is done again with the pieces outside led around inside (`led_inside`), and
-/// what is better centred is kept. O(rounds k) sections.
+/// best centred, twigs go, and points outside the surface are moved into their sections. Where points or edges are
+/// outside before that, limbs that touch have been drawn together: all is done again with the pieces outside led around
+/// inside (`led_inside`), which is kept where it is better centred and then all inside. O(rounds k) sections.
 /// \throws Error usage when an option is out of its range.
 template <typename Scalar>
 [[nodiscard]] CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Body<Scalar>& body,

@@ -42,6 +42,11 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] Scalar unmatched_reach(const CurveSkeleton<Scalar>& curve, const Embedding& embedding);
 
+/// How long all is that the curve has beyond the chains, as a part of their total length: next to nothing on a person,
+/// up to a quarter with clothes and weapons. O(k).
+template <typename Scalar>
+[[nodiscard]] Scalar unmatched_share(const CurveSkeleton<Scalar>& curve, const Embedding& embedding);
+
 } // namespace skelgen::embedding
 
 #ifdef SKELGEN_HEADER_ONLY

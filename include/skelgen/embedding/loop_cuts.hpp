@@ -19,16 +19,20 @@ struct LoopCut {
 template <typename Scalar>
 [[nodiscard]] int contact_count(const CurveSkeleton<Scalar>& curve);
 
+/// Where all loops of a curve are to be opened: as many cuts as it has contacts.
+using LoopCuts = std::vector<LoopCut>;
+
 /// Where the loops of a body that touches itself are to be opened, so that the template fits what remains best: a loop
 /// is cut in the middle of one of its branches (hands clasped), or where a branch comes out of what it touches (a hand
 /// on a thigh). Beam search over the cuts of one loop after the other by the distortion of the embedding, which takes
-/// some hundred embeddings a loop at most. \returns as many cuts as the connected curve has contacts (`contact_count`);
-/// none when these are none or more than six (a scan's tunnels are no contacts), or when no set of cuts lets the
-/// template in. \throws Error usage when an option is out of its range.
+/// some hundred embeddings a loop at most. \returns the best way to cut the connected curve and those that the
+/// distortion alone does not tell from it, three in all at most, best first; none when it has no contacts
+/// (`contact_count`) or more than six (a scan's tunnels are no contacts), or when no set of cuts lets the template in.
+/// \throws Error usage when an option is out of its range.
 template <typename Scalar>
-[[nodiscard]] std::vector<LoopCut> find_loop_cuts(const CurveSkeleton<Scalar>& curve,
-                                                  const SkeletonTemplate& skeleton_template,
-                                                  const MatchingOptions& options = {});
+[[nodiscard]] std::vector<LoopCuts> find_loop_cuts(const CurveSkeleton<Scalar>& curve,
+                                                   const SkeletonTemplate& skeleton_template,
+                                                   const MatchingOptions& options = {});
 
 } // namespace skelgen::embedding
 

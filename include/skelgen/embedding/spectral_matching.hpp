@@ -18,6 +18,8 @@ struct MatchingOptions {
                               ///< that the 6 cm between them weigh as much as 30 cm along the body, a forearm
     double degree_cost = 0.1; ///< of one branch too many or too few, as a difference of distances; chosen: as
                               ///< much as a head's length, since arms often leave the spine at two junctions
+    double end_cost = 0.3;    ///< of an end for a junction or a junction for an end: as much as an arm's length, so
+                              ///< that proportions have to be very odd for a limb that is there to be none
 };
 
 /// \throws Error usage when a weight, scale or cost is out of its range.

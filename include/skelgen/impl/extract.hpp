@@ -22,6 +22,7 @@
 #include <skelgen/refinement/end_points.hpp>
 #include <skelgen/surface/canonical_form.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
+#include <skelgen/surface/open_handles.hpp>
 
 namespace skelgen {
 namespace detail {
@@ -76,6 +77,18 @@ std::optional<Failure> not_single(const CurveSkeleton<Scalar>& curve, const embe
     return std::nullopt;
 }
 
+/// What belongs to no limb is no more than clothes, hair and weapons make. The skeleton is so much less certain as
+/// there is of it. Calibrated on generated and real bodies, dressed ones among them (0.24 at most), and pairs of them.
+template <typename Scalar>
+std::optional<Failure> not_all_matched(Scalar unmatched) {
+    constexpr auto most = Scalar(0.4);
+    if (unmatched > most)
+        return Failure{
+            FailureReason::no_body,
+            "no single human body: much of its curve skeleton belongs to no limb; separate what is joined to it"};
+    return std::nullopt;
+}
+
 /// Elbows and knees as near to those of the other side as only one limb's own can be: the other limb has been lost on
 /// the way to the curve. Upper arms pressed together keep twice their radius, a twentieth of the diameter, apart.
 template <typename Scalar>
@@ -102,6 +115,14 @@ struct Candidate {
     int misplaced = 0; ///< joints whose bones have unlikely lengths
 };
 
+/// A skeleton that can be trusted no more than this part of what it is trusted otherwise.
+template <typename Scalar>
+KinematicSkeleton<Scalar> less_certain(KinematicSkeleton<Scalar> skeleton, double often_right) {
+    skeleton.quality.sides_confidence *= often_right;
+    for (Joint<Scalar>& joint : skeleton.joints) joint.confidence *= often_right;
+    return skeleton;
+}
+
 /// One attempt, with one curve: what LF20's Fig. 1 shows from the embedding on.
 template <typename Scalar>
 struct Attempt {
@@ -120,6 +141,8 @@ Attempt<Scalar> fit_to_curve(const Body<Scalar>& body, const curve::CurveResult<
     const Outcome<embedding::Embedding> embedding = embedding::embed(curve, wanted, options.matching);
     if (!embedding) return failed(embedding.failure());
     if (const auto failure = not_single(curve, *embedding)) return failed(*failure);
+    const Scalar unmatched = embedding::unmatched_share(curve, *embedding);
+    if (const auto failure = not_all_matched(unmatched)) return failed(*failure);
     timings.embed = stage.lap();
 
     const auto ends = refinement::find_end_points(body, curve, *embedding, wanted);
@@ -135,6 +158,8 @@ Attempt<Scalar> fit_to_curve(const Body<Scalar>& body, const curve::CurveResult<
     if (!completed) return failed(completed.failure());
     if (const auto failure = not_apart(completed->skeleton, wanted, diameter)) return failed(*failure);
     completed->skeleton.quality.matched_nodes = embedding->matched_nodes;
+    completed->skeleton =
+        less_certain(std::move(completed->skeleton), 1 - std::min(static_cast<double>(unmatched), 1.0));
     if (!embedding->is_least)
         completed->skeleton.quality.warnings.push_back(
             "the curve skeleton has too many branches to try all matches: limbs may be mistaken");
@@ -179,9 +204,7 @@ Attempt<Scalar> fit_to_finer_curves(const Body<Scalar>& body, const curve::Curve
 /// the other: so much less can the skeleton be trusted. Calibrated on generated bodies that touch themselves.
 template <typename Scalar>
 KinematicSkeleton<Scalar> less_certain_for_contacts(KinematicSkeleton<Scalar> skeleton, int contacts, bool cut) {
-    const double often_right = cut ? 0.75 : 0.7;
-    skeleton.quality.sides_confidence *= often_right;
-    for (Joint<Scalar>& joint : skeleton.joints) joint.confidence *= often_right;
+    skeleton = less_certain(std::move(skeleton), cut ? 0.75 : 0.7);
     skeleton.quality.warnings.push_back("the body touches itself in " + std::to_string(contacts) +
                                         (contacts == 1 ? " place" : " places") +
                                         (cut ? ": it was cut there" : ": limbs may be mistaken"));
@@ -202,7 +225,16 @@ Outcome<Fit<Scalar>> to_fit(const Body<Scalar>& body, Attempt<Scalar> attempt) {
                        body.similarity.scale * found.geodesic_diameter, attempt.timings};
 }
 
-/// Fits the template to a body that touches itself: to its surface cut there, or, where that fails, as it is.
+/// How likely all joints are right together: the mean of their confidences.
+template <typename Scalar>
+double likelihood(const KinematicSkeleton<Scalar>& skeleton) {
+    double sum = 0;
+    for (const Joint<Scalar>& joint : skeleton.joints) sum += joint.confidence;
+    return skeleton.joints.empty() ? 0 : sum / static_cast<double>(skeleton.joints.size());
+}
+
+/// Fits the template to a body that touches itself: to its surface cut there, in that of the ways to cut it where the
+/// joints are most likely, or, where none serves, as it is.
 template <typename Scalar>
 Outcome<Fit<Scalar>> fit_touching_body(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found,
                                        const SkeletonTemplate& wanted, const ExtractOptions& options, int attempts) {
@@ -213,7 +245,7 @@ Outcome<Fit<Scalar>> fit_touching_body(const Body<Scalar>& body, const curve::Cu
 
     Stopwatch stage;
     const int contacts = embedding::contact_count(curve);
-    const auto parted = embedding::part_contacts(body, curve, wanted, options.matching, options.curve);
+    const auto ways = embedding::part_contacts(body, curve, wanted, options.matching, options.curve);
     StageTimings cutting;
     cutting.curve = stage.lap();
     const auto finish = [&](const Body<Scalar>& fitted_body, Attempt<Scalar> attempt, bool cut) {
@@ -222,10 +254,19 @@ Outcome<Fit<Scalar>> fit_touching_body(const Body<Scalar>& body, const curve::Cu
         attempt.timings = attempt.timings + cutting;
         return to_fit(fitted_body, std::move(attempt));
     };
-    if (parted) {
-        Attempt<Scalar> attempt = fit_to_finer_curves(parted->body, parted->curve, wanted, options, attempts);
-        if (attempt.outcome) return finish(parted->body, std::move(attempt), true);
+    std::optional<Attempt<Scalar>> best;
+    const embedding::PartedBody<Scalar>* best_way = nullptr;
+    for (const embedding::PartedBody<Scalar>& way : ways) {
+        Attempt<Scalar> attempt = fit_to_finer_curves(way.body, way.curve, wanted, options, attempts);
         cutting = cutting + attempt.timings;
+        if (!attempt.outcome) continue;
+        if (best && !(likelihood(attempt.outcome->skeleton) > likelihood(best->outcome->skeleton))) continue;
+        best = std::move(attempt);
+        best_way = &way;
+    }
+    if (best) {
+        best->timings = {}; // counted
+        return finish(best_way->body, *std::move(best), true);
     }
     return finish(body, fit_to_finer_curves(body, found, wanted, options, attempts), false);
 }
@@ -287,13 +328,7 @@ namespace detail {
 
 /// A surface that was made of pieces, or leaves some out, is not what was given: its limbs may have been fused or
 /// shortened. So much less can the skeleton be trusted: a working value, that of bodies which were cut.
-template <typename Scalar>
-Fit<Scalar> less_certain(Fit<Scalar> fit) {
-    constexpr double often_right = 0.75;
-    fit.skeleton.quality.sides_confidence *= often_right;
-    for (Joint<Scalar>& joint : fit.skeleton.joints) joint.confidence *= often_right;
-    return fit;
-}
+inline constexpr double trust_in_repaired = 0.75;
 
 /// How far a body's vertices have been moved off the input's by smoothing: the root mean square, part of its size.
 template <typename Scalar>
@@ -354,6 +389,7 @@ Outcome<FittedBody<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh
                 if (!best) best = *failure;
                 continue;
             }
+        *body = surface::open_handles(*std::move(body));
         const curve::CurveResult<Scalar> curve = find_curve(*body, options.curve);
         timings.curve += stage.lap();
         // What is wrong with one of several surfaces is not the curve's doing: the next surface may serve better.
@@ -368,7 +404,7 @@ Outcome<FittedBody<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh
         const bool is_noisy = noise > much_noise;
         if (found && is_noisy) found->skeleton.quality.warnings.push_back(noise_smoothed(noise));
         const bool is_as_given = remedy == surface::Remedy::largest_piece && body->dropped_pieces == 0 && !is_noisy;
-        if (found && !is_as_given) found = less_certain(*std::move(found));
+        if (found && !is_as_given) found->skeleton = less_certain(std::move(found->skeleton), trust_in_repaired);
         const bool better = found && (!best || !*best || sureness(found->skeleton) > sureness((*best)->skeleton));
         if (better || !best) {
             best = std::move(found);

@@ -55,6 +55,11 @@ template <typename Scalar>
     return nearest;
 }
 
+/// The body with another surface, whose vertices come from those of the old one: `source` per vertex, -1 for new ones.
+/// `mesh` as for make_body. O(n log n).
+template <typename Scalar>
+[[nodiscard]] Body<Scalar> resurfaced(Body<Scalar> body, TriangleMesh<Scalar> mesh, std::vector<int> source);
+
 /// A curve skeleton of the body in the input's coordinates. Its regions index the input's vertices; where fans of faces
 /// touch, several vertices of the body stand for one of the input: it goes to the first region that has it. O(n).
 template <typename Scalar>

@@ -148,11 +148,12 @@ CentredBranches<Scalar> centred(BranchedCurve<Scalar> branched, const Body<Scala
         const bool coarse = 3 * round < 2 * options.rounds;
         const Scalar step = coarse ? 2 * spacing : spacing;
         branched = resampled(std::move(branched), step);
-        auto sections = all_sections(branched, body, spacing);
         if (lead_inside && round == first_merge) {
-            branched = resampled(led_inside(std::move(branched), sections, body), step);
-            sections = all_sections(branched, body, spacing);
+            BranchedCurve<Scalar> fine = resampled(branched, spacing / 2);
+            const auto sections = all_sections(fine, body, spacing);
+            branched = resampled(led_inside(std::move(fine), sections, body), step);
         }
+        auto sections = all_sections(branched, body, spacing);
         const auto junctions = meeting_axes(branched, sections, body, coarse ? straight_at_first : straight_at_last);
         branched = smoothing_spline(std::move(branched), beyond_junctions(sections, branched, body, junctions), tips,
                                     junctions, options.stiffness);
@@ -168,33 +169,57 @@ CentredBranches<Scalar> centred(BranchedCurve<Scalar> branched, const Body<Scala
     return {std::move(branched), std::move(sections)};
 }
 
-/// Mean over all points of how far off their sections' centres they are.
+/// Does an edge run outside between two points inside, as where it leaps from one limb to another beside it?
+/// What the balls around its ends cover does not. O(log faces), for edges in thin limbs as contour_around.
 template <typename Scalar>
-Scalar mean_off_centre(const CentredBranches<Scalar>& curve) {
+bool leaps_outside(const Body<Scalar>& body, const Vector3<Scalar>& from, const Vector3<Scalar>& to, Scalar reach) {
+    const Scalar length = (to - from).norm();
+    if (body.tree.distance(body.mesh, from) + body.tree.distance(body.mesh, to) >= length) return false;
+    const Vector3<Scalar> middle = (from + to) / 2, along = (to - from) / length;
+    const auto contour = surface::contour_around(body.mesh, body.adjacency, body.tree, middle, along, reach);
+    return !contour || !surface::relate(*contour, middle, along).encloses;
+}
+
+/// Does any edge leap outside, but for those at branches' ends?
+template <typename Scalar>
+bool any_leap(const BranchedCurve<Scalar>& branched, const Body<Scalar>& body, Scalar spacing) {
+    for (const Branch<Scalar>& branch : branched.branches)
+        for (Eigen::Index i = 1; i + 2 < branch.line.rows(); ++i)
+            if (leaps_outside<Scalar>(body, core::point(branch.line, i), core::point(branch.line, i + 1),
+                                      reach_in_spacings * spacing))
+                return true;
+    return false;
+}
+
+/// Mean along the curve, at its points and between them, of how far off their sections' centres they are.
+template <typename Scalar>
+Scalar mean_off_centre(const BranchedCurve<Scalar>& branched, const Body<Scalar>& body, Scalar spacing) {
+    const BranchedCurve<Scalar> fine = resampled(branched, spacing / 2);
+    const auto sections = all_sections(fine, body, spacing);
     Scalar sum = 0, count = 0;
-    for (std::size_t b = 0; b < curve.sections.size(); ++b)
-        for (std::size_t i = 0; i < curve.sections[b].size(); ++i) {
-            const BranchSection<Scalar>& section = curve.sections[b][i];
-            if (!(section.thickness > 0)) continue;
-            sum += off_centre(section, core::point(curve.branched.branches[b].line, static_cast<Eigen::Index>(i)));
+    for (std::size_t b = 0; b < sections.size(); ++b)
+        for (std::size_t i = 0; i < sections[b].size(); ++i) {
+            if (!(sections[b][i].thickness > 0)) continue;
+            sum += off_centre(sections[b][i], core::point(fine.branches[b].line, static_cast<Eigen::Index>(i)));
             count += 1;
         }
     return count > 0 ? sum / count : Scalar(0);
 }
 
-/// Whether all but the tips lies inside by the winding number. O(points faces).
+/// Whether all but the tips and the edges there lies inside: the points by the winding number, and what is between
+/// them. O(points faces).
 template <typename Scalar>
-bool all_inside(const CentredBranches<Scalar>& curve, const Body<Scalar>& body) {
+bool all_inside(const BranchedCurve<Scalar>& branched, const Body<Scalar>& body, Scalar spacing) {
     const auto inside = [&](const Vector3<Scalar>& place) {
         return core::winding_number(body.mesh, place) > Scalar(0.5);
     };
-    const std::vector<int> degrees = curve.branched.degrees();
+    const std::vector<int> degrees = branched.degrees();
     for (std::size_t k = 0; k < degrees.size(); ++k)
-        if (degrees[k] > 1 && !inside(curve.branched.knots[k])) return false;
-    for (const Branch<Scalar>& branch : curve.branched.branches)
+        if (degrees[k] > 1 && !inside(branched.knots[k])) return false;
+    for (const Branch<Scalar>& branch : branched.branches)
         for (Eigen::Index i = 1; i + 1 < branch.line.rows(); ++i)
             if (!inside(core::point(branch.line, i))) return false;
-    return true;
+    return !any_leap(branched, body, spacing);
 }
 
 /// All that lies outside pulled inside, as far as that goes.
@@ -223,12 +248,13 @@ CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Bo
     const Scalar spacing = std::max(static_cast<Scalar>(options.spacing) * core::bounding_diagonal(body.mesh.vertices),
                                     detail::total_length(branched) / detail::most_points);
     CentredBranches<Scalar> out = detail::centred(branched, body, options, spacing, false);
-    if (!detail::any_outside(out.sections)) return out;
+    if (!detail::any_outside(out.sections) && !detail::any_leap(out.branched, body, spacing)) return out;
     CentredBranches<Scalar> led = detail::centred(std::move(branched), body, options, spacing, true);
-    const bool led_is_better = detail::mean_off_centre(led) < detail::mean_off_centre(out);
+    const bool led_is_better =
+        detail::mean_off_centre(led.branched, body, spacing) < detail::mean_off_centre(out.branched, body, spacing);
     out = detail::all_pulled_inside(std::move(out), body, spacing);
     led = detail::all_pulled_inside(std::move(led), body, spacing);
-    if (led_is_better && detail::all_inside(led, body)) return led;
+    if (led_is_better && detail::all_inside(led.branched, body, spacing)) return led;
     return out;
 }
 

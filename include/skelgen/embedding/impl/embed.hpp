@@ -134,4 +134,17 @@ Scalar unmatched_reach(const CurveSkeleton<Scalar>& curve, const Embedding& embe
     return matched > 0 ? reach / matched : Scalar(0);
 }
 
+template <typename Scalar>
+Scalar unmatched_share(const CurveSkeleton<Scalar>& curve, const Embedding& embedding) {
+    std::vector<bool> on_chain(static_cast<std::size_t>(curve.nodes.rows()), false);
+    Scalar matched = 0, unmatched = 0;
+    for (const Chain& chain : embedding.chains) {
+        matched += core::path_length(curve, chain.nodes);
+        for (const int node : chain.nodes) on_chain[detail::at(node)] = true;
+    }
+    for (const auto& [a, b] : curve.edges)
+        if (!on_chain[detail::at(a)] || !on_chain[detail::at(b)]) unmatched += core::path_length(curve, {a, b});
+    return matched > 0 ? unmatched / matched : Scalar(0);
+}
+
 } // namespace skelgen::embedding

@@ -164,7 +164,7 @@ double graded_distortion(const CurveSkeleton<Scalar>& curve, const std::set<Edge
 
 /// Some loops opened.
 struct Opening {
-    std::vector<LoopCut> cuts;
+    LoopCuts cuts;
     std::set<Edge> edges;
     double distortion = std::numeric_limits<double>::infinity(); ///< graded
 };
@@ -179,8 +179,8 @@ int contact_count(const CurveSkeleton<Scalar>& curve) {
 }
 
 template <typename Scalar>
-std::vector<LoopCut> find_loop_cuts(const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template,
-                                    const MatchingOptions& options) {
+std::vector<LoopCuts> find_loop_cuts(const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template,
+                                     const MatchingOptions& options) {
     using detail::Opening;
     constexpr std::size_t beam = 6; // bounds the work: a loop has some ten candidates, and the best is among the first
     constexpr int most_loops =
@@ -209,8 +209,14 @@ std::vector<LoopCut> find_loop_cuts(const CurveSkeleton<Scalar>& curve, const Sk
         if (next.size() > beam) next.resize(beam);
         openings = std::move(next);
     }
-    if (openings.empty() || !std::isfinite(openings.front().distortion)) return {};
-    return openings.front().cuts;
+    constexpr double as_good = 1.5; // times the least distortion: calibrated on generated bodies that touch themselves
+    constexpr std::size_t most_ways = 3;
+    std::vector<LoopCuts> out;
+    for (Opening& opening : openings)
+        if (std::isfinite(opening.distortion) && opening.distortion <= as_good * openings.front().distortion &&
+            out.size() < most_ways)
+            out.push_back(std::move(opening.cuts));
+    return out;
 }
 
 } // namespace skelgen::embedding

@@ -3,6 +3,8 @@
 #include <skelgen/embedding/part_contacts.hpp>
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -48,9 +50,10 @@ std::vector<int> filled_from_neighbours(std::vector<int> node_of_vertex, const T
 /// The body with its surface cut; none when that takes off a limb.
 template <typename Scalar>
 std::optional<Body<Scalar>> with_cuts(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve,
-                                      const std::vector<LoopCut>& cuts) {
+                                      const LoopCuts& cuts) {
     TriangleMesh<Scalar> mesh = body.mesh;
-    std::vector<int> source = body.source, nearest = body.nearest;
+    std::vector<int> source(static_cast<std::size_t>(mesh.vertices.rows()));
+    std::iota(source.begin(), source.end(), 0);
     std::vector<int> node = curve::node_of_vertex(curve, mesh.vertices.rows());
     const auto vertices_of = [&](const std::vector<int>& nodes) {
         return vertices_at(nodes, node, curve.nodes.rows());
@@ -58,7 +61,6 @@ std::optional<Body<Scalar>> with_cuts(const Body<Scalar>& body, const CurveSkele
     for (const LoopCut& cut : cuts) {
         surface::CutSurface<Scalar> parted = surface::cut_surface(mesh, vertices_of(cut.limb), vertices_of(cut.other));
         mesh = std::move(parted.mesh);
-        nearest = surface::carried_over(std::move(nearest), parted.source);
         source = surface::composed(std::move(parted.source), source);
         node = filled_from_neighbours(std::move(node), mesh);
     }
@@ -66,35 +68,38 @@ std::optional<Body<Scalar>> with_cuts(const Body<Scalar>& body, const CurveSkele
     // Of the area: a hand with its forearm is 5.5 % of it (LB44), and the holes' lids add less.
     constexpr auto nearly_all = static_cast<Scalar>(0.95);
     if (core::surface_area(whole.mesh) < nearly_all * core::surface_area(body.mesh)) return std::nullopt;
-    nearest = surface::carried_over(std::move(nearest), whole.source);
-    Body<Scalar> out = surface::make_body(std::move(whole.mesh), body.similarity,
-                                          surface::composed(std::move(whole.source), source), body.dropped_pieces);
-    out.nearest = std::move(nearest);
-    out.repairs = body.repairs;
-    return out;
+    return surface::resurfaced(body, std::move(whole.mesh), surface::composed(std::move(whole.source), source));
+}
+
+/// The body cut in these places and, where its new curve still has loops, in those that are then the best.
+template <typename Scalar>
+std::optional<PartedBody<Scalar>> parted_at(const LoopCuts& cuts, const Body<Scalar>& body,
+                                            const CurveSkeleton<Scalar>& curve,
+                                            const SkeletonTemplate& skeleton_template, const MatchingOptions& matching,
+                                            const curve::CurveOptions& curve_options) {
+    std::optional<Body<Scalar>> cut = with_cuts(body, curve, cuts);
+    if (!cut) return std::nullopt;
+    curve::CurveResult<Scalar> found = curve::find_curve(*cut, curve_options);
+    const int loops = contact_count(found.curve);
+    if (loops == 0) return PartedBody<Scalar>{*std::move(cut), std::move(found)};
+    if (loops >= contact_count(curve)) return std::nullopt;
+    const std::vector<LoopCuts> next = find_loop_cuts(found.curve, skeleton_template, matching);
+    if (next.empty()) return std::nullopt;
+    return parted_at(next.front(), *cut, found.curve, skeleton_template, matching, curve_options);
 }
 
 } // namespace detail
 
 template <typename Scalar>
-std::optional<PartedBody<Scalar>>
+std::vector<PartedBody<Scalar>>
 part_contacts(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template,
               const MatchingOptions& matching, const curve::CurveOptions& curve_options) {
-    if (core::cycle_count(curve) > most_contacts) return std::nullopt;
-    std::optional<PartedBody<Scalar>> parted;
-    while (true) {
-        const Body<Scalar>& uncut = parted ? parted->body : body;
-        const CurveSkeleton<Scalar>& looped = parted ? parted->curve.curve : curve;
-        const std::vector<LoopCut> cuts = find_loop_cuts(looped, skeleton_template, matching);
-        if (cuts.empty()) return std::nullopt;
-        std::optional<Body<Scalar>> cut = detail::with_cuts(uncut, looped, cuts);
-        if (!cut) return std::nullopt;
-        curve::CurveResult<Scalar> found = curve::find_curve(*cut, curve_options);
-        const int loops = contact_count(found.curve);
-        if (loops >= contact_count(looped)) return std::nullopt;
-        parted = PartedBody<Scalar>{*std::move(cut), std::move(found)};
-        if (loops == 0) return parted;
-    }
+    if (core::cycle_count(curve) > most_contacts) return {};
+    std::vector<PartedBody<Scalar>> out;
+    for (const LoopCuts& cuts : find_loop_cuts(curve, skeleton_template, matching))
+        if (auto parted = detail::parted_at(cuts, body, curve, skeleton_template, matching, curve_options))
+            out.push_back(*std::move(parted));
+    return out;
 }
 
 } // namespace skelgen::embedding

@@ -65,8 +65,10 @@ Scalar node_distortion(const ReducedGraph<Scalar>& curve, const ReducedGraph<Sca
     const auto degree_cost = static_cast<Scalar>(options.degree_cost);
     const auto radius_cost = static_cast<Scalar>(options.radius_cost);
     const auto degrees = static_cast<Scalar>(curve.degree[at(i)] - skeleton_template.degree[at(j)]);
+    const bool only_one_is_end = (curve.degree[at(i)] == 1) != (skeleton_template.degree[at(j)] == 1);
     const Scalar radius = curve.radius[at(i)], rest_radius = skeleton_template.radius[at(j)];
     return square(degree_cost * degrees) +
+           (only_one_is_end ? square(static_cast<Scalar>(options.end_cost)) : Scalar(0)) +
            (radius > 0 && rest_radius > 0 ? square(radius_cost * (radius - rest_radius)) : Scalar(0));
 }
 
@@ -194,6 +196,7 @@ SKELGEN_INLINE void validate(const MatchingOptions& options) {
     core::require_in_range("matching.distance_scale", options.distance_scale, 0.01, 100.0);
     core::require_in_range("matching.radius_cost", options.radius_cost, 0.0, 1000.0);
     core::require_in_range("matching.degree_cost", options.degree_cost, 0.0, 1000.0);
+    core::require_in_range("matching.end_cost", options.end_cost, 0.0, 1000.0);
 }
 
 template <typename Scalar>

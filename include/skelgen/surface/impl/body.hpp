@@ -28,6 +28,16 @@ Body<Scalar> make_body(TriangleMesh<Scalar> mesh, const Similarity<Scalar>& simi
             {}};
 }
 
+template <typename Scalar>
+Body<Scalar> resurfaced(Body<Scalar> body, TriangleMesh<Scalar> mesh, std::vector<int> source) {
+    std::vector<int> nearest = carried_over(std::move(body.nearest), source);
+    Body<Scalar> out =
+        make_body(std::move(mesh), body.similarity, composed(std::move(source), body.source), body.dropped_pieces);
+    out.nearest = std::move(nearest);
+    out.repairs = std::move(body.repairs);
+    return out;
+}
+
 namespace detail {
 
 /// The regions where each vertex of the input has one that stands for it: it goes where that one is.

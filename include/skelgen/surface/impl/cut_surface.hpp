@@ -13,64 +13,50 @@
 namespace skelgen::surface {
 namespace detail {
 
-enum class Place : std::uint8_t { nowhere, part, other };
-
-/// The mesh while it is being cut.
+/// A mesh while it is being cut: in some corners of its faces copies stand in for their vertices.
 template <typename Scalar>
 class Cut {
 public:
-    Cut(const TriangleMesh<Scalar>& mesh, const std::vector<int>& part, const std::vector<int>& other)
-        : mesh_(mesh), place_(static_cast<std::size_t>(mesh.vertices.rows()), Place::nowhere), copy_(place_.size(), -1),
-          source_(place_.size()) {
-        for (const int v : other) place_[static_cast<std::size_t>(v)] = Place::other;
-        for (const int v : part) place_[static_cast<std::size_t>(v)] = Place::part;
-        for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+    explicit Cut(const TriangleMesh<Scalar>& mesh)
+        : mesh_(mesh), source_(static_cast<std::size_t>(mesh.vertices.rows())) {
+        for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
             faces_.push_back({mesh.faces(f, 0), mesh.faces(f, 1), mesh.faces(f, 2)});
-            joins_.push_back(has(f, Place::part) && has(f, Place::other));
-        }
         std::iota(source_.begin(), source_.end(), 0);
     }
 
-    CutSurface<Scalar> run() {
-        for (std::size_t f = 0; f < joins_.size(); ++f)
-            if (joins_[f])
-                for (int& v : faces_[f]) v = of_other_side(v);
+    /// A new vertex in the same place.
+    int copy(int vertex) {
+        source_.push_back(vertex);
+        return static_cast<int>(source_.size()) - 1;
+    }
+
+    int& corner(Eigen::Index face, int k) {
+        return faces_[static_cast<std::size_t>(face)][static_cast<std::size_t>(k)];
+    }
+
+    /// The surface, its new holes closed.
+    CutSurface<Scalar> closed() {
         close(open_edges());
         return result();
     }
 
 private:
-    [[nodiscard]] Place place(int v) const { return place_[static_cast<std::size_t>(v)]; }
-
-    [[nodiscard]] bool has(Eigen::Index f, Place wanted) const {
-        return place(mesh_.faces(f, 0)) == wanted || place(mesh_.faces(f, 1)) == wanted ||
-               place(mesh_.faces(f, 2)) == wanted;
-    }
-
-    /// What takes a vertex's place in the faces that join the parts.
-    int of_other_side(int v) {
-        if (place(v) != Place::part) return v;
-        int& copy = copy_[static_cast<std::size_t>(v)];
-        if (copy < 0) {
-            copy = static_cast<int>(source_.size());
-            source_.push_back(v);
-        }
-        return copy;
-    }
-
     /// Edges that have lost their neighbour, as their faces have them, by first vertex.
     [[nodiscard]] std::multimap<int, int> open_edges() const {
-        const Triangles adjacency = core::face_adjacency(mesh_.faces);
+        const Triangles before = core::face_adjacency(mesh_.faces), now = core::face_adjacency(as_matrix(faces_));
         std::multimap<int, int> out;
         for (std::size_t f = 0; f < faces_.size(); ++f)
             for (std::size_t k = 0; k < 3; ++k) {
-                const auto row = static_cast<Eigen::Index>(f);
-                const int g = adjacency(row, static_cast<Eigen::Index>(k));
-                const bool touched = place(mesh_.faces(row, static_cast<Eigen::Index>(k))) == Place::part ||
-                                     place(mesh_.faces(row, static_cast<Eigen::Index>((k + 1) % 3))) == Place::part;
-                if (g >= 0 && touched && joins_[f] != joins_[static_cast<std::size_t>(g)])
-                    out.emplace(faces_[f][k], faces_[f][(k + 1) % 3]);
+                const auto row = static_cast<Eigen::Index>(f), column = static_cast<Eigen::Index>(k);
+                if (before(row, column) >= 0 && now(row, column) < 0) out.emplace(faces_[f][k], faces_[f][(k + 1) % 3]);
             }
+        return out;
+    }
+
+    [[nodiscard]] static Triangles as_matrix(const std::vector<std::array<int, 3>>& faces) {
+        Triangles out(static_cast<Eigen::Index>(faces.size()), 3);
+        for (std::size_t f = 0; f < faces.size(); ++f)
+            out.row(static_cast<Eigen::Index>(f)) << faces[f][0], faces[f][1], faces[f][2];
         return out;
     }
 
@@ -125,27 +111,72 @@ private:
         for (std::size_t v = 0; v < source_.size(); ++v)
             out.mesh.vertices.row(static_cast<Eigen::Index>(v)) = mesh_.vertices.row(std::max(source_[v], 0));
         draw_back(out.mesh.vertices);
-        out.mesh.faces.resize(static_cast<Eigen::Index>(faces_.size()), 3);
-        for (std::size_t f = 0; f < faces_.size(); ++f)
-            out.mesh.faces.row(static_cast<Eigen::Index>(f)) << faces_[f][0], faces_[f][1], faces_[f][2];
+        out.mesh.faces = as_matrix(faces_);
         return out;
     }
 
     const TriangleMesh<Scalar>& mesh_;
-    std::vector<Place> place_;
-    std::vector<int> copy_;
     std::vector<int> source_;
     std::vector<std::array<int, 3>> faces_;
-    std::vector<bool> joins_;
     std::vector<std::vector<int>> rings_; ///< of the holes, whose hubs come last
 };
+
+enum class Place : std::uint8_t { nowhere, part, other };
 
 } // namespace detail
 
 template <typename Scalar>
 CutSurface<Scalar> cut_surface(const TriangleMesh<Scalar>& mesh, const std::vector<int>& part,
                                const std::vector<int>& other) {
-    return detail::Cut<Scalar>(mesh, part, other).run();
+    using detail::Place;
+    std::vector<Place> place(static_cast<std::size_t>(mesh.vertices.rows()), Place::nowhere);
+    for (const int v : other) place[static_cast<std::size_t>(v)] = Place::other;
+    for (const int v : part) place[static_cast<std::size_t>(v)] = Place::part;
+    const auto place_of = [&](Eigen::Index f, int k) { return place[static_cast<std::size_t>(mesh.faces(f, k))]; };
+    const auto has = [&](Eigen::Index f, Place wanted) {
+        return place_of(f, 0) == wanted || place_of(f, 1) == wanted || place_of(f, 2) == wanted;
+    };
+    detail::Cut<Scalar> cut(mesh);
+    std::vector<int> copies(place.size(), -1);
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+        if (!has(f, Place::part) || !has(f, Place::other)) continue;
+        for (int k = 0; k < 3; ++k) {
+            if (place_of(f, k) != Place::part) continue;
+            int& copy = copies[static_cast<std::size_t>(mesh.faces(f, k))];
+            if (copy < 0) copy = cut.copy(mesh.faces(f, k));
+            cut.corner(f, k) = copy;
+        }
+    }
+    return cut.closed();
+}
+
+template <typename Scalar>
+CutSurface<Scalar> cut_along(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency,
+                             const std::vector<std::vector<int>>& loops) {
+    // Each of the loops' vertices comes from one and goes to one: faces to the left of the way get its copy.
+    std::vector<int> to(static_cast<std::size_t>(mesh.vertices.rows()), -1), from = to;
+    for (const std::vector<int>& loop : loops)
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const int v = loop[i], next = loop[(i + 1) % loop.size()];
+            to[static_cast<std::size_t>(v)] = next;
+            from[static_cast<std::size_t>(next)] = v;
+        }
+    detail::Cut<Scalar> cut(mesh);
+    for (Eigen::Index first = 0; first < mesh.faces.rows(); ++first)
+        for (int k = 0; k < 3; ++k) {
+            const int v = mesh.faces(first, k);
+            if (to[static_cast<std::size_t>(v)] != mesh.faces(first, (k + 1) % 3)) continue;
+            const int copy = cut.copy(v);
+            Eigen::Index face = first;
+            for (int corner = k; face >= 0;) { // counter-clockwise around v, to where the way comes from
+                cut.corner(face, corner) = copy;
+                const int last = mesh.faces(face, (corner + 2) % 3);
+                if (last == from[static_cast<std::size_t>(v)]) break;
+                face = adjacency(face, (corner + 2) % 3);
+                for (corner = 0; face >= 0 && mesh.faces(face, corner) != v;) ++corner;
+            }
+        }
+    return cut.closed();
 }
 
 } // namespace skelgen::surface

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <skelgen/surface/body.hpp>
+
+namespace skelgen::surface {
+
+/// The body cut open where parts of it that touch have grown together: wherever a handle has a loop around it that is
+/// shorter than a wrist's girth, as fingers on a hip, or runs along creases (see handle_loops), as a hand's contact
+/// with a thigh. A limb that is a handle by itself, its end hidden in another, stays. Both sides are closed; what was
+/// done is added to the body's repairs. The same body where there is nothing to open, or more than 100 handles: torn
+/// surfaces have them. O(n log n) for each handle at most, O(n) without any.
+template <typename Scalar>
+[[nodiscard]] Body<Scalar> open_handles(Body<Scalar> body);
+
+} // namespace skelgen::surface
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/surface/impl/open_handles.hpp>
+#endif

@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <skelgen/core/adjacency.hpp>
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/surface/cut_surface.hpp>
+#include <skelgen/surface/handle_loops.hpp>
+#include <skelgen/surface/open_handles.hpp>
+#include <skelgen/surface/prepare.hpp>
+
+#include "catch.hpp"
+#include "mesh_changes.hpp"
+#include "shapes.hpp"
+
+using namespace skelgen;
+using namespace skelgen::core;
+using namespace skelgen::surface;
+using namespace skelgen::test;
+
+namespace {
+
+/// 1 minus half the Euler characteristic of a closed connected mesh.
+Eigen::Index genus(const Mesh& mesh) { return 1 - (mesh.vertices.rows() - mesh.faces.rows() / 2) / 2; }
+
+bool is_edge(const Mesh& mesh, int a, int b) {
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
+        for (int k = 0; k < 3; ++k)
+            if (mesh.faces(f, k) == a && mesh.faces(f, (k + 1) % 3) == b) return true;
+    return false;
+}
+
+} // namespace
+
+TEST_CASE("a sphere has no handle, and no crease") {
+    const Mesh ball = sphere(1);
+    const Triangles adjacency = face_adjacency(ball.faces);
+    CHECK(handle_loops(ball, adjacency, 0).empty());
+    for (const double factor : crease_factors(ball, adjacency)) CHECK(factor == 1);
+}
+
+TEST_CASE("a torus has two loops, closed ones along its edges, and the shorter one goes around the tube") {
+    const Mesh ring = torus(1, 0.2);
+    const Triangles adjacency = face_adjacency(ring.faces);
+    for (const int root : {0, 17, static_cast<int>(ring.vertices.rows()) - 1}) {
+        const std::vector<HandleLoop<double>> loops = handle_loops(ring, adjacency, root);
+        REQUIRE(loops.size() == 2);
+        CHECK(loops[0].length < 1.1 * 2 * pi * 0.2);
+        CHECK(loops[0].length > 0.8 * 2 * pi * 0.2);
+        CHECK(loops[1].length >= loops[0].length);
+        CHECK(loops[1].length < 1.1 * 2 * pi * 1.2);
+        for (const HandleLoop<double>& loop : loops) {
+            CHECK(std::set<int>(loop.vertices.begin(), loop.vertices.end()).size() == loop.vertices.size());
+            for (std::size_t i = 0; i < loop.vertices.size(); ++i)
+                CHECK(is_edge(ring, loop.vertices[i], loop.vertices[(i + 1) % loop.vertices.size()]));
+        }
+    }
+}
+
+TEST_CASE("cut along either of its loops a torus is a closed surface without a handle") {
+    const Mesh ring = torus(1, 0.2);
+    const Triangles adjacency = face_adjacency(ring.faces);
+    for (const HandleLoop<double>& loop : handle_loops(ring, adjacency, 5)) {
+        const CutSurface<double> cut = cut_along(ring, adjacency, {loop.vertices});
+        CHECK(is_closed(cut.mesh.faces));
+        CHECK(genus(cut.mesh) == 0);
+        CHECK(std::count(cut.source.begin(), cut.source.end(), -1) == 2);
+        CHECK(cut.mesh.vertices.rows() == ring.vertices.rows() + static_cast<Eigen::Index>(loop.vertices.size()) + 2);
+        CHECK(enclosed_volume(cut.mesh) > 0.95 * enclosed_volume(ring));
+        CHECK(enclosed_volume(cut.mesh) < 1.2 * enclosed_volume(ring)); // the hole's two lids are apart
+    }
+}
+
+TEST_CASE("in a crease of a right angle a fifth of the length counts, on ridges and flat ground all of it") {
+    Mesh block; // an L of height 1, whose inner edge is that from corner 3 to 9
+    block.vertices.resize(12, 3);
+    for (const int z : {0, 1})
+        block.vertices.middleRows(6 * z, 6) << 0, 0, z, 2, 0, z, 2, 1, z, 1, 1, z, 1, 2, z, 0, 2, z;
+    block.faces.resize(20, 3);
+    block.faces.topRows(8) << 0, 3, 1, 1, 3, 2, 0, 5, 3, 3, 5, 4, 6, 7, 9, 7, 8, 9, 6, 9, 11, 9, 10, 11;
+    for (int k = 0; k < 6; ++k) {
+        const int next = (k + 1) % 6;
+        block.faces.row(8 + 2 * k) << k, next, next + 6;
+        block.faces.row(9 + 2 * k) << k, next + 6, k + 6;
+    }
+    REQUIRE(enclosed_volume(block) == Approx(3));
+    const std::vector<double> factors = crease_factors(block, face_adjacency(block.faces));
+    for (std::size_t v = 0; v < factors.size(); ++v) CHECK(factors[v] == Approx(v % 6 == 3 ? 0.2 : 1));
+}
+
+TEST_CASE("a thin ring is opened, a thick one is not") {
+    const Body<double> thin = open_handles(prepare(torus(1, 0.005)));
+    CHECK(genus(thin.mesh) == 0);
+    CHECK(is_closed(thin.mesh.faces));
+    REQUIRE(thin.repairs.size() == 1);
+    CHECK(thin.repairs.front() == "the body has grown together with itself in 1 place: it was opened there");
+    CHECK(thin.source.size() == static_cast<std::size_t>(thin.mesh.vertices.rows()));
+
+    const Body<double> ring = prepare(torus(1, 0.2));
+    const Body<double> thick = open_handles(ring);
+    CHECK(thick.mesh.vertices == ring.mesh.vertices);
+    CHECK(thick.mesh.faces == ring.mesh.faces);
+    CHECK(thick.repairs.empty());
+}
+
+TEST_CASE("a body without handles stays as it is") {
+    const Body<double> ball = prepare(sphere(1));
+    const Body<double> same = open_handles(ball);
+    CHECK(same.mesh.vertices == ball.mesh.vertices);
+    CHECK(same.mesh.faces == ball.mesh.faces);
+}
