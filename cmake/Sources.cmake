@@ -422,6 +422,7 @@ set(skelgen_cli_sources
     align.cpp
     animate.cpp
     batch.cpp
+    batch_folder.cpp
     batch_inputs.cpp
     batch_parts.cpp
     batch_summary.cpp
@@ -442,6 +443,8 @@ set(skelgen_cli_sources
     main.cpp
     manual_page.cpp
     measure.cpp
+    merge.cpp
+    merge_shards.cpp
     mesh_input.cpp
     parts.cpp
     pose.cpp
@@ -449,6 +452,7 @@ set(skelgen_cli_sources
     rig.cpp
     segment.cpp
     stages.cpp
+    waiting_line.cpp
     worker_pool.cpp
 )
 set(skelgen_cli_render_sources

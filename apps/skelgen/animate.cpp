@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "fitted_file.hpp"
+#include "waiting_line.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -29,8 +30,10 @@ void run(const AnimateCommand& command) {
     if (io::rig_format_of(command.output) != io::RigFormat::glb)
         throw Error(ErrorCode::usage, command.output + ": its name must end in .glb");
     const ClipInput clip = load_clip(command.clip); // what is wrong with it is to be said before the long work
-    const Character character =
-        in_file(command.mesh.file, [&] { return make_character(command.mesh, {command.component}); });
+    const Character character = in_file(command.mesh.file, [&] {
+        const WaitingLine waiting(command.mesh.file.string(), !command.quiet);
+        return make_character(command.mesh, {command.component});
+    });
     const auto animation = follow_clip(clip, character.rig);
     const auto names = *io::joint_names_named(command.names);
     in_file(command.output, [&] {

@@ -2,13 +2,13 @@
 #include <cstdio>
 #include <memory>
 #include <new>
-#include <set>
 #include <sstream>
 #include <thread>
 
 #include <skelgen/io/atomic_file.hpp>
 #include <skelgen/io/template_json.hpp>
 
+#include "batch_folder.hpp"
 #include "batch_inputs.hpp"
 #include "batch_parts.hpp"
 #include "batch_summary.hpp"
@@ -145,38 +145,6 @@ SummaryLine process(const BatchItem& item, const ExtractOptions& options, std::s
 
 // ---------------------------------------------------------------------------------------------- before and after
 
-std::set<fs::path> output_folders(const std::vector<BatchItem>& items) {
-    std::set<fs::path> folders;
-    for (const BatchItem& item : items) folders.insert(item.output.parent_path());
-    return folders;
-}
-
-std::vector<std::string> names(const std::vector<BatchItem>& items) {
-    std::vector<std::string> files;
-    for (const BatchItem& item : items) files.push_back(item.file);
-    return files;
-}
-
-/// Removes further results that an earlier run says it has written.
-void remove_parts(const BatchItem& item, const std::map<std::string, std::string>& written) {
-    std::error_code error;
-    for (const std::string& part : batch_part_names())
-        if (written.contains(part)) fs::remove(part_file(item, part), error);
-}
-
-/// Without --resume a batch starts over: nothing that an earlier run left may pass for a result of this one.
-void start_over(const std::vector<BatchItem>& items, const BatchSummary& summary,
-                const std::vector<std::string>& parts) {
-    std::error_code error; // what cannot be removed cannot be replaced either: its mesh will fail
-    const SummaryLines known = summary.read();
-    for (const BatchItem& item : items) {
-        fs::remove(item.output, error);
-        for (const std::string& part : parts) fs::remove(part_file(item, part), error);
-        if (const auto line = known.find(item.file); line != known.end()) remove_parts(item, line->second.also);
-    }
-    summary.update(names(items), {});
-}
-
 /// Whether an earlier run has found the skeleton in what the mesh is now, with the same template and the same skelgen,
 /// its file is still as it was written, and the further results are there. One that was killed between a skeleton and
 /// its line has to find it again.
@@ -285,11 +253,6 @@ private:
     std::size_t failed_parts_ = 0;
 };
 
-void clean_up(const std::vector<BatchItem>& items, const fs::path& output_folder) {
-    io::remove_leftovers(output_folder);
-    for (const fs::path& folder : output_folders(items)) io::remove_leftovers(folder);
-}
-
 /// The further results that are wanted; a report shows pictures.
 std::vector<std::string> parts_of(const BatchCommand& command) {
     std::vector<std::string> parts = parse_batch_parts(command.also);
@@ -377,7 +340,9 @@ void add_batch_command(CLI::App& app) {
                     "Page to write (HTML, one file): pictures, failures first, times, confidences; filter and sort")
         ->type_name("FILE");
 #endif
-    sub->add_option("--shard", command->shard, "Do part K of N only, for several machines")->type_name("K/N");
+    sub->add_option("--shard", command->shard,
+                    "Do part K of N only, for several machines: each into a folder of its own; see merge")
+        ->type_name("K/N");
     sub->add_option("--timeout", command->timeout_seconds, "Seconds after which a mesh is given up; 0: never")
         ->check(CLI::Range(0.0, 1e9))
         ->capture_default_str();

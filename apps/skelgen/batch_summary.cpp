@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fcntl.h>
 #include <fstream>
+#include <istream>
 #include <sys/file.h>
 #include <system_error>
 #include <unistd.h>
@@ -41,16 +42,29 @@ private:
     int descriptor_;
 };
 
+SummaryContent parse_lines(std::istream& stream) {
+    SummaryContent content;
+    for (std::string text; std::getline(stream, text);) {
+        const bool is_cut_off = stream.eof(); // it has no line end
+        try {
+            if (is_cut_off)
+                ++content.unreadable;
+            else
+                content.lines.push_back(parse_summary_line(text));
+        } catch (const Error&) { // cut off, and a later line put behind it
+            ++content.unreadable;
+        }
+    }
+    return content;
+}
+
+/// Empty where there is no such file.
 SummaryLines read_lines(const std::filesystem::path& file) {
     SummaryLines lines;
     std::ifstream stream(file, std::ios::binary);
-    for (std::string text; std::getline(stream, text);) {
-        if (stream.eof()) break; // no line end: cut off
-        try {
-            SummaryLine line = parse_summary_line(text);
-            lines[line.file] = std::move(line);
-        } catch (const Error&) { // cut off, and a later line put behind it
-        }
+    for (SummaryLine& line : parse_lines(stream).lines) {
+        std::string name = line.file;
+        lines[std::move(name)] = std::move(line);
     }
     return lines;
 }
@@ -114,6 +128,7 @@ SummaryLine parse_summary_line(const std::string& json) {
         line.status = fields.at("status").get<std::string>();
         line.error = read_text(fields.at("error"));
         line.seconds = fields.at("seconds").get<double>();
+        if (!fields.at("faces").is_number_integer()) throw Error(ErrorCode::bad_input, "no summary line: faces");
         line.faces = fields.at("faces").get<std::int64_t>();
         line.warnings = fields.at("warnings").get<std::vector<std::string>>();
         // Earlier versions did not write what follows.
@@ -127,6 +142,16 @@ SummaryLine parse_summary_line(const std::string& json) {
     } catch (const Json::exception& error) {
         throw Error(ErrorCode::bad_input, std::string("no summary line: ") + error.what());
     }
+}
+
+SummaryContent read_summary(const std::filesystem::path& file) {
+    std::error_code error;
+    std::ifstream stream;
+    if (std::filesystem::is_regular_file(file, error)) stream.open(file, std::ios::binary); // a pipe would never end
+    if (!stream.is_open())
+        throw Error(ErrorCode::bad_input,
+                    file.string() + ": is not there or cannot be read; name folders that skelgen batch has written to");
+    return parse_lines(stream);
 }
 
 BatchSummary::BatchSummary(std::filesystem::path folder)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -32,6 +33,15 @@ using SummaryLines = std::map<std::string, SummaryLine>;
 /// \throws Error bad_input when `json` is no summary line.
 [[nodiscard]] SummaryLine parse_summary_line(const std::string& json);
 
+/// All that a summary says, in its order; of one file there may be several lines.
+struct SummaryContent {
+    std::vector<SummaryLine> lines;
+    std::size_t unreadable = 0; ///< lines that are none, the last one that was cut off included
+};
+
+/// Reads a summary that no process writes to any more. \throws Error bad_input when it is no file or cannot be read.
+[[nodiscard]] SummaryContent read_summary(const std::filesystem::path& file);
+
 /// A folder's summary.jsonl. Several processes may work on it at a time, shards of one batch: every access locks it. It
 /// survives their being killed at any moment: a line that was cut off is dropped at the next access.
 class BatchSummary {
@@ -44,7 +54,8 @@ public:
     /// Removes the lines of `files` and puts `lines` in; then there is one line per file, the last one, ordered by
     /// file. Returns all that is in it. The file is replaced as a whole.
     /// \throws Error with `io::write_error_code` when it cannot be written.
-    SummaryLines update(const std::vector<std::string>& files, const std::vector<SummaryLine>& lines) const;
+    [[nodiscard]] SummaryLines update(const std::vector<std::string>& files,
+                                      const std::vector<SummaryLine>& lines) const;
 
     /// One line per file, the last one.
     [[nodiscard]] SummaryLines read() const;

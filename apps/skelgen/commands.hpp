@@ -13,6 +13,7 @@ inline constexpr int status_some_failed = 5;
 
 void add_extract_command(CLI::App& app);
 void add_batch_command(CLI::App& app);
+void add_merge_command(CLI::App& app);
 void add_evaluate_command(CLI::App& app);
 void add_curve_command(CLI::App& app);
 void add_convert_command(CLI::App& app);

@@ -4,8 +4,11 @@
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
+#include <unistd.h>
 
 #include <skelgen/io/atomic_file.hpp>
+
+#include "progress_bar.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -16,6 +19,7 @@ void print_line(std::string_view kind, std::string_view what) {
     std::replace_if(
         line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
     line += '\n';
+    if (::isatty(STDERR_FILENO) == 1) line.insert(0, clear_line); // a progress bar may be there
     std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

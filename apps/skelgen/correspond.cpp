@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "fitted_file.hpp"
+#include "waiting_line.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -95,6 +96,7 @@ void run(const CorrespondCommand& command) {
     for (const std::string& output : outputs)
         for (const fs::path& input : {command.from, command.to}) require_different_files(input, output);
     require_folder_of(command.output);
+    WaitingLine waiting(command.from.string() + " and " + command.to.string(), !command.quiet);
     const ComparedFile from = load(command.from), to = load(command.to);
     const applications::Correspondence found = applications::correspond(from.body, to.body);
     const std::vector<int> to_mesh = mesh_vertices(to), from_mesh = mesh_vertices(from);
@@ -108,6 +110,7 @@ void run(const CorrespondCommand& command) {
     for (const applications::Landmark& landmark : applications::landmarks(from.body, found))
         file.landmarks.push_back({landmark.name, from_mesh[static_cast<std::size_t>(landmark.from)],
                                   to_mesh[static_cast<std::size_t>(landmark.to)]});
+    waiting.end();
     if (!command.ply.empty()) write_coloured(command, from, to, to_body_of_from);
     write_result(command.output, io::correspondence_to_json(file));
     if (command.quiet) return;

@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "mesh_input.hpp"
+#include "waiting_line.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -50,7 +51,10 @@ void run(const CurveCommand& command) {
     const std::string file = command.mesh.file.string();
     require_different_files(file, command.output);
     require_folder_of(command.output);
-    auto results = in_file(file, [&] { return find_curves(load_mesh(command.mesh), extract_options(command)); });
+    auto results = in_file(file, [&] {
+        const WaitingLine waiting(file, true);
+        return find_curves(load_mesh(command.mesh), extract_options(command));
+    });
     std::vector<CurveSkeleton<double>> curves;
     for (auto& result : results) curves.push_back(std::move(result.curve));
     const CurveSkeleton<double> curve = core::joined(curves);

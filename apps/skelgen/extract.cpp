@@ -9,6 +9,7 @@
 #include "extract_file.hpp"
 #include "fitted_file.hpp"
 #include "stages.hpp"
+#include "waiting_line.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -47,6 +48,7 @@ void run(const ExtractCommand& command) {
     options.prepare.component = command.component;
     const auto result = in_file(command.mesh.file, [&] {
         try {
+            const WaitingLine waiting(command.mesh.file.string(), !command.quiet);
             return extract_file(command.mesh, options);
         } catch (const Error& error) {
             const bool is_there_still = command.mesh.file != "-";

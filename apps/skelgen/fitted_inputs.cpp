@@ -6,11 +6,14 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "progress_bar.hpp"
+#include "waiting_line.hpp"
 
 namespace skelgen::cli {
 namespace {
 
-FittedInput fit(const BatchItem& item) {
+FittedInput fit(const BatchItem& item, bool quiet) {
+    const WaitingLine waiting(item.mesh.string(), !quiet);
     if (!item.fault.empty()) throw Error(ErrorCode::bad_input, item.fault);
     return {fit_file({item.mesh, {}}), item};
 }
@@ -36,10 +39,11 @@ std::vector<BatchItem> find_items(const FittedInputs& inputs, const std::filesys
 
 void for_each_fitted(const FittedInputs& inputs, const std::vector<BatchItem>& items,
                      const std::function<void(const FittedInput&)>& work) {
-    std::size_t failed = 0;
+    std::size_t done = 0, failed = 0;
+    ProgressBar bar(items.size(), !inputs.quiet && items.size() > 1, patience_seconds);
     for (const BatchItem& item : items) {
         try {
-            const FittedInput input = in_file(item.mesh, [&] { return fit(item); });
+            const FittedInput input = in_file(item.mesh, [&] { return fit(item, inputs.quiet); });
             work(input);
             if (!inputs.quiet) print_warnings(item.mesh, input.skeleton());
         } catch (const Error& error) {
@@ -48,6 +52,7 @@ void for_each_fitted(const FittedInputs& inputs, const std::vector<BatchItem>& i
             print_error(error.what());
             ++failed;
         }
+        bar.show(++done, failed);
     }
     if (failed > 0) throw CLI::RuntimeError(status_some_failed);
 }

@@ -33,6 +33,7 @@ constexpr std::array<OptionalCommand, 4> optional_commands{
 void add_commands(CLI::App& app) {
     add_extract_command(app);
     add_batch_command(app);
+    add_merge_command(app);
 #if SKELGEN_WITH_EVALUATION
     add_evaluate_command(app);
 #endif
@@ -61,7 +62,8 @@ std::string footer() {
     std::string text =
         "Example:\n  skelgen extract body.off -o body.json\n\n"
         "Exit status: 0 done; 1 a fault of skelgen's own; 2 wrong usage; 3 the input cannot be read or is no\n"
-        "mesh; 4 no skeleton could be found in it; 5 (batch, render) some meshes failed; 6 the result cannot be\n"
+        "mesh; 4 no skeleton could be found in it; 5 (batch, merge, render) some meshes failed; 6 the result cannot "
+        "be\n"
         "stored, on a full disk for example.";
     for (const auto& [name, build_option, is_there] : optional_commands)
         if (!is_there)

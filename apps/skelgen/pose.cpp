@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "fitted_file.hpp"
+#include "waiting_line.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -93,6 +94,7 @@ void run(const PoseCommand& command) {
     const auto format = io::mesh_format_of(command.output);
     if (!format || !io::is_written(*format))
         throw Error(ErrorCode::usage, command.output + ": its name must end in " + io::written_mesh_extensions_text());
+    WaitingLine waiting(command.mesh.file.string(), !command.quiet);
     std::optional<Model> model;
     std::optional<ClipInput> clip;
     if (command.clip.empty())
@@ -105,6 +107,7 @@ void run(const PoseCommand& command) {
     const TriangleMesh<double> held =
         model ? held_like_model(command, body, *model) : held_as_in_clip(command, body, *clip);
     in_file(command.output, [&] { write_mesh(command.output, held); });
+    waiting.end();
     if (!command.quiet) print_warnings(command.mesh.file, body.skeleton());
 }
 

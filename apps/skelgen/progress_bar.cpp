@@ -9,8 +9,6 @@
 namespace skelgen::cli {
 namespace {
 
-constexpr const char* clear_line = "\r\033[K";
-
 /// With two digits: "12/s", "0.25/s".
 std::string rate_text(double per_second) {
     std::ostringstream text;
@@ -41,12 +39,13 @@ std::string progress_text(std::size_t done, std::size_t failed, std::size_t tota
     return text;
 }
 
-ProgressBar::ProgressBar(std::size_t total, bool wanted)
-    : total_(total), is_on_(wanted && ::isatty(STDERR_FILENO) == 1) {}
+ProgressBar::ProgressBar(std::size_t total, bool wanted, double after_seconds)
+    : total_(total), is_on_(wanted && ::isatty(STDERR_FILENO) == 1), after_seconds_(after_seconds) {}
 
 void ProgressBar::show(std::size_t done, std::size_t failed) {
     if (!is_on_) return;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+    if (passed.count() < after_seconds_) return;
     std::fprintf(stderr, "%s%s", clear_line, progress_text(done, failed, total_, passed.count()).c_str());
     std::fflush(stderr);
 }

@@ -16,6 +16,8 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "load_scene.hpp"
+#include "progress_bar.hpp"
+#include "waiting_line.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -115,7 +117,10 @@ void render_one(const RenderCommand& command, const BatchItem& item) {
     if (!item.fault.empty()) throw Error(ErrorCode::bad_input, item.mesh.string() + ": " + item.fault);
     require_different_files(item.mesh, command.output);
     const render::RenderOptions options = render_options(command, false);
-    const render::Scene scene = load_scene(sources_of(command, item, extract_options(command)));
+    const render::Scene scene = [&] {
+        const WaitingLine waiting(item.mesh.string(), true);
+        return load_scene(sources_of(command, item, extract_options(command)));
+    }();
     if (!scene.failure.empty()) print_warning(item.mesh.string() + ": " + scene.failure);
     write_result(command.output, in_file(item.mesh, [&] {
                      return is_svg(command.output) ? render::render_svg(scene, options)
@@ -160,7 +165,8 @@ void render_sheet(const RenderCommand& command, const std::vector<BatchItem>& it
     const bool svg = is_svg(command.output);
     std::vector<render::Image> images;
     std::vector<std::string> documents;
-    std::size_t failed = 0;
+    std::size_t done = 0, failed = 0;
+    ProgressBar bar(items.size(), true, patience_seconds);
     for (const BatchItem& item : items) {
         require_different_files(item.mesh, command.output);
         const Cell cell = load_cell(sources_of(command, item, extraction), item);
@@ -169,7 +175,9 @@ void render_sheet(const RenderCommand& command, const std::vector<BatchItem>& it
             documents.push_back(render::render_svg(cell.scene, options));
         else
             images.push_back(render::render_scene(cell.scene, options));
+        bar.show(++done, failed);
     }
+    bar.clear();
     const int count = static_cast<int>(items.size());
     const int columns =
         command.columns > 0 ? command.columns : render::sheet_columns(count, options.width, options.height);

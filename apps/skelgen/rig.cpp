@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "fitted_file.hpp"
+#include "waiting_line.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -41,7 +42,10 @@ void run(const RigCommand& command) {
     const auto format = io::rig_format_of(command.output);
     if (!format) throw Error(ErrorCode::usage, command.output + ": its name must end in .glb, .vrm or .bvh");
     const CharacterOptions options{command.component, rest_pose(command, *format)};
-    const Character character = in_file(command.mesh.file, [&] { return make_character(command.mesh, options); });
+    const Character character = in_file(command.mesh.file, [&] {
+        const WaitingLine waiting(command.mesh.file.string(), !command.quiet);
+        return make_character(command.mesh, options);
+    });
     in_file(command.output,
             [&] { write_rig(command.output, character.rig, *io::joint_names_named(command.names), character.looks); });
     if (command.quiet) return;

@@ -13,6 +13,8 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "progress_bar.hpp"
+#include "waiting_line.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -74,16 +76,25 @@ private:
 
 void run_objects(const SynthCommand& command) {
     const SetWriter writer(command.output, command.set);
-    for (const std::string& name : synth::object_names())
+    const auto names = synth::object_names();
+    std::size_t done = 0;
+    ProgressBar bar(names.size(), true, patience_seconds);
+    for (const std::string& name : names) {
         writer.write(name, synth::synthesize_object(name, command.faces), synth::object_truth_to_json);
+        bar.show(++done, 0);
+    }
 }
 
 void run_tubes(const SynthCommand& command) {
     const SetWriter writer(command.output, command.set);
-    for (const synth::TubePlan& plan : synth::tube_plans(command.seed)) {
+    const auto plans = synth::tube_plans(command.seed);
+    std::size_t done = 0;
+    ProgressBar bar(plans.size(), true, patience_seconds);
+    for (const synth::TubePlan& plan : plans) {
         const synth::SynthTube tube = in_file(plan.name, [&] { return synth::synthesize_tube(plan, plan.faces); });
         writer.write(plan.name, tube.mesh,
                      [&](const std::string& file) { return synth::curve_truth_to_json(tube.truth, file); });
+        bar.show(++done, 0);
     }
 }
 
@@ -92,10 +103,13 @@ void run_set(const SynthCommand& command) {
     if (command.set == tube_set) return run_tubes(command);
     const std::vector<synth::BodyPlan> plans = synth::body_set(command.set, command.seed);
     const SetWriter writer(command.output, command.set);
+    std::size_t done = 0;
+    ProgressBar bar(plans.size(), true, patience_seconds);
     for (const synth::BodyPlan& plan : plans) {
         const synth::SynthBody body = in_file(plan.name, [&] { return synth::synthesize_body(plan); });
         writer.write(plan.name, body.mesh,
                      [&](const std::string& file) { return synth::truth_to_json(body.truth, file); });
+        bar.show(++done, 0);
     }
 }
 
@@ -106,7 +120,10 @@ void run(SynthCommand& command) {
     synth::BodyPlan plan;
     plan.shape = command.shape, plan.pose = find_pose(command), plan.faces = command.faces;
     for (const std::string& garment : command.clothes) plan.clothes.push_back(synth::named_garment(garment));
-    const synth::SynthBody body = synth::synthesize_body(plan);
+    const synth::SynthBody body = [&] {
+        const WaitingLine waiting(command.output, true);
+        return synth::synthesize_body(plan);
+    }();
     in_file(command.output, [&] { write_mesh(command.output, body.mesh); });
     if (!command.truth.empty())
         write_result(command.truth,

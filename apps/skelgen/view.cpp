@@ -14,7 +14,9 @@
 #include "fitted_file.hpp"
 #include "fitted_inputs.hpp"
 #include "mesh_input.hpp"
+#include "progress_bar.hpp"
 #include "view_bundle.hpp"
+#include "waiting_line.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -46,6 +48,7 @@ std::string shown(const ViewCommand& command, const std::optional<ClipInput>& cl
     const TriangleMesh<double> mesh = load_mesh({item.mesh, {}});
     io::ViewedBody body;
     try {
+        const WaitingLine waiting(item.mesh.string(), !command.inputs.quiet);
         body = viewed(item, mesh);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::no_skeleton && error.code() != ErrorCode::bad_input) throw;
@@ -67,6 +70,7 @@ void run(const ViewCommand& command) {
     if (!command.clip.empty()) clip = load_clip(command.clip);
     std::vector<std::string> bodies;
     std::size_t failed = 0;
+    ProgressBar bar(items.size(), !command.inputs.quiet && items.size() > 1, patience_seconds);
     for (const BatchItem& item : items) {
         try {
             bodies.push_back(in_file(item.mesh, [&] { return shown(command, clip, item); }));
@@ -78,7 +82,9 @@ void run(const ViewCommand& command) {
                 item.file, what.rfind(prefix, 0) == 0 ? what.substr(prefix.size()) : what, {}));
             ++failed;
         }
+        bar.show(bodies.size(), failed);
     }
+    bar.clear();
     write_result(command.output, io::view_page(view_bundle(), bodies));
     if (failed > 0) throw CLI::RuntimeError(status_some_failed);
 }

@@ -130,11 +130,3 @@ TEST_CASE("numbers are short and the same everywhere") {
     CHECK(render::decimal(-0.001) == "0");
     CHECK(render::decimal(12.3456) == "12.35");
 }
-
-TEST_CASE("base64 as in RFC 4648") {
-    CHECK(render::base64("").empty());
-    CHECK(render::base64("f") == "Zg==");
-    CHECK(render::base64("fo") == "Zm8=");
-    CHECK(render::base64("foo") == "Zm9v");
-    CHECK(render::base64("foobar") == "Zm9vYmFy");
-}
