@@ -214,6 +214,7 @@ set(skelgen_core_definitions
     include/skelgen/surface/impl/envelope.hpp
     include/skelgen/surface/impl/face_tree.hpp
     include/skelgen/surface/impl/fill_holes.hpp
+    include/skelgen/surface/impl/handle_loops.hpp
     include/skelgen/surface/impl/lattice_surface.hpp
     include/skelgen/surface/impl/manifold_parts.hpp
     include/skelgen/surface/impl/open_handles.hpp

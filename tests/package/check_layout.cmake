@@ -84,6 +84,17 @@ foreach(file IN ITEMS include/skelgen/extract.hpp include/skelgen/impl/extract.h
   endforeach()
 endforeach()
 
+# ------------------------------------------------------------------------------------- what is not listed is not installed
+
+read_text(cmake/Sources.cmake listed)
+files_of(all_files "include/*.hpp" "src/*.cpp")
+foreach(file IN LISTS all_files)
+  string(FIND "${listed}" " ${file}\n" position)
+  if(position EQUAL -1)
+    fault("${file} is not named in cmake/Sources.cmake")
+  endif()
+endforeach()
+
 # -------------------------------------------------------------------------------------- x.hpp declares, impl/x.hpp defines
 
 list(TRANSFORM stages REPLACE "(.+)" "include/skelgen/\\1/*.hpp" OUTPUT_VARIABLE patterns)

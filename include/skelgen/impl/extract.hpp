@@ -288,8 +288,9 @@ Outcome<Fit<Scalar>> fit_touching_body(const Body<Scalar>& body, const curve::Cu
     };
     std::optional<Attempt<Scalar>> best;
     const embedding::PartedBody<Scalar>* best_way = nullptr;
+    const int attempts_each = ways.size() > 1 ? 1 : attempts; // another way is another attempt
     for (const embedding::PartedBody<Scalar>& way : ways) {
-        Attempt<Scalar> attempt = fit_to_finer_curves(way.body, way.curve, wanted, options, attempts);
+        Attempt<Scalar> attempt = fit_to_finer_curves(way.body, way.curve, wanted, options, attempts_each);
         cutting = cutting + attempt.timings;
         if (!attempt.outcome) continue;
         if (best && !(likelihood(attempt.outcome->skeleton) > likelihood(best->outcome->skeleton))) continue;
@@ -411,9 +412,10 @@ template <typename Scalar>
 Outcome<Fit<Scalar>> fit_opened(const Body<Scalar>& body, const SkeletonTemplate& wanted, const ExtractOptions& options,
                                 int attempts) {
     const std::optional<Body<Scalar>> opened = surface::open_handles(body);
-    if (opened)
-        if (Outcome<Fit<Scalar>> found = fit_whole(*opened, wanted, options, attempts)) return found;
-    return fit_whole(body, wanted, options, attempts);
+    if (!opened) return fit_whole(body, wanted, options, attempts);
+    Outcome<Fit<Scalar>> found = fit_whole(*opened, wanted, options, attempts);
+    if (found || found.failure().reason == FailureReason::no_body) return found;
+    return fit_whole(body, wanted, options, 1);
 }
 
 /// Makes one surface of a mesh by the gentlest remedy that serves, as what comes out shows: the first skeleton that is

@@ -206,20 +206,17 @@ Scalar mean_off_centre(const BranchedCurve<Scalar>& branched, const Body<Scalar>
     return count > 0 ? sum / count : Scalar(0);
 }
 
-/// Whether all but the tips and the edges there lies inside: the points by the winding number, and what is between
-/// them. O(points faces).
+/// Whether all but the tips and the edges there lies inside: points by their sections, knots by the winding number, and
+/// what is between points. O(knots faces) besides.
 template <typename Scalar>
-bool all_inside(const BranchedCurve<Scalar>& branched, const Body<Scalar>& body, Scalar spacing) {
-    const auto inside = [&](const Vector3<Scalar>& place) {
-        return core::winding_number(body.mesh, place) > Scalar(0.5);
-    };
-    const std::vector<int> degrees = branched.degrees();
+bool all_inside(const CentredBranches<Scalar>& curve, const Body<Scalar>& body, Scalar spacing) {
+    for (const auto& sections : curve.sections)
+        for (std::size_t i = 1; i + 1 < sections.size(); ++i)
+            if (!sections[i].encloses) return false;
+    const std::vector<int> degrees = curve.branched.degrees();
     for (std::size_t k = 0; k < degrees.size(); ++k)
-        if (degrees[k] > 1 && !inside(branched.knots[k])) return false;
-    for (const Branch<Scalar>& branch : branched.branches)
-        for (Eigen::Index i = 1; i + 1 < branch.line.rows(); ++i)
-            if (!inside(core::point(branch.line, i))) return false;
-    return !any_leap(branched, body, spacing);
+        if (degrees[k] > 1 && core::winding_number(body.mesh, curve.branched.knots[k]) <= Scalar(0.5)) return false;
+    return !any_leap(curve.branched, body, spacing);
 }
 
 /// All that lies outside pulled inside, as far as that goes.
@@ -254,7 +251,7 @@ CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Bo
         detail::mean_off_centre(led.branched, body, spacing) < detail::mean_off_centre(out.branched, body, spacing);
     out = detail::all_pulled_inside(std::move(out), body, spacing);
     led = detail::all_pulled_inside(std::move(led), body, spacing);
-    if (led_is_better && detail::all_inside(led.branched, body, spacing)) return led;
+    if (led_is_better && detail::all_inside(led, body, spacing)) return led;
     return out;
 }
 

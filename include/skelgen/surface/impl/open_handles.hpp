@@ -23,7 +23,10 @@ inline constexpr double short_loop = 0.1;
 /// A loop that counts no more than half its length runs along creases; it may be this long.
 inline constexpr double crease_share = 0.5, short_seam = 0.15;
 
-inline constexpr int most_handles = 100;
+/// Fingers, hands and heels make up to a dozen handles; torn surfaces have hundreds. So many are looked at, and of the
+/// loops of each search so many, the shortest: a second's work.
+inline constexpr int most_handles = 24;
+inline constexpr std::size_t most_loops = 16;
 
 /// How many handles a closed connected surface has.
 template <typename Scalar>
@@ -71,7 +74,9 @@ std::optional<HandleLoop<Scalar>> find_contact(const TriangleMesh<Scalar>& mesh,
     Eigen::Index farthest = 0;
     mesh.vertices.col(0).maxCoeff(&farthest);
     const std::vector<Scalar> creases = crease_factors(mesh, adjacency);
-    for (const HandleLoop<Scalar>& loop : handle_loops(mesh, adjacency, static_cast<int>(farthest))) {
+    std::vector<HandleLoop<Scalar>> loops = handle_loops(mesh, adjacency, static_cast<int>(farthest));
+    if (loops.size() > most_loops) loops.resize(most_loops);
+    for (const HandleLoop<Scalar>& loop : loops) {
         HandleLoop<Scalar> tightest = loop;
         for (const int root : seam_crossings(loop, creases)) {
             HandleLoop<Scalar> tighter = handle_loops(mesh, adjacency, root).front();
