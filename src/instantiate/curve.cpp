@@ -34,6 +34,7 @@ namespace skelgen::curve {
     template Branch<Scalar> turned(Branch<Scalar>);                                                                    \
     template BranchedCurve<Scalar> without_knot(BranchedCurve<Scalar>, int);                                           \
     template JoinedCurve<Scalar> join_branches(const BranchedCurve<Scalar>&);                                          \
+    template BranchSection<Scalar> section_across(const Body<Scalar>&, const Points<Scalar>&, Eigen::Index, Scalar);   \
     template std::vector<BranchSection<Scalar>> sections_across(const Body<Scalar>&, const Points<Scalar>&, Scalar);   \
     template BranchedCurve<Scalar> ends_on_axes(                                                                       \
         BranchedCurve<Scalar>, const std::vector<std::vector<BranchSection<Scalar>>>&, const Body<Scalar>&);           \
@@ -43,7 +44,7 @@ namespace skelgen::curve {
                                                 const std::vector<std::vector<BranchSection<Scalar>>>&,                \
                                                 const Body<Scalar>&, double);                                          \
     template BranchedCurve<Scalar> led_inside(                                                                         \
-        BranchedCurve<Scalar>, const std::vector<std::vector<BranchSection<Scalar>>>&, const Body<Scalar>&);           \
+        BranchedCurve<Scalar>, const std::vector<std::vector<BranchSection<Scalar>>>&, const TriangleMesh<Scalar>&);   \
     template BranchedCurve<Scalar> reattach_branches(BranchedCurve<Scalar>, const PlacesOfKnots<Scalar>&,              \
                                                      const Body<Scalar>&, Scalar);                                     \
     template BranchedCurve<Scalar> merge_parallel_branches(BranchedCurve<Scalar>, const Body<Scalar>&);                \
@@ -51,7 +52,7 @@ namespace skelgen::curve {
         BranchedCurve<Scalar>, const std::vector<std::vector<BranchSection<Scalar>>>&,                                 \
         const std::vector<Vector3<Scalar>>&, const PlacesOfKnots<Scalar>&, double);                                    \
     template CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar>, const Body<Scalar>&,                       \
-                                                     const BranchCentringOptions&);                                    \
+                                                     const TriangleMesh<Scalar>&, const BranchCentringOptions&);       \
     template CurveSkeleton<Scalar> curve_with_regions(const CentredBranches<Scalar>&, const Body<Scalar>&,             \
                                                       const std::vector<int>&);                                        \
     template CurveSkeleton<Scalar> connectivity_surgery(const Points<Scalar>&, const Triangles&,                       \

@@ -68,8 +68,8 @@ namespace skelgen::surface {
                                             const std::vector<int>&);                                                  \
     template CutSurface<Scalar> cut_along(const TriangleMesh<Scalar>&, const Triangles&,                               \
                                           const std::vector<std::vector<int>>&);                                       \
-    template std::vector<Scalar> crease_factors(const TriangleMesh<Scalar>&, const Triangles&);                        \
-    template std::vector<HandleLoop<Scalar>> handle_loops(const TriangleMesh<Scalar>&, const Triangles&, int);         \
+    template CreaseGraph<Scalar> crease_graph(const TriangleMesh<Scalar>&, const Triangles&);                          \
+    template std::vector<HandleLoop<Scalar>> handle_loops(const CreaseGraph<Scalar>&, int, Scalar);                    \
     template std::optional<Body<Scalar>> open_handles(const Body<Scalar>&);                                            \
     template Body<Scalar> make_body(TriangleMesh<Scalar>, const Similarity<Scalar>&, std::vector<int>, int);           \
     template Body<Scalar> resurfaced(Body<Scalar>, TriangleMesh<Scalar>, std::vector<int>);                            \

@@ -35,15 +35,17 @@ bool is_edge(const Mesh& mesh, int a, int b) {
 TEST_CASE("a sphere has no handle, and no crease") {
     const Mesh ball = sphere(1);
     const Triangles adjacency = face_adjacency(ball.faces);
-    CHECK(handle_loops(ball, adjacency, 0).empty());
-    for (const double factor : crease_factors(ball, adjacency)) CHECK(factor == 1);
+    const CreaseGraph<double> creases = crease_graph(ball, adjacency);
+    CHECK(handle_loops(creases, 0).empty());
+    CHECK(handle_loops(creases, 0, 1.0).empty());
+    for (const double factor : creases.factors) CHECK(factor == 1);
 }
 
 TEST_CASE("a torus has two loops, closed ones along its edges, and the shorter one goes around the tube") {
     const Mesh ring = torus(1, 0.2);
-    const Triangles adjacency = face_adjacency(ring.faces);
+    const CreaseGraph<double> creases = crease_graph(ring, face_adjacency(ring.faces));
     for (const int root : {0, 17, static_cast<int>(ring.vertices.rows()) - 1}) {
-        const std::vector<HandleLoop<double>> loops = handle_loops(ring, adjacency, root);
+        const std::vector<HandleLoop<double>> loops = handle_loops(creases, root);
         REQUIRE(loops.size() == 2);
         CHECK(loops[0].length < 1.1 * 2 * pi * 0.2);
         CHECK(loops[0].length > 0.8 * 2 * pi * 0.2);
@@ -57,10 +59,23 @@ TEST_CASE("a torus has two loops, closed ones along its edges, and the shorter o
     }
 }
 
+TEST_CASE("of loops no longer than a limit those that are shorter are found alike") {
+    const Mesh ring = torus(1, 0.2);
+    const CreaseGraph<double> creases = crease_graph(ring, face_adjacency(ring.faces));
+    for (int root = 0; root < ring.vertices.rows(); root += 7) {
+        const std::vector<HandleLoop<double>> all = handle_loops(creases, root);
+        const std::vector<HandleLoop<double>> within = handle_loops(creases, root, 1.5 * 2 * pi * 0.2);
+        REQUIRE(within.size() == 1);
+        CHECK(within.front().vertices == all.front().vertices);
+        CHECK(within.front().length == all.front().length);
+        CHECK(handle_loops(creases, root, 0.7 * 2 * pi * 0.2).empty());
+    }
+}
+
 TEST_CASE("cut along either of its loops a torus is a closed surface without a handle") {
     const Mesh ring = torus(1, 0.2);
     const Triangles adjacency = face_adjacency(ring.faces);
-    for (const HandleLoop<double>& loop : handle_loops(ring, adjacency, 5)) {
+    for (const HandleLoop<double>& loop : handle_loops(crease_graph(ring, adjacency), 5)) {
         const CutSurface<double> cut = cut_along(ring, adjacency, {loop.vertices});
         CHECK(is_closed(cut.mesh.faces));
         CHECK(genus(cut.mesh) == 0);
@@ -84,7 +99,7 @@ TEST_CASE("in a crease of a right angle a fifth of the length counts, on ridges 
         block.faces.row(9 + 2 * k) << k, next + 6, k + 6;
     }
     REQUIRE(enclosed_volume(block) == Approx(3));
-    const std::vector<double> factors = crease_factors(block, face_adjacency(block.faces));
+    const std::vector<double> factors = crease_graph(block, face_adjacency(block.faces)).factors;
     for (std::size_t v = 0; v < factors.size(); ++v) CHECK(factors[v] == Approx(v % 6 == 3 ? 0.2 : 1));
 }
 

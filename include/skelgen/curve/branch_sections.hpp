@@ -41,9 +41,14 @@ inline constexpr Scalar sure_section = Scalar(0.5);
 /// How far from the line a contour may be that does not go around it but is its branch's all the same, in spacings.
 inline constexpr int reach_in_spacings = 4;
 
-/// The sections of a line across itself, as many as it has points; none at its first and its last one, which have no
-/// tangents of their own. `reach`: how far from the line a contour may be that does not go around it.
-/// Cost as of surface::plane_contours.
+/// The section of a line across itself at one of its points, but for the first and the last one, which have no tangents
+/// of their own. `reach`: how far from the line a contour may be that does not go around it. Cost as of
+/// surface::contour_around.
+template <typename Scalar>
+[[nodiscard]] BranchSection<Scalar> section_across(const Body<Scalar>& body, const Points<Scalar>& line,
+                                                   Eigen::Index point, std::type_identity_t<Scalar> reach);
+
+/// The sections of a line across itself, as many as it has points; none at its first and its last one.
 template <typename Scalar>
 [[nodiscard]] std::vector<BranchSection<Scalar>> sections_across(const Body<Scalar>& body, const Points<Scalar>& line,
                                                                  std::type_identity_t<Scalar> reach);

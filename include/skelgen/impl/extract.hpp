@@ -407,14 +407,14 @@ Outcome<Fit<Scalar>> fit_whole(const Body<Scalar>& body, const SkeletonTemplate&
 }
 
 /// The same for a body opened where it has grown together with itself, or, where the template fits no such one, for the
-/// body as it is.
+/// body as it is, but for an envelope: that has grown together where its pieces lie close to each other.
 template <typename Scalar>
 Outcome<Fit<Scalar>> fit_opened(const Body<Scalar>& body, const SkeletonTemplate& wanted, const ExtractOptions& options,
-                                int attempts) {
+                                int attempts, bool is_envelope) {
     const std::optional<Body<Scalar>> opened = surface::open_handles(body);
     if (!opened) return fit_whole(body, wanted, options, attempts);
     Outcome<Fit<Scalar>> found = fit_whole(*opened, wanted, options, attempts);
-    if (found || found.failure().reason == FailureReason::no_body) return found;
+    if (found || is_envelope || found.failure().reason == FailureReason::no_body) return found;
     return fit_whole(body, wanted, options, 1);
 }
 
@@ -441,7 +441,8 @@ Outcome<FittedBody<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh
             if (!best) best = body.failure();
             continue;
         }
-        if (remedy == surface::Remedy::envelope || remedy == surface::Remedy::wrap)
+        const bool is_envelope = remedy == surface::Remedy::envelope || remedy == surface::Remedy::wrap;
+        if (is_envelope)
             if (const auto failure = too_compact(*body)) {
                 if (!best) best = *failure;
                 continue;
@@ -451,7 +452,7 @@ Outcome<FittedBody<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh
                                      material.remedies.back() == surface::Remedy::rounded
                                  ? most_attempts
                                  : 1;
-        Outcome<Fit<Scalar>> found = fit_opened(*body, wanted, options, attempts);
+        Outcome<Fit<Scalar>> found = fit_opened(*body, wanted, options, attempts, is_envelope);
         if (found) timings = timings + found->timings;
         const double noise = smoothed_away(*body, mesh);
         const bool is_noisy = noise > much_noise;

@@ -3,6 +3,7 @@
 #include <skelgen/curve/attachment.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -14,13 +15,14 @@
 namespace skelgen::curve {
 namespace detail {
 
-/// How far off their sections' centres a line's points are, summed over its length.
+/// How far off their sections' centres a line's points are, summed over its length; where that is no less than
+/// `enough`, something that is no less either.
 template <typename Scalar>
-Scalar off_centre_along(const Body<Scalar>& body, const Points<Scalar>& line, Scalar spacing) {
-    const std::vector<BranchSection<Scalar>> sections = sections_across(body, line, reach_in_spacings * spacing);
+Scalar off_centre_along(const Body<Scalar>& body, const Points<Scalar>& line, Scalar spacing,
+                        Scalar enough = std::numeric_limits<Scalar>::infinity()) {
     Scalar sum = 0;
-    for (Eigen::Index i = 1; i + 1 < line.rows(); ++i)
-        sum += off_centre(sections[static_cast<std::size_t>(i)], core::point(line, i)) *
+    for (Eigen::Index i = 1; i + 1 < line.rows() && sum < enough; ++i)
+        sum += off_centre(section_across(body, line, i, reach_in_spacings * spacing), core::point(line, i)) *
                (core::point(line, i + 1) - core::point(line, i - 1)).norm() / 2;
     return sum;
 }
@@ -123,7 +125,7 @@ std::optional<CurvePlace> best_place(const BranchedCurve<Scalar>& curve, const s
     for (const CurvePlace& place : places) {
         const Vector3<Scalar> target = core::point(curve.branches[place.branch].line, place.point);
         if ((target - start).norm() < spacing) continue;
-        const Scalar sum = off_centre_along(body, straight_line(target, start, spacing), spacing);
+        const Scalar sum = off_centre_along(body, straight_line(target, start, spacing), spacing, least);
         if (!(sum < least)) continue;
         least = sum;
         best = place;

@@ -137,28 +137,32 @@ BranchedCurve<Scalar> pulled_inside(BranchedCurve<Scalar> branched, const Sectio
     return branched;
 }
 
-/// The whole way from branches to the middle of the surface. \param lead_inside whether pieces outside are led around
-/// inside before branches that run along each other become one.
+/// Rounds before those after which branches that run along each other become one: a third of them.
+inline int rounds_apart(const BranchCentringOptions& options) { return (options.rounds + 2) / 3; }
+
+/// One round of moving branches to the middle of the surface. \param tips the places of those knots that are ends, and
+/// stay the same knots.
+template <typename Scalar>
+BranchedCurve<Scalar> centring_round(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
+                                     const std::vector<Vector3<Scalar>>& tips, const BranchCentringOptions& options,
+                                     Scalar spacing, bool coarse) {
+    branched = resampled(std::move(branched), coarse ? 2 * spacing : spacing);
+    const auto sections = all_sections(branched, body, spacing);
+    const auto junctions = meeting_axes(branched, sections, body, coarse ? straight_at_first : straight_at_last);
+    branched = smoothing_spline(std::move(branched), beyond_junctions(sections, branched, body, junctions), tips,
+                                junctions, options.stiffness);
+    return ends_on_axes(std::move(branched), sections, body);
+}
+
+/// The rest of the way, from where branches have come close to the middle on.
 template <typename Scalar>
 CentredBranches<Scalar> centred(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
-                                const BranchCentringOptions& options, Scalar spacing, bool lead_inside) {
-    const std::vector<Vector3<Scalar>> tips = branched.knots; // of those knots that are ends, and stay the same knots
-    const int first_merge = (options.rounds + 2) / 3;
-    for (int round = 0; round < options.rounds; ++round) {
+                                const std::vector<Vector3<Scalar>>& tips, const BranchCentringOptions& options,
+                                Scalar spacing) {
+    for (int round = rounds_apart(options); round < options.rounds; ++round) {
         const bool coarse = 3 * round < 2 * options.rounds;
-        const Scalar step = coarse ? 2 * spacing : spacing;
-        branched = resampled(std::move(branched), step);
-        if (lead_inside && round == first_merge) {
-            BranchedCurve<Scalar> fine = resampled(branched, spacing / 2);
-            const auto sections = all_sections(fine, body, spacing);
-            branched = resampled(led_inside(std::move(fine), sections, body), step);
-        }
-        auto sections = all_sections(branched, body, spacing);
-        const auto junctions = meeting_axes(branched, sections, body, coarse ? straight_at_first : straight_at_last);
-        branched = smoothing_spline(std::move(branched), beyond_junctions(sections, branched, body, junctions), tips,
-                                    junctions, options.stiffness);
-        branched = ends_on_axes(std::move(branched), sections, body);
-        if (round >= first_merge) branched = merge_parallel_branches(std::move(branched), body);
+        branched = centring_round(std::move(branched), body, tips, options, spacing, coarse);
+        branched = merge_parallel_branches(std::move(branched), body);
     }
     branched = resampled(std::move(branched), spacing);
     const auto junctions = meeting_axes(branched, all_sections(branched, body, spacing), body, straight_at_last);
@@ -169,25 +173,24 @@ CentredBranches<Scalar> centred(BranchedCurve<Scalar> branched, const Body<Scala
     return {std::move(branched), std::move(sections)};
 }
 
-/// Does an edge run outside between two points inside, as where it leaps from one limb to another beside it?
-/// What the balls around its ends cover does not. O(log faces), for edges in thin limbs as contour_around.
-template <typename Scalar>
-bool leaps_outside(const Body<Scalar>& body, const Vector3<Scalar>& from, const Vector3<Scalar>& to, Scalar reach) {
-    const Scalar length = (to - from).norm();
-    if (body.tree.distance(body.mesh, from) + body.tree.distance(body.mesh, to) >= length) return false;
-    const Vector3<Scalar> middle = (from + to) / 2, along = (to - from) / length;
-    const auto contour = surface::contour_around(body.mesh, body.adjacency, body.tree, middle, along, reach);
-    return !contour || !surface::relate(*contour, middle, along).encloses;
-}
-
-/// Does any edge leap outside, but for those at branches' ends?
+/// Does any edge run outside between two points inside, as where it leaps from one limb to another beside it? Not those
+/// at branches' ends, nor what the balls around its ends cover. O(points log faces), for edges in thin limbs as
+/// contour_around.
 template <typename Scalar>
 bool any_leap(const BranchedCurve<Scalar>& branched, const Body<Scalar>& body, Scalar spacing) {
-    for (const Branch<Scalar>& branch : branched.branches)
-        for (Eigen::Index i = 1; i + 2 < branch.line.rows(); ++i)
-            if (leaps_outside<Scalar>(body, core::point(branch.line, i), core::point(branch.line, i + 1),
-                                      reach_in_spacings * spacing))
-                return true;
+    for (const Branch<Scalar>& branch : branched.branches) {
+        Scalar ball = 0; // at the point before
+        for (Eigen::Index i = 1; i + 1 < branch.line.rows(); ++i) {
+            const Vector3<Scalar> from = branch.line.row(i - 1), to = branch.line.row(i);
+            const Scalar length = (to - from).norm(), ball_before = ball;
+            ball = body.tree.distance(body.mesh, to);
+            if (i == 1 || ball_before + ball >= length) continue;
+            const Vector3<Scalar> middle = (from + to) / 2, along = (to - from) / length;
+            const auto contour = surface::contour_around(body.mesh, body.adjacency, body.tree, middle, along,
+                                                         reach_in_spacings * spacing);
+            if (!contour || !surface::relate(*contour, middle, along).encloses) return true;
+        }
+    }
     return false;
 }
 
@@ -240,13 +243,20 @@ SKELGEN_INLINE void validate(const BranchCentringOptions& options) {
 
 template <typename Scalar>
 CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
-                                        const BranchCentringOptions& options) {
+                                        const TriangleMesh<Scalar>& coarse, const BranchCentringOptions& options) {
     validate(options);
     const Scalar spacing = std::max(static_cast<Scalar>(options.spacing) * core::bounding_diagonal(body.mesh.vertices),
                                     detail::total_length(branched) / detail::most_points);
-    CentredBranches<Scalar> out = detail::centred(branched, body, options, spacing, false);
+    const std::vector<Vector3<Scalar>> tips = branched.knots;
+    for (int round = 0; round < detail::rounds_apart(options); ++round)
+        branched = detail::centring_round(std::move(branched), body, tips, options, spacing, true);
+    CentredBranches<Scalar> out = detail::centred(branched, body, tips, options, spacing);
     if (!detail::any_outside(out.sections) && !detail::any_leap(out.branched, body, spacing)) return out;
-    CentredBranches<Scalar> led = detail::centred(std::move(branched), body, options, spacing, true);
+
+    branched = resampled(std::move(branched), spacing / 2);
+    const auto sections = detail::all_sections(branched, body, spacing);
+    branched = led_inside(std::move(branched), sections, coarse);
+    CentredBranches<Scalar> led = detail::centred(std::move(branched), body, tips, options, spacing);
     const bool led_is_better =
         detail::mean_off_centre(led.branched, body, spacing) < detail::mean_off_centre(out.branched, body, spacing);
     out = detail::all_pulled_inside(std::move(out), body, spacing);

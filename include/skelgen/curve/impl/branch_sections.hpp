@@ -72,15 +72,20 @@ BranchSection<Scalar> measured(surface::Contour<Scalar> contour, const Vector3<S
 } // namespace detail
 
 template <typename Scalar>
+BranchSection<Scalar> section_across(const Body<Scalar>& body, const Points<Scalar>& line, Eigen::Index point,
+                                     std::type_identity_t<Scalar> reach) {
+    const Vector3<Scalar> place = core::point(line, point);
+    const Vector3<Scalar> tangent = core::tangent_at(line, point, detail::section_tangent_reach);
+    auto contour = surface::contour_around(body.mesh, body.adjacency, body.tree, place, tangent, reach);
+    return contour ? detail::measured(*std::move(contour), place, tangent) : BranchSection<Scalar>{};
+}
+
+template <typename Scalar>
 std::vector<BranchSection<Scalar>> sections_across(const Body<Scalar>& body, const Points<Scalar>& line,
                                                    std::type_identity_t<Scalar> reach) {
     std::vector<BranchSection<Scalar>> out(static_cast<std::size_t>(line.rows()));
-    for (Eigen::Index i = 1; i + 1 < line.rows(); ++i) {
-        const Vector3<Scalar> place = core::point(line, i);
-        const Vector3<Scalar> tangent = core::tangent_at(line, i, detail::section_tangent_reach);
-        auto contour = surface::contour_around(body.mesh, body.adjacency, body.tree, place, tangent, reach);
-        if (contour) out[static_cast<std::size_t>(i)] = detail::measured(*std::move(contour), place, tangent);
-    }
+    for (Eigen::Index i = 1; i + 1 < line.rows(); ++i)
+        out[static_cast<std::size_t>(i)] = section_across(body, line, i, reach);
     return out;
 }
 

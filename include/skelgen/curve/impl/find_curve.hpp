@@ -108,7 +108,8 @@ CurveResult<Scalar> find_curve(const Body<Scalar>& body, const CurveOptions& wan
     SplitCurve<Scalar> split = split_branches(curve);
     std::vector<int> origin = node_of_vertex(curve, body.mesh.vertices.rows());
     for (int& node : origin) node = split.origin_of_node[static_cast<std::size_t>(node)];
-    curve = curve_with_regions(centre_branches(std::move(split.branched), body, options.centring), body, origin);
+    curve = curve_with_regions(centre_branches(std::move(split.branched), body, proxy.mesh, options.centring), body,
+                               origin);
 
     const bool is_point = detail::is_compact(curve);
     if (is_point) curve = detail::centre_point(body);

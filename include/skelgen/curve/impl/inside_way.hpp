@@ -16,8 +16,7 @@
 namespace skelgen::curve {
 namespace detail {
 
-/// Inscribed balls as a graph, in which those are neighbours whose vertices are, and of which one has the other's
-/// centre.
+/// Inscribed balls as a graph, in which those are neighbours whose vertices are, and which overlap.
 template <typename Scalar>
 struct BallGraph {
     MedialBalls<Scalar> balls;
@@ -25,15 +24,16 @@ struct BallGraph {
 };
 
 template <typename Scalar>
-BallGraph<Scalar> ball_graph(const Body<Scalar>& body) {
-    // No ball of a surface of unit area is larger than a sphere of that area.
-    const Scalar largest = Scalar(0.5) / std::sqrt(std::numbers::pi_v<Scalar>);
-    BallGraph<Scalar> out{medial_balls(body.mesh, largest), {}};
-    out.graph.neighbours.resize(static_cast<std::size_t>(body.mesh.vertices.rows()));
-    for (int u = 0; u < body.graph.size(); ++u)
-        for (const auto& [v, along] : body.graph.neighbours[static_cast<std::size_t>(u)]) {
+BallGraph<Scalar> ball_graph(const TriangleMesh<Scalar>& mesh) {
+    // No ball is larger than a sphere of the surface's area.
+    const Scalar largest = std::sqrt(core::surface_area(mesh) / std::numbers::pi_v<Scalar>) / 2;
+    BallGraph<Scalar> out{medial_balls(mesh, largest), {}};
+    out.graph.neighbours.resize(static_cast<std::size_t>(mesh.vertices.rows()));
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
+        for (int k = 0; k < 3; ++k) { // each edge twice: from its faces on both sides
+            const int u = mesh.faces(f, k), v = mesh.faces(f, (k + 1) % 3);
             const Scalar length = (core::point(out.balls.centres, u) - core::point(out.balls.centres, v)).norm();
-            if (length < std::max(out.balls.radii[u], out.balls.radii[v]))
+            if (length < out.balls.radii[u] + out.balls.radii[v])
                 out.graph.neighbours[static_cast<std::size_t>(u)].emplace_back(v, length);
         }
     return out;
@@ -95,7 +95,7 @@ std::optional<LinePiece> outside_piece(const std::vector<BranchSection<Scalar>>&
 template <typename Scalar>
 BranchedCurve<Scalar> led_inside(BranchedCurve<Scalar> branched,
                                  const std::vector<std::vector<BranchSection<Scalar>>>& sections,
-                                 const Body<Scalar>& body) {
+                                 const TriangleMesh<Scalar>& mesh) {
     std::optional<detail::BallGraph<Scalar>> graph;
     for (std::size_t b = 0; b < sections.size(); ++b) {
         const Points<Scalar> line = branched.branches[b].line;
@@ -108,7 +108,7 @@ BranchedCurve<Scalar> led_inside(BranchedCurve<Scalar> branched,
         };
         for (auto piece = detail::outside_piece(sections[b], 0); piece;
              piece = detail::outside_piece(sections[b], piece->last)) {
-            if (!graph) graph = detail::ball_graph(body);
+            if (!graph) graph = detail::ball_graph(mesh);
             const auto way =
                 detail::way_inside<Scalar>(*graph, core::point(line, piece->first), core::point(line, piece->last));
             if (!way) continue;

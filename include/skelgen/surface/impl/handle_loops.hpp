@@ -3,7 +3,6 @@
 #include <skelgen/surface/handle_loops.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -16,15 +15,7 @@
 namespace skelgen::surface {
 namespace detail {
 
-/// An edge between two faces.
-template <typename Scalar>
-struct WeighedEdge {
-    std::array<int, 2> vertices, faces;
-    Scalar weight;
-};
-
-/// The part of its length that an edge in a crease counts: a fifth where the faces meet at a right angle from outside,
-/// all of it where they lie in one plane or the edge is a ridge. Calibrated on generated bodies that touch themselves.
+/// The part of its length that an edge counts; calibrated on generated bodies that touch themselves.
 template <typename Scalar>
 Scalar crease_factor(const TriangleMesh<Scalar>& mesh, int f, int g) {
     constexpr auto least = Scalar(0.2);
@@ -39,22 +30,9 @@ Scalar crease_factor(const TriangleMesh<Scalar>& mesh, int f, int g) {
     return std::max(least, 1 - (1 - least) * angle / (std::numbers::pi_v<Scalar> / 2));
 }
 
-template <typename Scalar>
-std::vector<WeighedEdge<Scalar>> weighed_edges(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency) {
-    std::vector<WeighedEdge<Scalar>> out;
-    for (int f = 0; f < mesh.faces.rows(); ++f)
-        for (int k = 0; k < 3; ++k) {
-            const int g = adjacency(f, k), a = mesh.faces(f, k), b = mesh.faces(f, (k + 1) % 3);
-            if (g <= f) continue;
-            const Scalar length = (core::point(mesh.vertices, a) - core::point(mesh.vertices, b)).norm();
-            out.push_back({{a, b}, {f, g}, length * crease_factor(mesh, f, g)});
-        }
-    return out;
-}
-
 /// The loop that an edge closes with the shortest paths to its ends, without what these share.
 template <typename Scalar>
-HandleLoop<Scalar> closed_by(const WeighedEdge<Scalar>& edge, const core::ShortestPaths<Scalar>& paths) {
+HandleLoop<Scalar> closed_by(const CreaseEdge<Scalar>& edge, const core::ShortestPaths<Scalar>& paths) {
     const auto& [a, b] = edge.vertices;
     std::vector<int> to_a = paths.path_to(a), to_b = paths.path_to(b);
     std::size_t shared = 0;
@@ -70,48 +48,53 @@ HandleLoop<Scalar> closed_by(const WeighedEdge<Scalar>& edge, const core::Shorte
 } // namespace detail
 
 template <typename Scalar>
-std::vector<Scalar> crease_factors(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency) {
-    std::vector<Scalar> out(static_cast<std::size_t>(mesh.vertices.rows()), 1);
+CreaseGraph<Scalar> crease_graph(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency) {
+    CreaseGraph<Scalar> out;
+    const auto vertices = static_cast<std::size_t>(mesh.vertices.rows());
+    out.graph.neighbours.resize(vertices);
+    out.factors.assign(vertices, 1);
+    out.faces = static_cast<std::size_t>(mesh.faces.rows());
     for (int f = 0; f < mesh.faces.rows(); ++f)
         for (int k = 0; k < 3; ++k) {
-            const int g = adjacency(f, k);
+            const int g = adjacency(f, k), a = mesh.faces(f, k), b = mesh.faces(f, (k + 1) % 3);
             if (g <= f) continue;
             const Scalar factor = detail::crease_factor(mesh, f, g);
-            for (const int v : {mesh.faces(f, k), mesh.faces(f, (k + 1) % 3)})
-                out[static_cast<std::size_t>(v)] = std::min(out[static_cast<std::size_t>(v)], factor);
+            const Scalar weight = (core::point(mesh.vertices, a) - core::point(mesh.vertices, b)).norm() * factor;
+            out.edges.push_back({{a, b}, {f, g}, weight});
+            for (const auto& [v, w] : {std::pair{a, b}, std::pair{b, a}}) {
+                out.graph.neighbours[static_cast<std::size_t>(v)].emplace_back(w, weight);
+                out.factors[static_cast<std::size_t>(v)] = std::min(out.factors[static_cast<std::size_t>(v)], factor);
+            }
         }
     return out;
 }
 
 template <typename Scalar>
-std::vector<HandleLoop<Scalar>> handle_loops(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency, int root) {
-    std::vector<detail::WeighedEdge<Scalar>> edges = detail::weighed_edges(mesh, adjacency);
-    core::CurveGraph<Scalar> graph;
-    graph.neighbours.resize(static_cast<std::size_t>(mesh.vertices.rows()));
-    for (const auto& edge : edges)
-        for (const int k : {0, 1})
-            graph.neighbours[static_cast<std::size_t>(edge.vertices[static_cast<std::size_t>(k)])].emplace_back(
-                edge.vertices[static_cast<std::size_t>(1 - k)], edge.weight);
-    const core::ShortestPaths<Scalar> paths = core::shortest_paths(graph, root);
-    const auto is_in_tree = [&](const detail::WeighedEdge<Scalar>& edge) {
-        const auto& [a, b] = edge.vertices;
-        return paths.predecessor[static_cast<std::size_t>(a)] == b ||
-               paths.predecessor[static_cast<std::size_t>(b)] == a;
-    };
+std::vector<HandleLoop<Scalar>> handle_loops(const CreaseGraph<Scalar>& surface, int root,
+                                             std::type_identity_t<Scalar> longest) {
+    using Edge = CreaseEdge<Scalar>;
+    // Neither end of the edge that closes a loop is farther along the shortest paths than half of the loop.
+    const core::ShortestPaths<Scalar> paths = core::shortest_paths(surface.graph, root, longest / 2);
     // What the tree of paths leaves is a disc with 2 g bridges, found as what a tree across the faces leaves in turn
-    // that takes in the edges of the longest loops first.
-    std::erase_if(edges, is_in_tree);
-    const auto loop_length = [&](const detail::WeighedEdge<Scalar>& edge) {
-        return paths.distance[static_cast<std::size_t>(edge.vertices[0])] +
-               paths.distance[static_cast<std::size_t>(edge.vertices[1])] + edge.weight;
+    // that takes in the edges of the longest loops first. Of those that are too long any may come first.
+    core::DisjointSets across(surface.faces);
+    const auto unite = [&](const Edge& edge) {
+        return across.unite(static_cast<std::size_t>(edge.faces[0]), static_cast<std::size_t>(edge.faces[1]));
     };
-    std::stable_sort(edges.begin(), edges.end(),
-                     [&](const auto& a, const auto& b) { return loop_length(a) > loop_length(b); });
-    core::DisjointSets across(static_cast<std::size_t>(mesh.faces.rows()));
+    std::vector<std::pair<Scalar, const Edge*>> closing; // the length of the loop, the edge
+    for (const Edge& edge : surface.edges) {
+        const auto a = static_cast<std::size_t>(edge.vertices[0]), b = static_cast<std::size_t>(edge.vertices[1]);
+        if (paths.predecessor[a] == edge.vertices[1] || paths.predecessor[b] == edge.vertices[0]) continue;
+        const Scalar length = paths.distance[a] + paths.distance[b] + edge.weight;
+        if (length <= longest && std::isfinite(length))
+            closing.emplace_back(length, &edge);
+        else
+            unite(edge);
+    }
+    std::stable_sort(closing.begin(), closing.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<HandleLoop<Scalar>> out;
-    for (const auto& edge : edges)
-        if (!across.unite(static_cast<std::size_t>(edge.faces[0]), static_cast<std::size_t>(edge.faces[1])))
-            out.push_back(detail::closed_by(edge, paths));
+    for (const auto& [length, edge] : closing)
+        if (!unite(*edge)) out.push_back(detail::closed_by(*edge, paths));
     std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.length < b.length; });
     return out;
 }

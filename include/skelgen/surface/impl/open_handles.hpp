@@ -67,20 +67,25 @@ std::vector<int> seam_crossings(const HandleLoop<Scalar>& loop, const std::vecto
     return out;
 }
 
+/// Roots are on a loop, not on the tightest one beside it: that is looked for within so many times the loop's length.
+inline constexpr double looked_around = 1.5;
+
 /// A contact's loop on a surface in canonical form, as tight as it is found: of those through the vertex farthest along
 /// x, each shortest first, the loops through where it crosses seams are looked at. Loops far from a root are not tight.
 template <typename Scalar>
 std::optional<HandleLoop<Scalar>> find_contact(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency) {
+    constexpr auto longest = static_cast<Scalar>(looked_around * std::max(short_loop, short_seam));
     Eigen::Index farthest = 0;
     mesh.vertices.col(0).maxCoeff(&farthest);
-    const std::vector<Scalar> creases = crease_factors(mesh, adjacency);
-    std::vector<HandleLoop<Scalar>> loops = handle_loops(mesh, adjacency, static_cast<int>(farthest));
+    const CreaseGraph<Scalar> creases = crease_graph(mesh, adjacency);
+    std::vector<HandleLoop<Scalar>> loops = handle_loops(creases, static_cast<int>(farthest));
     if (loops.size() > most_loops) loops.resize(most_loops);
     for (const HandleLoop<Scalar>& loop : loops) {
         HandleLoop<Scalar> tightest = loop;
-        for (const int root : seam_crossings(loop, creases)) {
-            HandleLoop<Scalar> tighter = handle_loops(mesh, adjacency, root).front();
-            if (tighter.length < tightest.length) tightest = std::move(tighter);
+        for (const int root : seam_crossings(loop, creases.factors)) {
+            const Scalar limit = std::min(longest, static_cast<Scalar>(looked_around) * tightest.length);
+            std::vector<HandleLoop<Scalar>> tighter = handle_loops(creases, root, limit);
+            if (!tighter.empty() && tighter.front().length < tightest.length) tightest = std::move(tighter.front());
         }
         if (is_contact(mesh, tightest) && tightest.vertices.size() >= 3) return tightest;
     }
