@@ -72,6 +72,7 @@ namespace skelgen::surface {
     template std::vector<HandleLoop<Scalar>> handle_loops(const CreaseGraph<Scalar>&, int, Scalar);                    \
     template std::optional<Body<Scalar>> open_handles(const Body<Scalar>&);                                            \
     template Body<Scalar> make_body(TriangleMesh<Scalar>, const Similarity<Scalar>&, std::vector<int>, int);           \
+    template bool is_inside(const Body<Scalar>&, const Vector3<Scalar>&);                                              \
     template Body<Scalar> resurfaced(Body<Scalar>, TriangleMesh<Scalar>, std::vector<int>);                            \
     template CurveSkeleton<Scalar> to_input(const Body<Scalar>&, const CurveSkeleton<Scalar>&);                        \
     template KinematicSkeleton<Scalar> to_input(const Body<Scalar>&, const KinematicSkeleton<Scalar>&);                \

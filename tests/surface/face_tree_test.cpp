@@ -124,6 +124,40 @@ TEST_CASE("a ray meets all faces in its way, the first one among them") {
     }
 }
 
+TEST_CASE("a ray tells how often a surface winds around a place, as the winding number does") {
+    const Mesh ring = torus(2, 0.7, 40, 16);
+    Mesh twice = ring; // winding around itself where the two overlap
+    twice.vertices.conservativeResize(2 * ring.vertices.rows(), 3);
+    twice.vertices.bottomRows(ring.vertices.rows()) = ring.vertices.rowwise() + Eigen::RowVector3d(0.3, 0.2, 0.1);
+    twice.faces.conservativeResize(2 * ring.faces.rows(), 3);
+    twice.faces.bottomRows(ring.faces.rows()) = ring.faces.array() + static_cast<int>(ring.vertices.rows());
+    Mesh inside_out = ring;
+    inside_out.faces.col(0).swap(inside_out.faces.col(1));
+    Uniform random(3);
+    for (const Mesh& mesh : {ring, twice, inside_out}) {
+        const FaceTree<double> tree(mesh);
+        int certain = 0;
+        for (int i = 0; i < 100; ++i) {
+            const Vec3 place = 3 * random.place(), direction = random.place().normalized();
+            const auto windings = tree.windings_along(mesh, place, direction);
+            if (!windings) continue;
+            ++certain;
+            CHECK(*windings == Approx(winding_number(mesh, place)).margin(1e-6));
+        }
+        CHECK(certain > 95);
+    }
+}
+
+TEST_CASE("a ray through an edge or a corner does not tell how often a surface winds around a place") {
+    const Mesh mesh = cube();
+    const FaceTree<double> tree(mesh);
+    const Vec3 middle = Vec3::Constant(0.5);
+    CHECK(winding_number(mesh, middle) == Approx(1));
+    CHECK_FALSE(tree.windings_along(mesh, middle, Vec3::Constant(1).normalized()));
+    CHECK_FALSE(tree.windings_along(mesh, middle, Vec3(1, 1, 0).normalized()));
+    CHECK(tree.windings_along(mesh, middle, Vec3(3, 2, 1).normalized()) == 1);
+}
+
 TEST_CASE("a plane through vertices has them above it") {
     const Mesh mesh = cube();
     const FaceTree<double> tree(mesh);

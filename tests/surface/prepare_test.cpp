@@ -87,3 +87,24 @@ TEST_CASE("what is no surface is bad input") {
     CHECK(code(Mesh{}) == ErrorCode::bad_input);
     CHECK(code(make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}})) == ErrorCode::bad_input);
 }
+
+TEST_CASE("a place is inside of a body where its surface winds around it, whether or not that is closed") {
+    const Body<double> ring = prepare(torus(1, 0.3));
+    Mesh cup = cube();
+    cup.faces = cup.faces.topRows(cup.faces.rows() - 1).eval();
+    const Body<double> open = surface::make_body(cup, {}, std::vector<int>(8, -1), 0);
+    REQUIRE(open.adjacency.minCoeff() < 0);
+    for (const Body<double>& body : {ring, open}) {
+        const Eigen::RowVector3d low = body.mesh.vertices.colwise().minCoeff();
+        const Eigen::RowVector3d size = body.mesh.vertices.colwise().maxCoeff() - low;
+        int inside = 0;
+        for (int i = 0; i < 125; ++i) {
+            const Eigen::RowVector3d at(i % 5 + 0.5, i / 5 % 5 + 0.5, i / 25 + 0.5); // of five parts each way
+            const Vec3 place = (low + size.cwiseProduct(at) / 5).transpose();
+            const bool is = surface::is_inside(body, place);
+            CHECK(is == (core::winding_number(body.mesh, place) > 0.5));
+            inside += is ? 1 : 0;
+        }
+        CHECK(inside > 10);
+    }
+}

@@ -35,6 +35,11 @@ template <typename Scalar>
 [[nodiscard]] Body<Scalar> make_body(TriangleMesh<Scalar> mesh, const Similarity<Scalar>& similarity,
                                      std::vector<int> source, int dropped_pieces);
 
+/// Does the body's surface wind around a place, in its canonical form? As the winding number, 0.5 at least, says it; of
+/// a closed surface by a ray's crossings. O(log faces) for each face that the ray comes near, O(faces) for an open one.
+template <typename Scalar>
+[[nodiscard]] bool is_inside(const Body<Scalar>& body, const Vector3<Scalar>& place);
+
 /// Where vertices come from whose sources have sources themselves; -1 stays. O(n).
 [[nodiscard]] inline std::vector<int> composed(std::vector<int> source, const std::vector<int>& source_of_source) {
     for (int& v : source)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <unsupported/Eigen/BVH>
@@ -44,6 +45,12 @@ public:
     /// All faces that such a ray meets, in ascending order. As above.
     [[nodiscard]] std::vector<int> faces_along(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place,
                                                const Vector3<Scalar>& direction) const;
+
+    /// How often a closed surface winds around a place: how many more faces a ray from there, in a direction of length
+    /// 1, leaves through than it comes in by. None where it passes an edge or the place so nearly that rounding decides
+    /// which faces it meets. As above.
+    [[nodiscard]] std::optional<int> windings_along(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place,
+                                                    const Vector3<Scalar>& direction) const;
 
 private:
     Eigen::KdBVH<Scalar, 3, int> tree_;

@@ -7,15 +7,10 @@
 #include <utility>
 
 #include <skelgen/core/curve_graph.hpp>
-#include <skelgen/core/geometry.hpp>
+#include <skelgen/surface/body.hpp>
 
 namespace skelgen::anatomy {
 namespace detail {
-
-template <typename Scalar>
-bool is_inside(const Body<Scalar>& body, const Vector3<Scalar>& p) {
-    return core::winding_number(body.mesh, p) > Scalar(0.5);
-}
 
 /// The place inside nearest to `start`, in steps of the way from there to `goal`; one step farther where that is
 /// inside, too, not to lie on the surface itself.
@@ -28,8 +23,8 @@ Vector3<Scalar> first_place_inside(const Body<Scalar>& body, const Vector3<Scala
         return start + static_cast<Scalar>(std::min(step, steps)) / Scalar(steps) * way;
     };
     int step = 1;
-    while (step < steps && !is_inside(body, place(step))) ++step;
-    return is_inside(body, place(step + 1)) ? place(step + 1) : place(step);
+    while (step < steps && !surface::is_inside(body, place(step))) ++step;
+    return surface::is_inside(body, place(step + 1)) ? place(step + 1) : place(step);
 }
 
 } // namespace detail
@@ -41,7 +36,7 @@ Outcome<MovedInside<Scalar>> move_inside(KinematicSkeleton<Scalar> skeleton, con
     MovedInside<Scalar> out{std::move(skeleton), {}};
     std::vector<Joint<Scalar>>& joints = out.skeleton.joints;
     for (std::size_t j = 0; j < joints.size(); ++j)
-        if (!detail::is_inside(body, joints[j].position)) out.moved.push_back(static_cast<int>(j));
+        if (!surface::is_inside(body, joints[j].position)) out.moved.push_back(static_cast<int>(j));
     if (one_in * out.moved.size() > joints.size())
         return Failure{FailureReason::no_match, "no human body: " + std::to_string(out.moved.size()) +
                                                     " joints of its skeleton would lie outside of it"};

@@ -18,10 +18,9 @@ namespace detail {
 
 template <typename Scalar>
 int joints_inside(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton) {
-    constexpr Scalar inside = Scalar(0.5);
     return static_cast<int>(
         std::count_if(skeleton.joints.begin(), skeleton.joints.end(), [&](const Joint<Scalar>& joint) {
-            return core::winding_number(body.mesh, body.similarity.to_canonical(joint.position)) > inside;
+            return surface::is_inside(body, body.similarity.to_canonical(joint.position));
         }));
 }
 

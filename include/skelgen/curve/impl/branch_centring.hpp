@@ -209,8 +209,8 @@ Scalar mean_off_centre(const BranchedCurve<Scalar>& branched, const Body<Scalar>
     return count > 0 ? sum / count : Scalar(0);
 }
 
-/// Whether all but the tips and the edges there lies inside: points by their sections, knots by the winding number, and
-/// what is between points. O(knots faces) besides.
+/// Whether all but the tips and the edges there lies inside: points by their sections, and knots, and what is
+/// between points.
 template <typename Scalar>
 bool all_inside(const CentredBranches<Scalar>& curve, const Body<Scalar>& body, Scalar spacing) {
     for (const auto& sections : curve.sections)
@@ -218,7 +218,7 @@ bool all_inside(const CentredBranches<Scalar>& curve, const Body<Scalar>& body, 
             if (!sections[i].encloses) return false;
     const std::vector<int> degrees = curve.branched.degrees();
     for (std::size_t k = 0; k < degrees.size(); ++k)
-        if (degrees[k] > 1 && core::winding_number(body.mesh, curve.branched.knots[k]) <= Scalar(0.5)) return false;
+        if (degrees[k] > 1 && !surface::is_inside(body, curve.branched.knots[k])) return false;
     return !any_leap(curve.branched, body, spacing);
 }
 

@@ -29,6 +29,19 @@ Body<Scalar> make_body(TriangleMesh<Scalar> mesh, const Similarity<Scalar>& simi
 }
 
 template <typename Scalar>
+bool is_inside(const Body<Scalar>& body, const Vector3<Scalar>& place) {
+    const bool is_closed = body.adjacency.rows() > 0 && body.adjacency.minCoeff() >= 0;
+    // In no plane of symmetry; the second and the third, where the first passes through an edge.
+    for (const Vector3<double>& way :
+         {Vector3<double>(0.48, 0.6, 0.64), Vector3<double>(-0.64, 0.48, 0.6), Vector3<double>(0.6, -0.64, 0.48)}) {
+        if (!is_closed) break;
+        const Vector3<Scalar> direction = way.cast<Scalar>();
+        if (const auto windings = body.tree.windings_along(body.mesh, place, direction)) return *windings > 0;
+    }
+    return core::winding_number(body.mesh, place) > Scalar(0.5);
+}
+
+template <typename Scalar>
 Body<Scalar> resurfaced(Body<Scalar> body, TriangleMesh<Scalar> mesh, std::vector<int> source) {
     std::vector<int> nearest = carried_over(std::move(body.nearest), source);
     Body<Scalar> out =

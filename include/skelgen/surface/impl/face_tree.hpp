@@ -78,8 +78,14 @@ struct Ray {
         return enter <= leave * (1 + 64 * std::numeric_limits<Scalar>::epsilon());
     }
 
-    /// How far it is to a face; less than 0 where the ray misses it.
-    [[nodiscard]] Scalar distance_to(int face) const {
+    /// How the ray's line passes a face.
+    struct Passage {
+        bool meets;      ///< inside of it or, as far as rounding tells, at its border
+        bool is_certain; ///< whether rounding leaves no doubt of that
+        bool leaves;     ///< from its inner side to its outer one
+        Scalar distance; ///< from the place, along the ray; -1 where it does not meet
+    };
+    [[nodiscard]] Passage past(int face) const {
         const auto corner = [&](int k) { return core::point(mesh.vertices, mesh.faces(face, k)); };
         const Vector3<Scalar> a = corner(0) - place, b = corner(1) - place, c = corner(2) - place;
         // Volumes of the tetrahedra over the triangle's edges: of one sign where the ray's line passes it inside.
@@ -87,9 +93,10 @@ struct Ray {
         // Through a corner, the signs are rounding's: no ray must slip between the faces there.
         const Scalar la = a.norm(), lb = b.norm(), lc = c.norm();
         const Scalar none = 32 * std::numeric_limits<Scalar>::epsilon() * (la * lb + lb * lc + lc * la);
-        if (!((u >= -none && v >= -none && w >= -none) || (u <= none && v <= none && w <= none))) return -1;
-        const Scalar sum = u + v + w;
-        return sum == 0 ? Scalar(-1) : direction.dot(u * a + v * b + w * c) / sum;
+        const Scalar least = std::min({u, v, w}), most = std::max({u, v, w}), sum = u + v + w;
+        const bool is_certain = least > none || most < -none || (least < -none && most > none);
+        if ((least < -none && most > none) || sum == 0) return {false, is_certain, false, -1};
+        return {true, is_certain, sum > 0, direction.dot(u * a + v * b + w * c) / sum};
     }
 };
 
@@ -101,7 +108,7 @@ struct FirstAlong {
 
     [[nodiscard]] bool intersectVolume(const Box<Scalar>& box) const { return ray.meets(box, first.distance); }
     bool intersectObject(int face) {
-        const Scalar distance = ray.distance_to(face);
+        const Scalar distance = ray.past(face).distance;
         if (distance >= 0 && distance < first.distance) first = {face, distance};
         return false;
     }
@@ -117,8 +124,26 @@ struct AllAlong {
         return ray.meets(box, std::numeric_limits<Scalar>::max());
     }
     bool intersectObject(int face) {
-        if (ray.distance_to(face) >= 0) found.push_back(face);
+        if (ray.past(face).distance >= 0) found.push_back(face);
         return false;
+    }
+};
+
+/// Counts how often a ray leaves a surface, and comes in.
+template <typename Scalar>
+struct WindingsAlong {
+    Ray<Scalar> ray;
+    int windings = 0;
+    bool is_certain = true;
+
+    [[nodiscard]] bool intersectVolume(const Box<Scalar>& box) const {
+        return ray.meets(box, std::numeric_limits<Scalar>::max());
+    }
+    bool intersectObject(int face) {
+        const auto passage = ray.past(face);
+        is_certain = is_certain && passage.is_certain;
+        if (passage.distance >= 0) windings += passage.leaves ? 1 : -1;
+        return !is_certain; // then nothing more is to be counted
     }
 };
 
@@ -228,6 +253,14 @@ std::vector<int> FaceTree<Scalar>::faces_along(const TriangleMesh<Scalar>& mesh,
     Eigen::BVIntersect(tree_, query);
     std::sort(query.found.begin(), query.found.end());
     return std::move(query.found);
+}
+
+template <typename Scalar>
+std::optional<int> FaceTree<Scalar>::windings_along(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place,
+                                                    const Vector3<Scalar>& direction) const {
+    detail::WindingsAlong<Scalar> query{{mesh, place, direction}};
+    Eigen::BVIntersect(tree_, query);
+    return query.is_certain ? std::optional<int>(query.windings) : std::nullopt;
 }
 
 } // namespace skelgen::surface
