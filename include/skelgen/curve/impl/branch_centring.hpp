@@ -194,16 +194,15 @@ bool any_leap(const BranchedCurve<Scalar>& branched, const Body<Scalar>& body, S
     return false;
 }
 
-/// Mean along the curve, at its points and between them, of how far off their sections' centres they are.
+/// Mean along the curve of how far off their sections' centres its points are.
 template <typename Scalar>
-Scalar mean_off_centre(const BranchedCurve<Scalar>& branched, const Body<Scalar>& body, Scalar spacing) {
-    const BranchedCurve<Scalar> fine = resampled(branched, spacing / 2);
-    const auto sections = all_sections(fine, body, spacing);
+Scalar mean_off_centre(const CentredBranches<Scalar>& curve) {
     Scalar sum = 0, count = 0;
-    for (std::size_t b = 0; b < sections.size(); ++b)
-        for (std::size_t i = 0; i < sections[b].size(); ++i) {
-            if (!(sections[b][i].thickness > 0)) continue;
-            sum += off_centre(sections[b][i], core::point(fine.branches[b].line, static_cast<Eigen::Index>(i)));
+    for (std::size_t b = 0; b < curve.sections.size(); ++b)
+        for (std::size_t i = 0; i < curve.sections[b].size(); ++i) {
+            if (!(curve.sections[b][i].thickness > 0)) continue;
+            const auto row = static_cast<Eigen::Index>(i);
+            sum += off_centre(curve.sections[b][i], core::point(curve.branched.branches[b].line, row));
             count += 1;
         }
     return count > 0 ? sum / count : Scalar(0);
@@ -257,8 +256,7 @@ CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Bo
     const auto sections = detail::all_sections(branched, body, spacing);
     branched = led_inside(std::move(branched), sections, coarse);
     CentredBranches<Scalar> led = detail::centred(std::move(branched), body, tips, options, spacing);
-    const bool led_is_better =
-        detail::mean_off_centre(led.branched, body, spacing) < detail::mean_off_centre(out.branched, body, spacing);
+    const bool led_is_better = detail::mean_off_centre(led) < detail::mean_off_centre(out);
     out = detail::all_pulled_inside(std::move(out), body, spacing);
     led = detail::all_pulled_inside(std::move(led), body, spacing);
     if (led_is_better && detail::all_inside(led, body, spacing)) return led;

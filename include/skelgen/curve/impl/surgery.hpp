@@ -49,7 +49,7 @@ public:
         : points_(points), shape_weight_(static_cast<Scalar>(options.shape_weight)),
           sampling_weight_(static_cast<Scalar>(options.sampling_weight)), neighbours_(count(points)),
           faces_of_(count(points)), quadrics_(count(points), Quadric<Scalar>::Zero()), regions_(count(points)),
-          version_(count(points), 0), alive_(count(points), true), faces_left_(faces.rows()) {
+          reach_(count(points), 0), version_(count(points), 0), alive_(count(points), true), faces_left_(faces.rows()) {
         faces_.reserve(static_cast<std::size_t>(faces.rows()));
         for (Eigen::Index f = 0; f < faces.rows(); ++f) {
             faces_.push_back({faces(f, 0), faces(f, 1), faces(f, 2)});
@@ -64,6 +64,7 @@ public:
             for (const int w : neighbours_[v])
                 quadrics_[v] += line_quadric<Scalar>(point(static_cast<int>(v)), point(w));
         }
+        for (std::size_t v = 0; v < neighbours_.size(); ++v) measure_reach(static_cast<int>(v));
         for (std::size_t v = 0; v < neighbours_.size(); ++v) push_edges_of(static_cast<int>(v));
     }
 
@@ -120,9 +121,14 @@ private:
     [[nodiscard]] Scalar cost(int from, int to) const {
         const Scalar shape = squared_distance<Scalar>(quadrics_[at(from)], point(to)) +
                              squared_distance<Scalar>(quadrics_[at(to)], point(to));
-        Scalar reach = 0;
-        for (const int k : neighbours_[at(from)]) reach += (point(from) - point(k)).norm();
-        return shape_weight_ * shape + sampling_weight_ * (point(from) - point(to)).norm() * reach;
+        return shape_weight_ * shape + sampling_weight_ * (point(from) - point(to)).norm() * reach_[at(from)];
+    }
+
+    /// After its neighbours have changed.
+    void measure_reach(int v) {
+        Scalar sum = 0;
+        for (const int k : neighbours_[at(v)]) sum += (point(v) - point(k)).norm();
+        reach_[at(v)] = sum;
     }
 
     void push_edges_of(int v) {
@@ -179,7 +185,9 @@ private:
             if (w == to) continue;
             insert_sorted(neighbours_[at(w)], to);
             insert_sorted(neighbours_[at(to)], w);
+            measure_reach(w);
         }
+        measure_reach(to);
         neighbours_[at(from)].clear();
         quadrics_[at(to)] += quadrics_[at(from)];
         regions_[at(to)].insert(regions_[at(to)].end(), regions_[at(from)].begin(), regions_[at(from)].end());
@@ -198,6 +206,7 @@ private:
     std::vector<std::vector<int>> faces_of_;
     std::vector<Quadric<Scalar>> quadrics_;
     std::vector<std::vector<int>> regions_;
+    std::vector<Scalar> reach_; ///< sum of the lengths of a vertex's edges
     std::vector<int> version_;
     std::vector<bool> alive_;
     Eigen::Index faces_left_;
