@@ -33,9 +33,10 @@ void print_details(const FileExtraction& result) {
                  static_cast<long long>(mesh.vertices), static_cast<long long>(mesh.faces), mesh.geodesic_diameter);
     std::fprintf(stderr, "%s: %d template nodes matched, sides told apart with confidence %.2f\n", mesh.file.c_str(),
                  quality.matched_nodes, quality.sides_confidence);
-    std::fprintf(stderr, "%s: read %.1f ms, curve %.1f, embed %.1f, refine %.1f, sides %.1f, total %.1f\n",
-                 mesh.file.c_str(), timings.read, timings.stages.curve, timings.stages.embed, timings.stages.refine,
-                 timings.stages.sides, timings.stages.total);
+    std::fprintf(stderr,
+                 "%s: read %.1f ms, surface %.1f, curve %.1f, embed %.1f, refine %.1f, sides %.1f, total %.1f\n",
+                 mesh.file.c_str(), timings.read, timings.stages.surface, timings.stages.curve, timings.stages.embed,
+                 timings.stages.refine, timings.stages.sides, timings.stages.total);
 }
 
 void run(const ExtractCommand& command) {

@@ -97,9 +97,10 @@ std::string quality_text(const Quality& quality) {
 std::string timings_text(const FileTimings& timings) {
     // No clock is better than a microsecond: more digits would be noise.
     const auto ms = [](double value) { return number(std::round(value * 1000) / 1000); };
-    return "{\"read\": " + ms(timings.read) + ", \"curve\": " + ms(timings.stages.curve) +
-           ", \"embed\": " + ms(timings.stages.embed) + ", \"refine\": " + ms(timings.stages.refine) +
-           ", \"sides\": " + ms(timings.stages.sides) + ", \"total\": " + ms(timings.stages.total) + "}";
+    return "{\"read\": " + ms(timings.read) + ", \"surface\": " + ms(timings.stages.surface) +
+           ", \"curve\": " + ms(timings.stages.curve) + ", \"embed\": " + ms(timings.stages.embed) +
+           ", \"refine\": " + ms(timings.stages.refine) + ", \"sides\": " + ms(timings.stages.sides) +
+           ", \"total\": " + ms(timings.stages.total) + "}";
 }
 
 // ---------------------------------------------------------------------------------------------------------- reading
@@ -197,7 +198,8 @@ FileTimings to_timings(const Json& value) {
     const auto ms = [&](const char* key) {
         return to_number(member(value, key, "\"timings_ms\""), "\"" + std::string(key) + "\" in \"timings_ms\"");
     };
-    return {ms("read"), {ms("curve"), ms("embed"), ms("refine"), ms("sides"), ms("total")}};
+    const double surface = value.contains("surface") ? ms("surface") : 0; // which older files do not have
+    return {ms("read"), {surface, ms("curve"), ms("embed"), ms("refine"), ms("sides"), ms("total")}};
 }
 
 void check_format(const Json& document) {

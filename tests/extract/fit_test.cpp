@@ -68,9 +68,11 @@ TEST_CASE("extract_skeleton is prepare, find_curve and fit") {
     // The curve that comes out is the one that went in, in the input's coordinates.
     CHECK(curve.converged);
     CHECK(found->curve.nodes == surface::to_input(body, curve.curve).nodes);
+    CHECK(whole.timings.surface > 0);
     CHECK(whole.timings.curve > 0);
     CHECK(whole.timings.refine > 0);
-    CHECK(whole.timings.curve + whole.timings.embed + whole.timings.refine + whole.timings.sides <=
+    CHECK(whole.timings.surface + whole.timings.curve + whole.timings.embed + whole.timings.refine +
+              whole.timings.sides <=
           whole.timings.total);
 }
 

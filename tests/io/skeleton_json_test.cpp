@@ -30,7 +30,7 @@ KinematicSkeleton<Scalar> small_skeleton() {
 }
 
 SkeletonProvenance small_provenance() {
-    return {SourceMesh{"mesh000.off", 12500, 24998, 2.31}, FileTimings{3.1, {40.2, 0.4, 6.0, 0.10049, 50.0}}};
+    return {SourceMesh{"mesh000.off", 12500, 24998, 2.31}, FileTimings{3.1, {2.5, 40.2, 0.4, 6.0, 0.10049, 50.0}}};
 }
 
 bool is_valid(const std::string& text) {
@@ -65,7 +65,7 @@ TEST_CASE("a skeleton file has the documented text") {
   },
   "frame": {"origin": [0, 0, 0], "left": [-1, 0, 0], "forward": [0, 1, 0], "up": [0, 0, 1]},
   "quality": {"sides_confidence": 0.97, "matched_nodes": 7, "warnings": ["the \"left\" foot is\nsmall"], "side_votes": {"foot": 1.5, "knee": -0.25}},
-  "timings_ms": {"read": 3.1, "curve": 40.2, "embed": 0.4, "refine": 6, "sides": 0.1, "total": 50}
+  "timings_ms": {"read": 3.1, "surface": 2.5, "curve": 40.2, "embed": 0.4, "refine": 6, "sides": 0.1, "total": 50}
 }
 )";
     std::string text = skeleton_to_json(small_skeleton<double>(), small_provenance());
@@ -102,6 +102,16 @@ TEST_CASE("a skeleton survives being written and read") {
     CHECK(read.skeleton.joints[1].confidence == 0.5);
     CHECK(read.provenance.mesh.value().faces == 24998);
     CHECK(skeleton_to_json(read.skeleton, read.provenance) == text);
+}
+
+TEST_CASE("timings without those of the surface, as older files have them, are read") {
+    Json older = Json::parse(skeleton_to_json(small_skeleton<double>(), small_provenance()));
+    REQUIRE(older["timings_ms"].erase("surface") == 1);
+    REQUIRE(is_valid(older.dump()));
+    const auto timings = parse_skeleton_document(older.dump()).provenance.timings_ms;
+    REQUIRE(timings);
+    CHECK(timings->stages.surface == 0);
+    CHECK(timings->stages.curve == 40.2);
 }
 
 TEST_CASE("a skeleton without a mesh leaves mesh and timings out") {

@@ -42,7 +42,8 @@ private:
 };
 
 inline StageTimings operator+(const StageTimings& a, const StageTimings& b) {
-    return {a.curve + b.curve, a.embed + b.embed, a.refine + b.refine, a.sides + b.sides, a.total + b.total};
+    return {a.surface + b.surface, a.curve + b.curve, a.embed + b.embed,
+            a.refine + b.refine,   a.sides + b.sides, a.total + b.total};
 }
 
 /// A body reaches far for its surface: toe to fingertip takes 1.34 (very heavy, or in a coat) to 1.85 times (thin) the
@@ -411,11 +412,14 @@ Outcome<Fit<Scalar>> fit_whole(const Body<Scalar>& body, const SkeletonTemplate&
 template <typename Scalar>
 Outcome<Fit<Scalar>> fit_opened(const Body<Scalar>& body, const SkeletonTemplate& wanted, const ExtractOptions& options,
                                 int attempts, bool is_envelope) {
+    Stopwatch stage;
     const std::optional<Body<Scalar>> opened = surface::open_handles(body);
-    if (!opened) return fit_whole(body, wanted, options, attempts);
-    Outcome<Fit<Scalar>> found = fit_whole(*opened, wanted, options, attempts);
-    if (found || is_envelope || found.failure().reason == FailureReason::no_body) return found;
-    return fit_whole(body, wanted, options, 1);
+    const double opening = stage.lap();
+    Outcome<Fit<Scalar>> found = fit_whole(opened ? *opened : body, wanted, options, attempts);
+    const bool is_settled = found || !opened || is_envelope || found.failure().reason == FailureReason::no_body;
+    if (!is_settled) found = fit_whole(body, wanted, options, 1);
+    if (found) found->timings.surface += opening;
+    return found;
 }
 
 /// Makes one surface of a mesh by the gentlest remedy that serves, as what comes out shows: the first skeleton that is
@@ -425,18 +429,21 @@ Outcome<FittedBody<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh
                                                 const ExtractOptions& options) {
     constexpr double sure = 0.4;
     constexpr double much_noise = 0.005; // a centimetre on a person
+    Stopwatch stage;
     const surface::BodyMaterial<Scalar> material = surface::gather(mesh, options.prepare);
+    StageTimings timings{.surface = stage.lap()};
     if (material.bodies > 1 && options.prepare.component == 0)
         return Failure{FailureReason::no_body,
                        std::to_string(material.bodies) +
                            " bodies apart; give each a file of its own, or take one by its number (--component)"};
     std::optional<Outcome<Fit<Scalar>>> best;
     Body<Scalar> best_body;
-    StageTimings timings;
     for (const surface::Remedy remedy : material.remedies) {
         const bool is_no_body = best && !*best && best->failure().reason == FailureReason::no_body;
         if (remedy == surface::Remedy::rounded && is_no_body) break; // however round
+        stage.lap();
         Outcome<Body<Scalar>> body = surface::make_body_by(remedy, material, options.prepare);
+        timings.surface += stage.lap();
         if (!body) {
             if (!best) best = body.failure();
             continue;
