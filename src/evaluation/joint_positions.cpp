@@ -14,6 +14,7 @@ using io::detail::Json;
 JointPositions to_positions(const Json& document) {
     JointPositions positions;
     for (const Json& joint : document.at("joints")) {
+        if (!joint.value("present", true)) continue;
         const auto position = io::detail::to_point(joint.at("position"));
         if (!position) return {};
         positions[joint.at("name").get<std::string>()] = *position;

@@ -16,12 +16,14 @@ constexpr std::array<const char*, 5> ends{"left_hand", "right_hand", "left_foot"
 constexpr std::array<const char*, 5> pairs{"hand", "foot", "elbow", "knee", "shoulder"};
 constexpr std::array<std::pair<const char*, const char*>, 2> sides{{{"left", "right"}, {"right", "left"}}};
 
-bool is_complete(const JointPositions& joints) {
-    const auto is_found = [&](const std::string& name) {
+/// Whether all joints are there that the body has, and none that it lacks.
+bool is_complete(const io::GroundTruth& truth, const JointPositions& joints) {
+    const auto is_as_it_should = [&](const std::string& name) {
         const auto joint = joints.find(name);
+        if (truth.missing.count(name) > 0) return joint == joints.end();
         return joint != joints.end() && joint->second.allFinite();
     };
-    return std::all_of(evaluated_joints().begin(), evaluated_joints().end(), is_found);
+    return std::all_of(evaluated_joints().begin(), evaluated_joints().end(), is_as_it_should);
 }
 
 const Vector3<double>& marker(const io::GroundTruth& truth, const std::string& name) {
@@ -53,6 +55,7 @@ std::vector<std::string> find_flipped(const io::GroundTruth& truth, const JointP
     for (const std::string pair : pairs)
         for (const auto& [side, opposite] : sides) {
             const std::string own = side + ("_" + pair);
+            if (truth.missing.count(own) > 0) continue;
             if (!is_on_its_side(truth, joints.at(own), own, opposite + ("_" + pair))) flipped.push_back(own);
         }
     return flipped;
@@ -74,15 +77,16 @@ const std::vector<std::string>& evaluated_joints() {
 MeshScore score_joints(const io::GroundTruth& truth, const JointPositions& joints) {
     if (truth.not_a_body) throw Error(ErrorCode::bad_input, "there is no body in the truth; no joints can be compared");
     MeshScore score;
-    score.complete = is_complete(joints);
+    score.complete = is_complete(truth, joints);
     if (!score.complete) return score;
 
     for (const char* end : ends)
-        if (!is_right_limb(truth, joints, end)) score.wrong_limbs.emplace_back(end);
+        if (truth.missing.count(end) == 0 && !is_right_limb(truth, joints, end)) score.wrong_limbs.emplace_back(end);
     score.flipped = find_flipped(truth, joints);
     score.limbs = score.wrong_limbs.empty();
     score.sides = score.flipped.empty();
     for (const auto& [name, position] : truth.joints) {
+        if (truth.missing.count(name) > 0) continue;
         const auto joint = joints.find(name);
         if (joint == joints.end())
             throw Error(ErrorCode::bad_input,

@@ -52,6 +52,10 @@ namespace skelgen::refinement {
                                                          const ThicknessProfileOptions&);                              \
     template ThicknessMatch<Scalar> match_thickness_profiles(std::vector<Limb<Scalar>>, const SkeletonTemplate&,       \
                                                              const ThicknessProfileOptions&);                          \
+    template Scalar least_cost(const MatchedLimb<Scalar>&, const Profile&, const ThicknessProfileOptions&);            \
+    template std::vector<Limb<Scalar>> shorten_cut_limbs(                                                              \
+        std::vector<Limb<Scalar>>, const Slicer<Scalar>&, const std::vector<EndPoint<Scalar>>&,                        \
+        const SkeletonTemplate&, const ThicknessProfileOptions&, const CentrelineOptions&);                            \
     template class Placement<Scalar>;                                                                                  \
     template Placement<Scalar> place_by_ratio(Placement<Scalar>, const Limb<Scalar>&);                                 \
     template Placement<Scalar> place_neck(Placement<Scalar>, const Limb<Scalar>&, const HeadShape<Scalar>&,            \

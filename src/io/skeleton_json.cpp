@@ -62,8 +62,12 @@ std::string joints_text(const std::vector<Joint<Scalar>>& joints) {
         const bool is_root = joint.parent < 0;
         const std::string parent =
             is_root ? "null" : to_json_text(joints.at(static_cast<std::size_t>(joint.parent)).name);
-        lines.push_back("{\"name\": " + to_json_text(joint.name) + ", \"parent\": " + parent +
-                        ", \"position\": " + triple(joint.position) + ", \"radius\": " + number(joint.radius) +
+        const std::string named = "{\"name\": " + to_json_text(joint.name) + ", \"parent\": " + parent;
+        if (!joint.is_present) {
+            lines.push_back(named + ", \"present\": false}");
+            continue;
+        }
+        lines.push_back(named + ", \"position\": " + triple(joint.position) + ", \"radius\": " + number(joint.radius) +
                         ", \"confidence\": " + number(joint.confidence) + "}");
     }
     return block("[", lines, "]");
@@ -156,6 +160,19 @@ void read_joints(const Json& list, KinematicSkeleton<double>& skeleton) {
         const std::string where = "joint \"" + joint.name + "\"";
         if (find_joint(skeleton, joint.name) >= 0) refuse(where + " comes twice");
         joint.parent = parent_index(member(item, "parent", where), skeleton, where);
+        if (item.contains("present") && !item["present"].is_boolean())
+            refuse("\"present\" of " + where + " is no truth value");
+        joint.is_present = item.value("present", true);
+        const Joint<double>* const parent =
+            joint.parent < 0 ? nullptr : &skeleton.joints[static_cast<std::size_t>(joint.parent)];
+        if (!joint.is_present) {
+            if (!parent) refuse(where + ", the root, is not present");
+            joint.position = parent->position;
+            joint.confidence = 0;
+            skeleton.joints.push_back(std::move(joint));
+            continue;
+        }
+        if (parent && !parent->is_present) refuse(where + " is present, but its parent is not");
         joint.position = to_vector(member(item, "position", where), "the position of " + where);
         joint.radius = to_number(member(item, "radius", where), "the radius of " + where);
         if (item.contains("confidence")) joint.confidence = to_number(item["confidence"], "the confidence of " + where);

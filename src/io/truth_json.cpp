@@ -36,6 +36,17 @@ double read_scale(const Json& document) {
     return scale;
 }
 
+std::set<std::string> read_missing(const Json& document) {
+    std::set<std::string> names;
+    if (!document.contains("missing")) return names;
+    if (!document["missing"].is_array()) refuse("\"missing\" is no list");
+    for (const Json& name : document["missing"]) {
+        if (!name.is_string()) refuse("\"missing\" has something that is no name");
+        names.insert(name.get<std::string>());
+    }
+    return names;
+}
+
 bool is_not_a_body(const Json& document) {
     const auto found = document.find("not_a_body");
     return found != document.end() && *found == true;
@@ -51,6 +62,7 @@ GroundTruth read_ground_truth(const std::filesystem::path& path) {
     truth.joints = read_points(document, "joints");
     for (const auto& [name, point] : read_points(document, "markers")) truth.markers[name] = point;
     truth.scale = read_scale(document);
+    truth.missing = read_missing(document);
     return truth;
 }
 

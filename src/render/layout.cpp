@@ -105,7 +105,8 @@ Eigen::AlignedBox3d bounds_of(const Scene& scene, const Eigen::Matrix3d& turn) {
     for (Eigen::Index i = 0; i < scene.mesh.vertices.rows(); ++i)
         box.extend(turn * scene.mesh.vertices.row(i).transpose());
     if (scene.skeleton)
-        for (const auto& joint : scene.skeleton->joints) box.extend(turn * joint.position);
+        for (const auto& joint : scene.skeleton->joints)
+            if (joint.is_present) box.extend(turn * joint.position);
     for (const Mark& mark : scene.marks) box.extend(turn * mark.position);
     return box;
 }
@@ -169,6 +170,7 @@ void add_curve(const CurveSkeleton<double>& curve, const Thickness& thickness, D
 
 void add_bones(const KinematicSkeleton<double>& skeleton, const Thickness& thickness, Drawing& drawing) {
     for (const auto& joint : skeleton.joints) {
+        if (!joint.is_present) continue;
         const PixelPoint here = drawing.projection(joint.position);
         const Colour colour = side_colour(joint.name);
         if (joint.parent >= 0) {
@@ -234,10 +236,11 @@ void add_names(const KinematicSkeleton<double>& skeleton, const Box2& frame, con
                const Sizes& sizes, Drawing& drawing) {
     Box2 bounds;
     for (const auto& joint : skeleton.joints)
-        bounds.extend(Eigen::Vector2d(drawing.projection(joint.position).head<2>()));
+        if (joint.is_present) bounds.extend(Eigen::Vector2d(drawing.projection(joint.position).head<2>()));
     std::vector<std::size_t> left;
     std::vector<std::size_t> right;
     for (std::size_t i = 0; i < skeleton.joints.size(); ++i) {
+        if (!skeleton.joints[i].is_present) continue;
         const double x = drawing.projection(skeleton.joints[i].position).x();
         (x < bounds.center().x() ? left : right).push_back(i);
     }

@@ -86,3 +86,17 @@ TEST_CASE("making both sides alike does not make them more certain") {
     CHECK(joint_named(judged.skeleton, "left_knee").confidence < 0.8);
     CHECK(joint_named(judged.skeleton, "neck").confidence == Approx(1));
 }
+
+TEST_CASE("what is missing is neither trusted nor misplaced, and says nothing of the other side") {
+    KinematicSkeleton<double> skeleton = with_wrong_joints<double>();
+    Joint<double>& hand = skeleton.joints.at(static_cast<std::size_t>(find_joint(skeleton, "right_hand")));
+    hand.is_present = false;
+    hand.confidence = 0;
+    const auto judged = judged_as_they_are(skeleton);
+    CHECK(judged.misplaced == 0);
+    CHECK(joint_named(judged.skeleton, "right_hand").confidence == 0);
+    CHECK(joint_named(judged.skeleton, "right_wrist").confidence == Approx(1));
+    CHECK(joint_named(judged.skeleton, "left_hand").confidence == Approx(1));
+    const auto even = equalise_bones(skeleton, builtin_template("human21")).skeleton;
+    CHECK(at(even, "left_hand") == at(skeleton, "left_hand"));
+}

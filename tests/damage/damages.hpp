@@ -45,6 +45,15 @@ duplicates(const Subject& subject); ///< 5 % of the vertices are two, 10 % of th
 [[nodiscard]] Mesh parts_14(const Subject& subject);    ///< 14 closed parts that reach into each other
 [[nodiscard]] Mesh parts_4(const Subject& subject);     ///< likewise head, trunk with arms, two legs
 
+// missing.cpp
+// Limbs cut off at the cuts of `cut_limbs`; the surface is open there.
+[[nodiscard]] Mesh no_hands(const Subject& subject); ///< both
+[[nodiscard]] Mesh no_feet(const Subject& subject);  ///< both
+[[nodiscard]] Mesh no_arm(const Subject& subject);   ///< the left one
+[[nodiscard]] Mesh no_leg(const Subject& subject);   ///< the left one
+[[nodiscard]] Mesh no_head(const Subject& subject);
+[[nodiscard]] Mesh front_half(const Subject& subject); ///< the faces that look forward, as one camera sees a body
+
 // resolution.cpp
 [[nodiscard]] Mesh faces_3000(const Subject& subject);
 [[nodiscard]] Mesh faces_1000(const Subject& subject);

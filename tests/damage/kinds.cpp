@@ -46,6 +46,12 @@ const std::vector<Kind>& kinds() {
         {"plate-grown", "a plate grown to the soles", ".off", true, plate_grown},
         {"parts-14", "14 closed overlapping parts", ".off", true, parts_14},
         {"parts-4", "4 closed overlapping parts", ".off", true, parts_4},
+        {"no-hands", "both hands cut off", ".off", true, no_hands, true, false, {"left_hand", "right_hand"}},
+        {"no-feet", "both feet cut off", ".off", true, no_feet, true, false, {"left_foot", "right_foot"}},
+        {"no-arm", "an arm cut off", ".off", true, no_arm, true, false, {"left_elbow", "left_wrist", "left_hand"}},
+        {"no-leg", "a leg cut off", ".off", true, no_leg, true, false, {"left_knee", "left_ankle", "left_foot"}},
+        {"no-head", "the head cut off", ".off", true, no_head, true, false, {"head"}},
+        {"front-half", "the faces that look forward alone", ".off", true, front_half},
         {"faces-3000", "decimated to 3000 faces", ".off", false, faces_3000},
         {"faces-1000", "decimated to 1000 faces", ".off", false, faces_1000},
         {"faces-500", "decimated to 500 faces", ".off", false, faces_500},
@@ -73,6 +79,7 @@ Mesh damaged(const Kind& kind, const Subject& subject) {
 
 io::GroundTruth truth_after(const Kind& kind, io::GroundTruth truth) {
     if (kind.is_mirrored) return mirrored_truth(truth);
+    truth.missing.insert(kind.missing.begin(), kind.missing.end());
     return truth;
 }
 

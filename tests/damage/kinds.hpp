@@ -29,6 +29,7 @@ struct Kind {
     Mesh (*apply)(const Subject&) = nullptr;
     bool is_one_body = true; ///< otherwise the right answer is a refusal that says how many there are
     bool is_mirrored = false;
+    std::vector<std::string> missing = {}; ///< joints that the body no longer has: the right answer says so
 };
 
 /// All kinds, in the order of the tables.

@@ -133,6 +133,30 @@ TEST_CASE("as much is lost as is said") {
     CHECK(left > 0.945);
 }
 
+TEST_CASE("limbs that are cut off are gone, and nothing else is") {
+    const auto nearest = [](const Mesh& mesh, const std::string& joint) {
+        for (const auto& [name, position] : sample_truth().joints)
+            if (name == joint) return (mesh.vertices.rowwise() - position.transpose()).rowwise().norm().minCoeff();
+        throw Error(ErrorCode::internal, "the sample has no joint " + joint);
+    };
+    for (const damage::Kind& kind : damage::kinds()) {
+        if (kind.missing.empty()) continue;
+        CAPTURE(kind.name);
+        const Mesh mesh = damage::damaged(kind, sample());
+        CHECK(pieces(mesh) == 1);
+        CHECK(area(mesh) < 0.99 * area(sample().mesh));
+        for (const auto& [name, position] : sample_truth().joints) {
+            const bool is_cut = std::find(kind.missing.begin(), kind.missing.end(), name) != kind.missing.end();
+            // Hands and feet alone: what is next to a cut may be as near to its rim as to the surface before.
+            if (name.find("hand") == std::string::npos && name.find("foot") == std::string::npos) continue;
+            CHECK((nearest(mesh, name) > 1.2 * nearest(sample().mesh, name)) == is_cut);
+        }
+    }
+    const Mesh front = damaged("front-half");
+    CHECK(area(front) < 0.6 * area(sample().mesh));
+    CHECK(area(front) > 0.4 * area(sample().mesh));
+}
+
 TEST_CASE("noise has the root mean square that is said, of the diagonal") {
     for (const auto& [name, part] : {std::pair{"noise-1", 0.01}, {"noise-2", 0.02}}) {
         const Mesh noisy = damaged(name);

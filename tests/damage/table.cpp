@@ -69,13 +69,14 @@ struct Sum {
 
 void add_body(Sum& sum, const std::string& name, const io::GroundTruth& truth, const fs::path& skeleton,
               const Line& line) {
-    const auto score = evaluation::score_joints(truth, evaluation::read_joint_positions(skeleton));
+    const auto found = evaluation::read_joint_positions(skeleton);
+    const auto score = evaluation::score_joints(truth, found);
     if (score.solved()) {
         ++sum.row.solved;
         for (const auto& [joint, error] : score.errors) sum.errors += error, ++sum.joints;
         return;
     }
-    const bool is_sure = score.complete && confidence(skeleton) > sure;
+    const bool is_sure = !found.empty() && confidence(skeleton) > sure;
     sum.row.wrong_sure += is_sure ? 1 : 0;
     std::string why = line.status == "ok" ? (is_sure ? "wrong and sure" : "wrong") : line.error;
     for (const std::string& limb : score.wrong_limbs) why += " " + limb;

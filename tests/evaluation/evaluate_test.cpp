@@ -106,6 +106,20 @@ TEST_CASE("arms taken for one another are flipped, and their hands wrong limbs")
     CHECK_FALSE(score.solved());
 }
 
+TEST_CASE("what a body lacks has to be missing, and all else is scored") {
+    GroundTruth truth = stick_truth();
+    truth.missing = {"left_hand", "right_elbow", "right_wrist", "right_hand"};
+    CHECK_FALSE(score_joints(truth, stick_body()).complete);
+    JointPositions joints = stick_body();
+    for (const std::string& name : truth.missing) joints.erase(name);
+    const MeshScore score = score_joints(truth, joints);
+    CHECK(score.solved());
+    REQUIRE(score.errors.size() == 2); // neck and left elbow
+    CHECK(score.errors[1].first == "left_elbow");
+    joints.erase("left_wrist");
+    CHECK_FALSE(score_joints(truth, joints).complete);
+}
+
 TEST_CASE("a limb further than 0.12 from its marker is wrong though its side is right") {
     JointPositions joints = stick_body();
     joints["head"].z() += 0.239; // the scale is 2
@@ -241,6 +255,16 @@ TEST_CASE("results that cannot be read count as not complete") {
         std::ofstream(file) << "{\"joints\": [{\"name\": \"crotch\", \"position\": [1, 2]}]}";
     }
     CHECK(read_joint_positions(file).empty());
+}
+
+TEST_CASE("joints that are said to be missing are no joints") {
+    const TemporaryFolder folder;
+    const fs::path file = folder.path() / "result.json";
+    std::ofstream(file) << R"({"joints": [{"name": "left_wrist", "position": [1, 2, 3]},
+                                          {"name": "left_hand", "parent": "left_wrist", "present": false}]})";
+    const JointPositions joints = read_joint_positions(file);
+    CHECK(joints.size() == 1);
+    CHECK(joints.at("left_wrist") == Vector3<double>(1, 2, 3));
 }
 
 TEST_CASE("truth that cannot be read is an error that names the file") {

@@ -114,6 +114,21 @@ TEST_CASE("timings without those of the surface, as older files have them, are r
     CHECK(timings->stages.curve == 40.2);
 }
 
+TEST_CASE("a joint that is missing has no position, in the file and read again") {
+    auto skeleton = small_skeleton<double>();
+    skeleton.joints[1].is_present = false;
+    skeleton.joints[1].confidence = 0;
+    const std::string text = skeleton_to_json(skeleton);
+    CHECK(text.find("{\"name\": \"waist\", \"parent\": \"crotch\", \"present\": false}") != std::string::npos);
+    CHECK(is_valid(text));
+    const KinematicSkeleton<double> read = parse_skeleton_document(text).skeleton;
+    CHECK(read.joints[0].is_present);
+    CHECK_FALSE(read.joints[1].is_present);
+    CHECK(read.joints[1].position == read.joints[0].position); // where its limb ends
+    CHECK(read.joints[1].confidence == 0);
+    CHECK(skeleton_to_json(read) == text);
+}
+
 TEST_CASE("a skeleton without a mesh leaves mesh and timings out") {
     const std::string text = skeleton_to_json(small_skeleton<double>());
     CHECK(text.find("\"mesh\"") == std::string::npos);
@@ -161,6 +176,8 @@ TEST_CASE("broken files neither fit the schema nor are read") {
     SECTION("a joint without a parent") { bad["joints"][1].erase("parent"); }
     SECTION("a position of two numbers") { bad["joints"][1]["position"] = {1, 2}; }
     SECTION("a position of text") { bad["joints"][1]["position"] = {"1", "2", "3"}; }
+    SECTION("a joint without a position") { bad["joints"][1].erase("position"); }
+    SECTION("a presence of text") { bad["joints"][1]["present"] = "no"; }
     SECTION("a radius of null") { bad["joints"][1]["radius"] = nullptr; }
     SECTION("an end point of one number") { bad["end_points"]["head_top"] = 1; }
     SECTION("a frame without up") { bad["frame"].erase("up"); }
@@ -183,6 +200,17 @@ TEST_CASE("the reader says which part is wrong") {
     SECTION("two roots") {
         bad["joints"][1]["parent"] = nullptr;
         CHECK(refusal(bad.dump()).find("joint \"waist\" is a second root") != std::string::npos);
+    }
+    SECTION("a body without a root") {
+        bad["joints"][0] = {{"name", "crotch"}, {"parent", nullptr}, {"present", false}};
+        CHECK(refusal(bad.dump()).find("the root, is not present") != std::string::npos);
+    }
+    SECTION("a joint beyond a missing one") {
+        bad["joints"].push_back(bad["joints"][1]);
+        bad["joints"][2]["name"] = "chest";
+        bad["joints"][2]["parent"] = "waist";
+        bad["joints"][1] = {{"name", "waist"}, {"parent", "crotch"}, {"present", false}};
+        CHECK(refusal(bad.dump()).find("joint \"chest\" is present, but its parent is not") != std::string::npos);
     }
     SECTION("a joint twice") {
         bad["joints"][1]["name"] = "crotch";

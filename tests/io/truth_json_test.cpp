@@ -42,6 +42,14 @@ TEST_CASE("a truth file's joints come in its order, its markers by name", "[io][
     CHECK(truth.joints == NamedPoints{{"neck", {1, 2, 3}}, {"crotch", {0, 0, 0.5}}});
     CHECK(truth.markers.at("head") == Vector3<double>(4, 5, 6));
     CHECK(read_true_joints(folder / "truth.json") == truth.joints);
+    CHECK(truth.missing.empty());
+}
+
+TEST_CASE("a truth file says which joints the body lacks", "[io][truth]") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "truth.json")
+        << R"({"scale": 1, "joints": {}, "markers": {}, "missing": ["left_hand", "left_wrist"]})";
+    CHECK(read_ground_truth(folder / "truth.json").missing == std::set<std::string>{"left_hand", "left_wrist"});
 }
 
 TEST_CASE("the truth of what is no body has nothing else", "[io][truth]") {
@@ -58,6 +66,8 @@ TEST_CASE("what a truth file lacks is named", "[io][truth]") {
     CHECK_THAT(refusal(R"({"joints": {}})", whole), Contains("\"markers\" is missing"));
     CHECK_THAT(refusal(R"({"joints": {}, "markers": {}})", whole), Contains("\"scale\" is missing"));
     CHECK_THAT(refusal(R"({"scale": -1, "joints": {}, "markers": {}})", whole), Contains("not above zero"));
+    CHECK_THAT(refusal(R"({"scale": 1, "joints": {}, "markers": {}, "missing": "head"})", whole), Contains("no list"));
+    CHECK_THAT(refusal(R"({"scale": 1, "joints": {}, "markers": {}, "missing": [1]})", whole), Contains("no name"));
     CHECK_THAT(refusal(R"({"scale": 1, "joints": {"neck": [1, 2]}, "markers": {}})", whole), Contains("\"neck\""));
 
     const auto joints = [](const fs::path& file) { return read_true_joints(file); };

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <string>
 
 #include <Eigen/Geometry>
@@ -105,6 +107,51 @@ TEST_CASE("the sample body's limbs end in its tips, and its head and trunk look 
     CHECK(joints.head->forward.dot(sample().forward) > 0.95);
     REQUIRE(joints.trunk.has_value());
     CHECK(joints.trunk->forward.dot(sample().forward) > 0.95);
+}
+
+TEST_CASE("where both hands are cut off, they are missing and the wrists are at the ends of the arms") {
+    const SkeletonTemplate& human = builtin_template("human21");
+    const SampleBody& whole = sample();
+    const std::vector<bool> all = refined_sample().is_present;
+    CHECK(std::all_of(all.begin(), all.end(), std::identity()));
+
+    const auto place = [&](JointRole role, Side side) {
+        return whole.truth[static_cast<std::size_t>(joint_of(role, side))];
+    };
+    const auto is_hand = [&](const Vec3& p, Side side) {
+        const Vec3 wrist = place(JointRole::wrist, side), hand = place(JointRole::hand, side);
+        return (p - wrist).dot(wrist - place(JointRole::elbow, side)) > 0 &&
+               (p - hand).norm() < 2 * (hand - wrist).norm();
+    };
+    TriangleMesh<double> cut{whole.body.mesh.vertices, {}};
+    std::vector<Eigen::RowVector3i> kept;
+    for (Eigen::Index f = 0; f < whole.body.mesh.faces.rows(); ++f) {
+        bool off = false;
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 p = whole.body.mesh.vertices.row(whole.body.mesh.faces(f, k));
+            off = off || is_hand(p, Side::left) || is_hand(p, Side::right);
+        }
+        if (!off) kept.emplace_back(whole.body.mesh.faces.row(f));
+    }
+    cut.faces.resize(static_cast<Eigen::Index>(kept.size()), 3);
+    for (std::size_t f = 0; f < kept.size(); ++f) cut.faces.row(static_cast<Eigen::Index>(f)) = kept[f];
+
+    const Body<double> body = surface::prepare(cut);
+    std::vector<Vec3> truth, tips;
+    for (std::size_t j = 0; j < whole.truth.size(); ++j) {
+        const bool gone = human.joints[j].role == JointRole::hand;
+        truth.push_back(
+            body.similarity.to_canonical(gone ? place(JointRole::wrist, human.joints[j].side) : whole.truth[j]));
+        tips.push_back(gone ? truth.back() : Vec3(body.similarity.to_canonical(whole.tips[j])));
+    }
+    const RefinedJoints<double> joints = refined(body, BoneCurve<double>(human, truth, tips), human);
+    CHECK(joints.tips.size() == 3);
+    for (std::size_t j = 0; j < truth.size(); ++j) {
+        INFO(human.joints[j].name);
+        CHECK(joints.is_present[j] == (human.joints[j].role != JointRole::hand));
+        const double error = (joints.positions.row(static_cast<Eigen::Index>(j)).transpose() - truth[j]).norm();
+        if (joints.is_present[j]) CHECK(error * body.similarity.scale < 0.05 * whole.diameter);
+    }
 }
 
 TEST_CASE("a template in another unit has the same joints") {

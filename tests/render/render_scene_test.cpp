@@ -93,6 +93,17 @@ TEST_CASE("bones are blue on the left, yellow on the right, and the front view i
     }
 }
 
+TEST_CASE("a joint that is missing is not drawn, nor is its bone") {
+    Scene scene;
+    scene.skeleton = small_skeleton();
+    const RenderOptions options = square_picture(200);
+    for (auto& joint : scene.skeleton->joints) joint.is_present = joint.name.rfind("left_", 0) != 0;
+    scene.skeleton->end_points.clear();
+    const Image image = render_scene(scene, options);
+    CHECK(find_pixels(image, is_blue).count == 0);
+    CHECK(find_pixels(image, is_yellow).count > 200);
+}
+
 TEST_CASE("a joint in front of the surface is bare, one behind it veiled") {
     Scene bare;
     bare.skeleton = small_skeleton();

@@ -310,3 +310,31 @@ TEST_CASE("weights out of their range are refused") {
         CHECK(std::string(error.what()).find("sides.elbow") != std::string::npos);
     }
 }
+
+TEST_CASE("sides are told without feet and hands, which have neither votes nor end points") {
+    const SkeletonTemplate& human = builtin_template("human21");
+    TestPose pose_of_legs;
+    for (const TestPose& pose : test_poses())
+        if (pose.name == "running") pose_of_legs = pose;
+    const PosedBody running = posed(pose_of_legs);
+    Joints joints = running.joints;
+    joints.is_present.assign(human.joints.size(), true);
+    joints.tips.clear();
+    for (std::size_t j = 0; j < human.joints.size(); ++j) {
+        const JointRole role = human.joints[j].role;
+        if (role == JointRole::foot || role == JointRole::hand) joints.is_present[j] = false;
+    }
+    const SidesDecision<double> sides = decide(joints);
+    for (const SideVote& vote : sides.votes) CHECK(vote.witness != "foot");
+    CHECK_FALSE(sides.swap_legs);
+    CHECK_FALSE(sides.swap_arms);
+    check_frame(sides.frame, running.frame);
+    const auto skeleton = assemble(joints, human, sides);
+    CHECK(skeleton.end_points.empty());
+    for (const Joint<double>& joint : skeleton.joints) {
+        const bool cut = joint.name.find("hand") != std::string::npos || joint.name.find("foot") != std::string::npos;
+        CHECK(joint.is_present != cut);
+    }
+    CHECK(std::count(skeleton.quality.warnings.begin(), skeleton.quality.warnings.end(),
+                     "joint left_foot is missing: the surface ends before it") == 1);
+}

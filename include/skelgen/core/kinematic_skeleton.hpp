@@ -17,6 +17,7 @@ struct Joint {
     Scalar radius = 0; ///< mean distance from the joint to the surface around it, same unit as the position
     double confidence =
         1; ///< 0 to 1: how well its bones agree with those of the other side and with people's proportions
+    bool is_present = true; ///< false: its limb ends before it; `position` is then where that is, confidence 0
 };
 
 /// The person's own directions. (left, forward, up) is a LEFT-handed triple: left x forward = -up.

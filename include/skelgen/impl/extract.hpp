@@ -390,8 +390,9 @@ inline std::string noise_smoothed(double noise) {
 template <typename Scalar>
 double sureness(const KinematicSkeleton<Scalar>& skeleton) {
     constexpr double unlikely = 0.1; // as anatomy::estimate_confidence has it
-    const auto misplaced = std::count_if(skeleton.joints.begin(), skeleton.joints.end(),
-                                         [](const Joint<Scalar>& joint) { return joint.confidence < unlikely; });
+    const auto misplaced =
+        std::count_if(skeleton.joints.begin(), skeleton.joints.end(),
+                      [](const Joint<Scalar>& joint) { return joint.is_present && joint.confidence < unlikely; });
     return skeleton.quality.sides_confidence / static_cast<double>(1 + misplaced);
 }
 

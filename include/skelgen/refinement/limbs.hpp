@@ -21,6 +21,7 @@ struct Limb {
         from_tip; ///< per joint its rest-pose distance from the tip along the template, scaled to this body
     std::optional<Scalar> top_by_trunk; ///< distance of the first joint from the tip as the trunk's shape tells it
     Scalar top_deviation = 0;           ///< standard deviation of that
+    std::size_t missing = 0;            ///< how many of the last joints are cut off
     Scalar attachment =
         0; ///< arc length on `line` where the limb leaves the trunk: nearer the start sections are not its own
 };

@@ -115,6 +115,11 @@ template <typename Scalar>
                                                           const Profile& profile,
                                                           const ThicknessProfileOptions& options);
 
+/// What the best stretch for that limb alone costs: squared deviations of thickness and lengths. As `best_stretches`.
+template <typename Scalar>
+[[nodiscard]] Scalar least_cost(const MatchedLimb<Scalar>& limb, const Profile& profile,
+                                const ThicknessProfileOptions& options);
+
 } // namespace skelgen::refinement
 
 #ifdef SKELGEN_HEADER_ONLY

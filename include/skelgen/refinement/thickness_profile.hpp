@@ -3,6 +3,9 @@
 #include <vector>
 
 #include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/refinement/centreline.hpp>
+#include <skelgen/refinement/cross_section.hpp>
+#include <skelgen/refinement/end_points.hpp>
 #include <skelgen/refinement/limbs.hpp>
 #include <skelgen/refinement/profile_matcher.hpp>
 
@@ -25,6 +28,15 @@ template <typename Scalar>
 [[nodiscard]] ThicknessMatch<Scalar> match_thickness_profiles(std::vector<Limb<Scalar>> limbs,
                                                               const SkeletonTemplate& skeleton_template,
                                                               const ThicknessProfileOptions& options = {});
+
+/// The limbs with those that end at wrist or ankle, a hand or a foot being cut off, drawn as such: their thickness goes
+/// on as a forearm's or a calf's to the end, and less like a whole limb's. What lies beyond counts as `missing`; wrist
+/// or ankle are just before the end. `ends` are the limbs' in the same order. O(sections (n + m)) for each of these.
+template <typename Scalar>
+[[nodiscard]] std::vector<Limb<Scalar>>
+shorten_cut_limbs(std::vector<Limb<Scalar>> limbs, const Slicer<Scalar>& slicer,
+                  const std::vector<EndPoint<Scalar>>& ends, const SkeletonTemplate& skeleton_template,
+                  const ThicknessProfileOptions& options = {}, const CentrelineOptions& centreline = {});
 
 } // namespace skelgen::refinement
 

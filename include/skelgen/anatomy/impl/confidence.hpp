@@ -20,8 +20,8 @@ inline double median_of_positive(std::vector<double> values) {
 }
 
 /// Per joint, how unlikely the bone from its parent is: the sum of the squared deviations from the template and from
-/// the other side, each relative to where it halves the confidence. 0 for the root. Confidences are double whatever the
-/// scalar: no more than the bones' lengths goes into them.
+/// the other side, each relative to where it halves the confidence. 0 for the root and for what is missing. Confidences
+/// are double whatever the scalar: no more than the bones' lengths goes into them.
 template <typename Scalar>
 std::vector<double> bone_doubts(const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
                                 const std::vector<Scalar>& measured) {
@@ -32,7 +32,7 @@ std::vector<double> bone_doubts(const KinematicSkeleton<Scalar>& skeleton, const
     std::vector<double> lengths(at(joints), 0), rest(at(joints), 0), ratios(at(joints), 0);
     for (int j = 0; j < joints; ++j) {
         const int parent = skeleton.joints[at(j)].parent;
-        if (parent < 0) continue;
+        if (parent < 0 || !skeleton.joints[at(j)].is_present) continue;
         lengths[at(j)] =
             static_cast<double>((skeleton.joints[at(j)].position - skeleton.joints[at(parent)].position).norm());
         rest[at(j)] = rest_length(skeleton_template, j, parent);
@@ -43,10 +43,11 @@ std::vector<double> bone_doubts(const KinematicSkeleton<Scalar>& skeleton, const
     const auto compare = [&](double a, double b) { return std::log((a + slack) / (b + slack)); };
     std::vector<double> doubt(at(joints), 0);
     for (int j = 0; j < joints; ++j) {
-        if (skeleton.joints[at(j)].parent < 0) continue;
+        if (skeleton.joints[at(j)].parent < 0 || !skeleton.joints[at(j)].is_present) continue;
         const double by_template = compare(lengths[at(j)], scale * rest[at(j)]) / half_by_template;
         doubt[at(j)] = by_template * by_template;
-        if (const int other = counterpart(skeleton_template, j); other >= 0) {
+        const int other = counterpart(skeleton_template, j);
+        if (other >= 0 && skeleton.joints[at(other)].is_present) {
             const double by_side =
                 compare(static_cast<double>(measured[at(j)]), static_cast<double>(measured[at(other)])) /
                 half_by_other_side;
@@ -87,6 +88,7 @@ JudgedSkeleton<Scalar> estimate_confidence(KinematicSkeleton<Scalar> skeleton,
     bool limb_misplaced = false;
     for (std::size_t j = 0; j < doubt.size(); ++j) {
         Joint<Scalar>& joint = out.skeleton.joints[j];
+        if (!joint.is_present) continue;
         joint.confidence = 1 / (1 + doubt[j]);
         if (joint.confidence >= unlikely) continue;
         ++out.misplaced;

@@ -38,11 +38,13 @@ EqualBones<Scalar> equalise_bones(KinematicSkeleton<Scalar> skeleton, const Skel
     constexpr int rounds = 30; // the bones of a leg settle within ten
     const auto at = [&](int j) -> Vector3<Scalar>& { return skeleton.joints[static_cast<std::size_t>(j)].position; };
     const auto parent_of = [&](int j) { return skeleton.joints[static_cast<std::size_t>(j)].parent; };
+    const auto is_present = [&](int j) { return skeleton.joints[static_cast<std::size_t>(j)].is_present; };
     std::vector<Scalar> measured = bone_lengths(skeleton);
     for (int round = 0; round < rounds; ++round)
         for (int left = 0; left < static_cast<int>(skeleton.joints.size()); ++left) {
             const int right = counterpart(skeleton_template, left);
             if (right < left) continue; // none, or seen from the other side
+            if (!is_present(left) || !is_present(right)) continue;
             const int left_parent = parent_of(left), right_parent = parent_of(right);
             if (left_parent == right_parent) continue; // from the trunk: collar bones move
             const Scalar ratio = std::log((at(left) - at(left_parent)).norm() / (at(right) - at(right_parent)).norm());

@@ -36,7 +36,8 @@ Outcome<MovedInside<Scalar>> move_inside(KinematicSkeleton<Scalar> skeleton, con
     MovedInside<Scalar> out{std::move(skeleton), {}};
     std::vector<Joint<Scalar>>& joints = out.skeleton.joints;
     for (std::size_t j = 0; j < joints.size(); ++j)
-        if (!surface::is_inside(body, joints[j].position)) out.moved.push_back(static_cast<int>(j));
+        if (joints[j].is_present && !surface::is_inside(body, joints[j].position))
+            out.moved.push_back(static_cast<int>(j));
     if (one_in * out.moved.size() > joints.size())
         return Failure{FailureReason::no_match, "no human body: " + std::to_string(out.moved.size()) +
                                                     " joints of its skeleton would lie outside of it"};

@@ -78,10 +78,12 @@ private:
         shoulder_at += part(offsets_.shoulder_outwards) * arm + part(offsets_.shoulder_forward) * arm.norm() * forward;
     }
 
-    /// None where the template has no such joint.
+    /// None where the template or the body has no such joint.
     [[nodiscard]] Vector3<Scalar>* find(JointRole role, Side side = Side::none) {
         const int j = find_joint(template_, role, side);
-        return j < 0 ? nullptr : &skeleton_.joints[static_cast<std::size_t>(j)].position;
+        if (j < 0) return nullptr;
+        Joint<Scalar>& joint = skeleton_.joints[static_cast<std::size_t>(j)];
+        return joint.is_present ? &joint.position : nullptr;
     }
 
     static constexpr JointOffsets offsets_{};

@@ -13,6 +13,7 @@ KinematicSkeleton<Scalar> measure_radii(KinematicSkeleton<Scalar> skeleton, cons
     const refinement::Slicer<Scalar> slicer(body);
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
         Joint<Scalar>& joint = skeleton.joints[j];
+        if (!joint.is_present) continue;
         auto other = static_cast<std::size_t>(std::max(joint.parent, 0));
         if (joint.parent < 0)
             while (other + 1 < skeleton.joints.size() && skeleton.joints[other].parent != static_cast<int>(j)) ++other;

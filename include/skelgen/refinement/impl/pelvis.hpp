@@ -88,6 +88,7 @@ template <typename Scalar>
 Scalar facing(const Placement<Scalar>& placement, const Limb<Scalar>& leg, const Vector3<Scalar>& ahead) {
     const Vector3<Scalar> thigh = placement.at(leg.joints[1]) - placement.at(leg.joints[0]);
     Scalar out = thigh.normalized().dot(ahead);
+    if (leg.missing > 0) return out;
     if (const auto ankle = find_in_limb(leg, placement.skeleton_template(), JointRole::ankle))
         out += (tip_of(leg) - placement.at(leg.joints[*ankle])).normalized().dot(ahead);
     return out;

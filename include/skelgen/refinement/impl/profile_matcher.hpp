@@ -142,6 +142,18 @@ StretchRatios<Scalar> search_ratios(const std::vector<StretchCost<Scalar>>& cost
     return best;
 }
 
+/// The cheapest of all ratios.
+template <typename Scalar>
+StretchRatios<Scalar> cheapest_ratios(const std::vector<MatchedLimb<Scalar>>& limbs, const Profile& profile,
+                                      const ThicknessProfileOptions& options) {
+    std::vector<StretchCost<Scalar>> costs;
+    for (const MatchedLimb<Scalar>& limb : limbs) costs.emplace_back(limb, profile, options);
+    constexpr Scalar step = search_step<Scalar>;
+    const StretchRatios<Scalar> none{0, std::vector<Scalar>(limbs.size(), Scalar(0))};
+    const auto coarse = search_ratios(costs, none, widest_search<Scalar>, step);
+    return search_ratios(costs, coarse, step, step / finer_search<Scalar>);
+}
+
 } // namespace detail
 
 template <typename Scalar>
@@ -195,15 +207,16 @@ Scalar deviation_of(const Top<Scalar>& top, Scalar stoutness, const Stretch<Scal
 template <typename Scalar>
 std::vector<Stretch<Scalar>> best_stretches(const std::vector<MatchedLimb<Scalar>>& limbs, const Profile& profile,
                                             const ThicknessProfileOptions& options) {
-    std::vector<detail::StretchCost<Scalar>> costs;
-    for (const MatchedLimb<Scalar>& limb : limbs) costs.emplace_back(limb, profile, options);
-    constexpr Scalar step = detail::search_step<Scalar>;
-    const detail::StretchRatios<Scalar> none{0, std::vector<Scalar>(limbs.size(), Scalar(0))};
-    const auto coarse = detail::search_ratios(costs, none, detail::widest_search<Scalar>, step);
-    const auto fine = detail::search_ratios(costs, coarse, step, step / detail::finer_search<Scalar>);
+    const auto best = detail::cheapest_ratios(limbs, profile, options);
     std::vector<Stretch<Scalar>> stretches;
-    for (std::size_t k = 0; k < limbs.size(); ++k) stretches.push_back(costs[k].stretch(fine.outer[k], fine.bone));
+    for (std::size_t k = 0; k < limbs.size(); ++k)
+        stretches.push_back(detail::StretchCost<Scalar>(limbs[k], profile, options).stretch(best.outer[k], best.bone));
     return stretches;
+}
+
+template <typename Scalar>
+Scalar least_cost(const MatchedLimb<Scalar>& limb, const Profile& profile, const ThicknessProfileOptions& options) {
+    return detail::cheapest_ratios<Scalar>({limb}, profile, options).cost;
 }
 
 } // namespace skelgen::refinement

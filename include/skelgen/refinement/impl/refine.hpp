@@ -80,7 +80,9 @@ ScaledLimbs<Scalar> find_limbs(const Slicer<Scalar>& slicer, const std::vector<E
                                const CurveSkeleton<Scalar>& curve, const embedding::Embedding& embedding,
                                const SkeletonTemplate& skeleton_template, const RefinementOptions& options) {
     const Scalar scale = template_scale(skeleton_template, geodesic_diameter(ends));
-    std::vector<Limb<Scalar>> traced = trace_limbs(slicer, ends, skeleton_template, scale, options.centreline);
+    std::vector<Limb<Scalar>> traced =
+        shorten_cut_limbs(trace_limbs(slicer, ends, skeleton_template, scale, options.centreline), slicer, ends,
+                          skeleton_template, options.thickness_profile, options.centreline);
     const auto axis = trunk_axis_of(traced, ends, slicer, curve, embedding, skeleton_template, scale);
     if (axis) traced = anchor_hips(std::move(traced), *axis, skeleton_template, scale, options.bone_line);
     auto [limbs, ratio] = match_thickness_profiles(std::move(traced), skeleton_template, options.thickness_profile);
@@ -133,7 +135,12 @@ RefinedJoints<Scalar> refine(const Body<Scalar>& body, const std::vector<EndPoin
 
     out.positions = placement.positions();
     out.trunk = detail::trunk_of(placement, slicer);
-    for (const Limb<Scalar>& limb : limbs) out.tips.emplace_back(limb.joints.back(), tip_of(limb));
+    out.is_present.assign(skeleton_template.joints.size(), true);
+    for (const Limb<Scalar>& limb : limbs) {
+        for (std::size_t i = limb.joints.size() - limb.missing; i < limb.joints.size(); ++i)
+            out.is_present[static_cast<std::size_t>(limb.joints[i])] = false;
+        if (limb.missing == 0) out.tips.emplace_back(limb.joints.back(), tip_of(limb));
+    }
     return out;
 }
 

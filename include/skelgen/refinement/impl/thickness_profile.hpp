@@ -186,4 +186,55 @@ ThicknessMatch<Scalar> match_thickness_profiles(std::vector<Limb<Scalar>> limbs,
     return {std::move(limbs), ratio};
 }
 
+namespace detail {
+
+/// Of a hand or foot that is cut off, this part is taken to be there still: bodies are cut beside the joint, not in it.
+template <typename Scalar>
+inline constexpr Scalar left_of_end = Scalar(0.15);
+
+/// What is less like a forearm or calf than this (squared deviations), or not twice as like one as it is like a whole
+/// limb, is no limb that was cut off, but one in clothes, or none of a person. Calibrated on registered and generated
+/// bodies: cut arms cost 8 at most, and whole ones then 12 and more; boots 14 and more.
+template <typename Scalar>
+inline constexpr Scalar worst_cut_cost = Scalar(10);
+template <typename Scalar>
+inline constexpr Scalar least_gain = Scalar(2);
+
+/// The limb as it were if it ended at wrist or ankle.
+template <typename Scalar>
+Limb<Scalar> ending_at(Limb<Scalar> limb, std::size_t outer, const Slicer<Scalar>& slicer, const EndPoint<Scalar>& end,
+                       const CentrelineOptions& centreline) {
+    const Scalar off = (1 - left_of_end<Scalar>)*limb.from_tip[outer];
+    for (Scalar& from_tip : limb.from_tip) from_tip = std::max(from_tip - off, Scalar(0));
+    limb.missing = limb.joints.size() - 1 - outer;
+    return draw_limb(std::move(limb), slicer, end, centreline);
+}
+
+template <typename Scalar>
+Scalar cost_of(Limb<Scalar> limb, const SkeletonTemplate& skeleton_template, const ThicknessProfileOptions& options) {
+    const auto p = as_profiled(limb, skeleton_template);
+    return least_cost<Scalar>({thickness_samples(limb), p->rest, std::nullopt},
+                              p->part == BodyPart::leg ? leg_profile : arm_profile, options);
+}
+
+} // namespace detail
+
+template <typename Scalar>
+std::vector<Limb<Scalar>>
+shorten_cut_limbs(std::vector<Limb<Scalar>> limbs, const Slicer<Scalar>& slicer,
+                  const std::vector<EndPoint<Scalar>>& ends, const SkeletonTemplate& skeleton_template,
+                  const ThicknessProfileOptions& options, const CentrelineOptions& centreline) {
+    for (std::size_t i = 0; i < limbs.size(); ++i) {
+        const auto profiled = detail::as_profiled(limbs[i], skeleton_template);
+        if (!profiled || profiled->outer + 1 >= limbs[i].joints.size()) continue;
+        Limb<Scalar> cut = detail::ending_at(limbs[i], profiled->outer, slicer, ends[i], centreline);
+        const Scalar whole_cost = detail::cost_of(limbs[i], skeleton_template, options);
+        const Scalar cut_cost = detail::cost_of(cut, skeleton_template, options);
+        const bool is_cut =
+            cut_cost < detail::worst_cut_cost<Scalar> && detail::least_gain<Scalar> * cut_cost < whole_cost;
+        if (is_cut) limbs[i] = std::move(cut);
+    }
+    return limbs;
+}
+
 } // namespace skelgen::refinement

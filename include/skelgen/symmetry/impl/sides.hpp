@@ -14,7 +14,12 @@
 namespace skelgen::symmetry {
 namespace detail {
 
-/// Refined joints, looked up by role and side.
+template <typename Scalar>
+bool is_present(const refinement::RefinedJoints<Scalar>& joints, int j) {
+    return joints.is_present.empty() || joints.is_present[static_cast<std::size_t>(j)];
+}
+
+/// Refined joints, looked up by role and side. What is cut off is not found.
 template <typename Scalar>
 class JointsByRole {
 public:
@@ -23,11 +28,11 @@ public:
 
     [[nodiscard]] std::optional<Vector3<Scalar>> find(JointRole role, Side side = Side::none) const {
         const int j = find_joint(template_, role, side);
-        if (j < 0) return std::nullopt;
+        if (j < 0 || !is_present(joints_, j)) return std::nullopt;
         return core::point(joints_.positions, j);
     }
 
-    /// Of a joint that every template has.
+    /// Of a joint that every template has and no body lacks.
     [[nodiscard]] Vector3<Scalar> get(JointRole role, Side side = Side::none) const { return find(role, side).value(); }
 
     /// The end of the limb of which this is the last joint.
@@ -48,19 +53,22 @@ LegBones<Scalar> leg_bones(const JointsByRole<Scalar>& joints, Side side) {
     using enum JointRole;
     const Vector3<Scalar> knee_at = joints.get(knee, side);
     const Vector3<Scalar> ankle_at = joints.find(ankle, side).value_or(knee_at);
-    const Vector3<Scalar> toe = joints.tip(foot, side).value_or(joints.get(foot, side));
+    const auto foot_at = joints.find(foot, side);
+    const Vector3<Scalar> toe = foot_at ? joints.tip(foot, side).value_or(*foot_at) : ankle_at;
     return {knee_at - joints.get(hip, side), ankle_at - knee_at, toe - ankle_at};
 }
 
-/// Where the axis of a bent elbow points: left, times the sine of the bend. None without elbow or shoulder.
+/// Where the axis of a bent elbow points: left, times the sine of the bend. None without elbow, shoulder or forearm.
 template <typename Scalar>
 std::optional<Vector3<Scalar>> elbow_axis(const JointsByRole<Scalar>& joints, Side side) {
     using enum JointRole;
     const auto shoulder_at = joints.find(shoulder, side), elbow_at = joints.find(elbow, side);
     if (!shoulder_at || !elbow_at) return std::nullopt;
-    const Vector3<Scalar> hand_at = joints.find(wrist, side).value_or(joints.get(hand, side));
+    auto hand_at = joints.find(wrist, side);
+    if (!hand_at) hand_at = joints.find(hand, side);
+    if (!hand_at) return std::nullopt;
     // The forearm folds forwards: forearm x upper arm points left.
-    return (hand_at - *elbow_at).normalized().cross((*elbow_at - *shoulder_at).normalized());
+    return (*hand_at - *elbow_at).normalized().cross((*elbow_at - *shoulder_at).normalized());
 }
 
 /// From the right to the left arm, by the first joint that both have.
@@ -151,9 +159,11 @@ Outcome<SidesDecision<Scalar>> decide_sides(const refinement::RefinedJoints<Scal
     Vector3<Scalar> forward = Vector3<Scalar>::Zero();
     for (const Side side : {Side::left, Side::right}) {
         const LegBones<Scalar> leg = detail::leg_bones(by_role, side);
-        const Vector3<Scalar> standing = detail::without_component(standing_foot_direction(leg, up, across), up);
-        forward += standing;
-        vote("foot", options.foot, up.cross(standing)); // up x forward is left
+        if (by_role.find(foot, side)) {
+            const Vector3<Scalar> standing = detail::without_component(standing_foot_direction(leg, up, across), up);
+            forward += standing;
+            vote("foot", options.foot, up.cross(standing)); // up x forward is left
+        }
         // The calf folds backwards: thigh x calf points left.
         vote("knee", options.knee, leg.thigh.normalized().cross(leg.calf.normalized()));
         if (const auto axis = detail::elbow_axis(by_role, side)) vote("elbow", options.elbow, *axis);
@@ -190,6 +200,11 @@ KinematicSkeleton<Scalar> assemble(const refinement::RefinedJoints<Scalar>& join
         const TemplateJoint& joint = skeleton_template.joint(j);
         const int source = detail::source_of(j, skeleton_template, sides);
         out.joints.push_back({joint.name, joint.parent, core::point(joints.positions, source), Scalar(0)});
+        if (!detail::is_present(joints, source)) {
+            out.joints.back().is_present = false;
+            out.joints.back().confidence = 0;
+            out.quality.warnings.push_back("joint " + joint.name + " is missing: the surface ends before it");
+        }
         for (const auto& [end, tip] : joints.tips)
             if (end == source) out.end_points.emplace_back(end_point_name(joint), tip);
     }
