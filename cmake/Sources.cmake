@@ -76,14 +76,17 @@ set(skelgen_core_headers
     include/skelgen/curve/surgery.hpp
     include/skelgen/embedding/embed.hpp
     include/skelgen/embedding/loop_cuts.hpp
+    include/skelgen/embedding/missing_limbs.hpp
     include/skelgen/embedding/part_contacts.hpp
     include/skelgen/embedding/reduced_graph.hpp
     include/skelgen/embedding/spectral_matching.hpp
     include/skelgen/extract.hpp
+    include/skelgen/refinement/bare_joints.hpp
     include/skelgen/refinement/bone_line.hpp
     include/skelgen/refinement/centreline.hpp
     include/skelgen/refinement/cross_section.hpp
     include/skelgen/refinement/end_points.hpp
+    include/skelgen/refinement/flat_end.hpp
     include/skelgen/refinement/fork.hpp
     include/skelgen/refinement/head.hpp
     include/skelgen/refinement/hip_anchor.hpp
@@ -94,6 +97,7 @@ set(skelgen_core_headers
     include/skelgen/refinement/profile_matcher.hpp
     include/skelgen/refinement/refine.hpp
     include/skelgen/refinement/thickness_profile.hpp
+    include/skelgen/refinement/trunk_axis.hpp
     include/skelgen/refinement/trunk_joints.hpp
     include/skelgen/refinement/trunk_shape.hpp
     include/skelgen/surface/body.hpp
@@ -184,14 +188,17 @@ set(skelgen_core_definitions
     include/skelgen/curve/impl/surgery.hpp
     include/skelgen/embedding/impl/embed.hpp
     include/skelgen/embedding/impl/loop_cuts.hpp
+    include/skelgen/embedding/impl/missing_limbs.hpp
     include/skelgen/embedding/impl/part_contacts.hpp
     include/skelgen/embedding/impl/reduced_graph.hpp
     include/skelgen/embedding/impl/spectral_matching.hpp
     include/skelgen/impl/extract.hpp
+    include/skelgen/refinement/impl/bare_joints.hpp
     include/skelgen/refinement/impl/bone_line.hpp
     include/skelgen/refinement/impl/centreline.hpp
     include/skelgen/refinement/impl/cross_section.hpp
     include/skelgen/refinement/impl/end_points.hpp
+    include/skelgen/refinement/impl/flat_end.hpp
     include/skelgen/refinement/impl/fork.hpp
     include/skelgen/refinement/impl/head.hpp
     include/skelgen/refinement/impl/hip_anchor.hpp
@@ -202,6 +209,7 @@ set(skelgen_core_definitions
     include/skelgen/refinement/impl/profile_matcher.hpp
     include/skelgen/refinement/impl/refine.hpp
     include/skelgen/refinement/impl/thickness_profile.hpp
+    include/skelgen/refinement/impl/trunk_axis.hpp
     include/skelgen/refinement/impl/trunk_joints.hpp
     include/skelgen/refinement/impl/trunk_shape.hpp
     include/skelgen/surface/impl/body.hpp
@@ -259,6 +267,7 @@ set(skelgen_io_headers
 )
 
 set(skelgen_render_headers
+    include/skelgen/render/bar_chart.hpp
     include/skelgen/render/contact_sheet.hpp
     include/skelgen/render/image.hpp
     include/skelgen/render/png.hpp
@@ -271,6 +280,7 @@ set(skelgen_render_headers
 set(skelgen_evaluation_headers
     include/skelgen/evaluation/curve_error.hpp
     include/skelgen/evaluation/evaluate.hpp
+    include/skelgen/evaluation/reliability.hpp
     include/skelgen/evaluation/report.hpp
     include/skelgen/evaluation/statistics.hpp
 )
@@ -367,6 +377,7 @@ set(skelgen_codec_sources
 )
 
 set(skelgen_render_sources
+    src/render/bar_chart.cpp
     src/render/body.cpp
     src/render/canvas.cpp
     src/render/check.cpp
@@ -387,6 +398,7 @@ set(skelgen_evaluation_sources
     src/evaluation/curve_error.cpp
     src/evaluation/evaluate.cpp
     src/evaluation/joint_positions.cpp
+    src/evaluation/reliability.cpp
     src/evaluation/report.cpp
     src/evaluation/score.cpp
     src/evaluation/statistics.cpp

@@ -3,7 +3,12 @@
 #include <optional>
 
 #include <skelgen/evaluation/evaluate.hpp>
+#include <skelgen/evaluation/reliability.hpp>
 #include <skelgen/evaluation/report.hpp>
+#if SKELGEN_WITH_RENDER
+#include <skelgen/render/bar_chart.hpp>
+#include <skelgen/render/png.hpp>
+#endif
 
 #include "commands.hpp"
 #include "console.hpp"
@@ -19,6 +24,7 @@ struct EvaluateCommand {
     std::string meshes;
     std::string csv;
     std::string json;
+    std::string reliability;
     bool per_mesh = false;
 };
 
@@ -58,11 +64,43 @@ std::string csv(const std::vector<evaluation::SetScore>& sets) {
     return evaluation::summaries_to_csv(summaries);
 }
 
+#if SKELGEN_WITH_RENDER
+/// Confidences beside how often joints that have them are near the truth.
+std::string reliability_picture(const std::vector<evaluation::ReliabilityBin>& bins) {
+    render::BarChart chart;
+    std::size_t joints = 0;
+    for (const evaluation::ReliabilityBin& bin : bins) {
+        joints += bin.joints;
+        if (bin.joints == 0) continue;
+        chart.bars.push_back({bin.from, bin.to, static_cast<double>(bin.near) / static_cast<double>(bin.joints),
+                              std::to_string(bin.joints)});
+    }
+    chart.title = std::to_string(joints) + " joints by their confidence";
+    chart.across = "confidence";
+    chart.upwards = "share within 0.03 of the truth";
+    chart.diagonal = true;
+    constexpr int width = 720, height = 540;
+    return render::encode_png(render::draw_bar_chart(chart, width, height));
+}
+#endif
+
+std::string reliability(const EvaluateCommand& command, const std::vector<evaluation::SetScore>& sets) {
+    const std::vector<evaluation::ReliabilityBin> bins = evaluation::reliability(sets);
+    if (!command.reliability.ends_with(".png")) return evaluation::reliability_to_json(bins);
+#if SKELGEN_WITH_RENDER
+    return reliability_picture(bins);
+#else
+    throw Error(ErrorCode::usage, "--reliability " + command.reliability +
+                                      ": this program was built without pictures; name a .json file");
+#endif
+}
+
 void run(const EvaluateCommand& command) {
     if (command.csv == "-" && command.json == "-")
         throw Error(ErrorCode::usage, "--csv and --json: both go to standard output; name a file for one");
     const std::vector<evaluation::SetScore> sets = evaluate(command);
     if (!command.csv.empty()) write_result(command.csv, csv(sets));
+    if (!command.reliability.empty()) write_result(command.reliability, reliability(command, sets));
     if (!command.json.empty()) write_result(command.json, evaluation::scores_to_json(sets, command.per_mesh));
     if (command.csv != "-" && command.json != "-") write_result("-", report(command, sets));
 }
@@ -84,6 +122,11 @@ void add_evaluate_command(CLI::App& app) {
         ->type_name("FILE")
         ->expected(0, 1)
         ->default_str("-");
+    sub->add_option(
+           "--reliability", command->reliability,
+           "Write how often joints are within 0.03 of the truth by their confidence: a picture to FILE.png, JSON "
+           "to any other FILE")
+        ->type_name("FILE");
     sub->add_flag("--per-mesh", command->per_mesh, "Also a line on each mesh");
     sub->footer("Examples:\n"
                 "  skelgen evaluate truth.json body.json\n"

@@ -140,12 +140,16 @@ void add_shape_options(CLI::App& sub, SynthCommand& command) {
     sub.add_option("--height", shape.height, "Metres, 0.8 to 2.3; default: the average of age and sex");
     sub.add_option("--weight", shape.weight, "Kilograms, body mass index 12 to 60; default: the average");
     sub.add_option("--muscle", shape.muscle, "0 slack to 1 athletic")->capture_default_str();
-    sub.add_option("--arm-length", shape.arm_length, "Factor, 0.6 to 1.5")->capture_default_str();
-    sub.add_option("--leg-length", shape.leg_length, "Factor, 0.6 to 1.5; the height stays")->capture_default_str();
-    sub.add_option("--torso-length", shape.torso_length, "Factor, 0.6 to 1.5; the height stays")->capture_default_str();
-    sub.add_option("--head-size", shape.head_size, "Factor, 0.7 to 1.5")->capture_default_str();
-    sub.add_option("--shoulder-width", shape.shoulder_width, "Factor, 0.7 to 1.4")->capture_default_str();
-    sub.add_option("--hip-width", shape.hip_width, "Factor, 0.7 to 1.4")->capture_default_str();
+    sub.add_option("--arm-length", shape.arm_length, "Factor, 0.4 to 1.8")->capture_default_str();
+    sub.add_option("--leg-length", shape.leg_length, "Factor, 0.3 to 1.5; the height stays")->capture_default_str();
+    sub.add_option("--torso-length", shape.torso_length, "Factor, 0.5 to 1.5; the height stays")->capture_default_str();
+    sub.add_option("--head-size", shape.head_size, "Factor, 0.6 to 3.5; the height stays")->capture_default_str();
+    sub.add_option("--hand-size", shape.hand_size, "Factor, 0.6 to 2.5")->capture_default_str();
+    sub.add_option("--foot-size", shape.foot_size, "Factor, 0.6 to 2; the body's height stays")->capture_default_str();
+    sub.add_option("--limb-girth", shape.limb_girth, "Factor on the thickness of arms and legs, 0.6 to 2")
+        ->capture_default_str();
+    sub.add_option("--shoulder-width", shape.shoulder_width, "Factor, 0.6 to 1.6")->capture_default_str();
+    sub.add_option("--hip-width", shape.hip_width, "Factor, 0.6 to 1.6")->capture_default_str();
 }
 
 } // namespace

@@ -92,6 +92,7 @@ MeshScore evaluate_file(const fs::path& truth, const fs::path& prediction, const
         return known.not_a_body ? score_of_no_body(prediction) : score_joints(known, joints);
     });
     score.name = truth.stem().string();
+    score.confidences = read_joint_confidences(prediction);
     if (mesh && score.complete)
         score.outside = naming(*mesh, [&] { return joints_outside(io::read_mesh<double>(*mesh), joints); });
     return score;

@@ -16,6 +16,7 @@ namespace skelgen::anatomy {
     template Outcome<MovedInside<Scalar>> move_inside(KinematicSkeleton<Scalar>, const Body<Scalar>&,                  \
                                                       const CurveSkeleton<Scalar>&);                                   \
     template KinematicSkeleton<Scalar> measure_radii(KinematicSkeleton<Scalar>, const Body<Scalar>&);                  \
+    template KinematicSkeleton<Scalar> no_surer_than_the_whole(KinematicSkeleton<Scalar>);                             \
     template JudgedSkeleton<Scalar> estimate_confidence(KinematicSkeleton<Scalar>, const SkeletonTemplate&,            \
                                                         const std::vector<Scalar>&, const std::vector<int>&);          \
     template Outcome<JudgedSkeleton<Scalar>> complete_skeleton(KinematicSkeleton<Scalar>, const Body<Scalar>&,         \

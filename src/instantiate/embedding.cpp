@@ -2,6 +2,7 @@
 
 #include <skelgen/embedding/impl/embed.hpp>
 #include <skelgen/embedding/impl/loop_cuts.hpp>
+#include <skelgen/embedding/impl/missing_limbs.hpp>
 #include <skelgen/embedding/impl/part_contacts.hpp>
 #include <skelgen/embedding/impl/reduced_graph.hpp>
 #include <skelgen/embedding/impl/spectral_matching.hpp>
@@ -9,6 +10,8 @@
 namespace skelgen::embedding {
 
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
+    template std::optional<PartialTemplate> find_missing_limb(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,   \
+                                                              const Embedding&, const MatchingOptions&);               \
     template ReducedGraph<Scalar> reduce(const CurveSkeleton<Scalar>&);                                                \
     template ReducedGraph<Scalar> reduce<Scalar>(const SkeletonTemplate&);                                             \
     template Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> affinity_matrix(                                    \

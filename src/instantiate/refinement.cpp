@@ -1,9 +1,11 @@
 // The refinement's templates, compiled once for float and double.
 
+#include <skelgen/refinement/impl/bare_joints.hpp>
 #include <skelgen/refinement/impl/bone_line.hpp>
 #include <skelgen/refinement/impl/centreline.hpp>
 #include <skelgen/refinement/impl/cross_section.hpp>
 #include <skelgen/refinement/impl/end_points.hpp>
+#include <skelgen/refinement/impl/flat_end.hpp>
 #include <skelgen/refinement/impl/fork.hpp>
 #include <skelgen/refinement/impl/head.hpp>
 #include <skelgen/refinement/impl/hip_anchor.hpp>
@@ -14,6 +16,7 @@
 #include <skelgen/refinement/impl/profile_matcher.hpp>
 #include <skelgen/refinement/impl/refine.hpp>
 #include <skelgen/refinement/impl/thickness_profile.hpp>
+#include <skelgen/refinement/impl/trunk_axis.hpp>
 #include <skelgen/refinement/impl/trunk_joints.hpp>
 #include <skelgen/refinement/impl/trunk_shape.hpp>
 
@@ -22,14 +25,19 @@ namespace skelgen::refinement {
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
     template class Slicer<Scalar>;                                                                                     \
     template Scalar gauss_map_flatness(const CrossSection<Scalar>&);                                                   \
+    template Vector3<Scalar> widest_direction(const CrossSection<Scalar>&);                                            \
     template Scalar egg_shape(const CrossSection<Scalar>&, const Vector3<Scalar>&);                                    \
     template Centreline<Scalar> draw_centreline(const Slicer<Scalar>&, const Points<Scalar>&,                          \
                                                 const CentrelineOptions&);                                             \
     template std::vector<EndPoint<Scalar>> find_end_points(const Body<Scalar>&, const CurveSkeleton<Scalar>&,          \
                                                            const embedding::Embedding&, const SkeletonTemplate&);      \
     template Scalar geodesic_diameter(const std::vector<EndPoint<Scalar>>&);                                           \
+    template Scalar flat_end(const TriangleMesh<Scalar>&, const Limb<Scalar>&, const EndPoint<Scalar>&, Scalar);       \
     template std::optional<Vector3<Scalar>> fork_between(const TriangleMesh<Scalar>&, const EndPoint<Scalar>&,         \
                                                          const EndPoint<Scalar>&);                                     \
+    template Points<Scalar> way_between(const TriangleMesh<Scalar>&, const EndPoint<Scalar>&, const EndPoint<Scalar>&, \
+                                        Scalar, Scalar);                                                               \
+    template Vector3<Scalar> highest_on(const Points<Scalar>&, const Vector3<Scalar>&, const Vector3<Scalar>&);        \
     template Scalar template_scale(const SkeletonTemplate&, Scalar);                                                   \
     template Limb<Scalar> draw_limb(Limb<Scalar>, const Slicer<Scalar>&, const EndPoint<Scalar>&,                      \
                                     const CentrelineOptions&);                                                         \
@@ -65,6 +73,8 @@ namespace skelgen::refinement {
                                           const BoneLineOptions&);                                                     \
     template Placement<Scalar> place_girdle(Placement<Scalar>, const Limb<Scalar>&, const GirdleOptions&,              \
                                             const BoneLineOptions&);                                                   \
+    template Placement<Scalar> place_bare_joints(Placement<Scalar>, const CurveSkeleton<Scalar>&,                      \
+                                                 const embedding::Embedding&);                                         \
     template Placement<Scalar> narrow_hips(Placement<Scalar>, const std::vector<Limb<Scalar>>&);                       \
     template std::optional<TrunkAxis<Scalar>> find_trunk_axis(const Slicer<Scalar>&, const Points<Scalar>&, Scalar);   \
     template std::optional<Placement<Scalar>> place_pelvis(Placement<Scalar>, const std::vector<Limb<Scalar>>&,        \

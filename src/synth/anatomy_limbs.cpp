@@ -29,8 +29,8 @@ Tube limb_outline(const Proportions& p, const std::array<LimbRow, n>& rows, doub
         const double woman = std::lerp(woman_at_top, woman_at_end, row.at);
         const double thin = 1 - woman * (1 - p.masculinity) - 0.07 * (1 - p.maturity);
         const double more = row.fat * p.fat + row.muscle * (p.muscle - 0.3);
-        const double side = p.scale * (thin * row.side + more), depth = p.scale * (thin * row.depth + more);
-        rings.push_back({row.at * length, side, depth - p.scale * row.back, depth + p.scale * row.back});
+        const double k = p.limb_scale, side = k * (thin * row.side + more), depth = k * (thin * row.depth + more);
+        rings.push_back({row.at * length, side, depth - k * row.back, depth + k * row.back});
     }
     const double low = low_cap * rings.front().side, high = high_cap * rings.back().side;
     return Tube(std::move(rings), 2, low, high);
@@ -91,7 +91,7 @@ Vec3 add_finger(std::vector<Blob>& blobs, const Vec3& knuckle, double spread, do
 const Tube& outline(const std::vector<Blob>& limb) { return std::get<Tube>(limb.front().form); }
 
 std::vector<Blob> upper_arm(const Proportions& p) {
-    const double k = p.scale, strong = 1 + 0.4 * (p.muscle - 0.3) + 0.5 * p.fat - 0.10 * (1 - p.masculinity);
+    const double k = p.limb_scale, strong = 1 + 0.4 * (p.muscle - 0.3) + 0.5 * p.fat - 0.10 * (1 - p.masculinity);
     std::vector<Blob> blobs{{limb_outline(p, upper_arm_rows, 0.04, p.upper_arm, 0.8, 0.9), 0}};
     // The deltoid caps the shoulder and ends above the middle third of the bone.
     blobs.push_back({Ellipsoid{k * Vec3(0.003, 0.000, 0.016), k * strong * Vec3(0.053, 0.060, 0.068)}, 0.02 * k});
@@ -103,7 +103,7 @@ std::vector<Blob> forearm(const Proportions& p) {
 }
 
 std::vector<Blob> thigh(const Proportions& p) {
-    const double k = p.scale, full = k * (1 + 0.4 * p.fat - 0.03 * (1 - p.masculinity) - 0.10 * (1 - p.maturity));
+    const double k = p.limb_scale, full = k * (1 + 0.4 * p.fat - 0.03 * (1 - p.masculinity) - 0.10 * (1 - p.maturity));
     std::vector<Blob> blobs{{limb_outline(p, thigh_rows, 0.02, p.thigh, 0.75, 0.9), 0}};
     // The great trochanter and the flesh over it: joint and bone lie towards the inner side of the upper thigh.
     const Vec3 top((0.028 + 0.03 * p.fat) * k, 0, -0.01 * k), end((0.004 + 0.01 * p.fat) * k, 0, 0.37 * p.thigh);
@@ -112,7 +112,7 @@ std::vector<Blob> thigh(const Proportions& p) {
 }
 
 std::vector<Blob> calf(const Proportions& p) {
-    const double k = p.scale, thin = 1 - 0.10 * (1 - p.masculinity) - 0.07 * (1 - p.maturity);
+    const double k = p.limb_scale, thin = 1 - 0.10 * (1 - p.masculinity) - 0.07 * (1 - p.maturity);
     std::vector<Blob> blobs{{limb_outline(p, calf_rows, 0.10, p.calf, 0.95, 0.9), 0}};
     blobs.push_back({Ellipsoid{k * Vec3(0, -0.036 * thin - 0.012 * p.fat, 0.004), k * thin * Vec3(0.025, 0.020, 0.030)},
                      0.018 * k});

@@ -12,13 +12,16 @@
 namespace skelgen::synth {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Garment>, 7> garments{{{"boots", Garment::boots},
-                                                                        {"coat", Garment::coat},
-                                                                        {"hat", Garment::hat},
-                                                                        {"long-hair", Garment::long_hair},
-                                                                        {"rucksack", Garment::rucksack},
-                                                                        {"skirt", Garment::skirt},
-                                                                        {"trousers", Garment::trousers}}};
+constexpr std::array<std::pair<std::string_view, Garment>, 10> garments{{{"boots", Garment::boots},
+                                                                         {"coat", Garment::coat},
+                                                                         {"hat", Garment::hat},
+                                                                         {"horns", Garment::horns},
+                                                                         {"long-hair", Garment::long_hair},
+                                                                         {"mittens", Garment::mittens},
+                                                                         {"rucksack", Garment::rucksack},
+                                                                         {"skirt", Garment::skirt},
+                                                                         {"tail", Garment::tail},
+                                                                         {"trousers", Garment::trousers}}};
 
 } // namespace
 
@@ -222,6 +225,44 @@ void put_on_rucksack(ImplicitBody& body, const Proportions& p) {
     body.carry(Eigen::Isometry3d::Identity(), std::move(straps));
 }
 
+/// A chain of rounded cones through the points.
+std::vector<Blob> chain(const std::vector<Vec3>& path, const std::vector<double>& radii, double blend) {
+    std::vector<Blob> blobs;
+    for (std::size_t i = 1; i < path.size(); ++i)
+        blobs.push_back({RoundCone{path[i - 1], path[i], radii[i - 1], radii[i]}, blend});
+    return blobs;
+}
+
+/// From the sides of the skull outwards, then up.
+void put_on_horns(ImplicitBody& body, double h) {
+    std::vector<Blob> horns;
+    for (const double side : {1.0, -1.0}) {
+        const auto at = [&](double x, double y, double z) -> Vec3 { return h * Vec3(side * x, y, z); };
+        const std::vector<Blob> horn =
+            chain({at(0.045, -0.02, 0.125), at(0.095, -0.02, 0.165), at(0.120, -0.03, 0.220), at(0.115, -0.05, 0.275)},
+                  {0.024 * h, 0.022 * h, 0.017 * h, 0.008 * h}, 0.006 * h);
+        horns.insert(horns.end(), horn.begin(), horn.end());
+    }
+    body.wear(PartName::head, std::move(horns), 0.13 * h);
+}
+
+void put_on_mittens(ImplicitBody& body, double h) {
+    for (const PartName upper : upper_arms)
+        body.wear(next(upper, 2), {{Ellipsoid{h * Vec3(-0.012, -0.008, 0.088), h * Vec3(0.052, 0.072, 0.108)}, 0}},
+                  0.03 * h);
+}
+
+/// From the sacrum backwards and down, its end turned up again.
+void put_on_tail(ImplicitBody& body, double k) {
+    const double root = body.skeleton().rest_position(BodyJoint::crotch).z();
+    const Eigen::Isometry3d pelvis = body.skeleton().frame(BodyJoint::crotch);
+    const auto at = [&](double back, double z) -> Vec3 { return pelvis * Vec3(0, back * k, z * k); };
+    const Vec3 start = body.trunk_to_world({0, 0.06 * k, root});
+    body.carry(Eigen::Isometry3d::Identity(),
+               chain({start, at(0.20, -0.02), at(0.36, -0.09), at(0.50, -0.12), at(0.62, -0.06), at(0.67, 0.05)},
+                     {0.048 * k, 0.042 * k, 0.036 * k, 0.031 * k, 0.026 * k, 0.020 * k}, 0.010 * k));
+}
+
 } // namespace
 
 void put_on(ImplicitBody& body, const Proportions& p, Garment garment) {
@@ -232,13 +273,19 @@ void put_on(ImplicitBody& body, const Proportions& p, Garment garment) {
         return put_on_coat(body, p.scale);
     case Garment::hat:
         return put_on_hat(body, p);
+    case Garment::horns:
+        return put_on_horns(body, p.head_scale);
     case Garment::long_hair:
         return put_on_long_hair(body, p);
+    case Garment::mittens:
+        return put_on_mittens(body, p.hand_scale);
     case Garment::rucksack:
         return put_on_rucksack(body, p);
     case Garment::skirt:
         cover_hips(body, 0.010 * p.scale);
         return add_skirt(body, 0.92, 0.016 * p.scale, 0.045 * p.scale);
+    case Garment::tail:
+        return put_on_tail(body, p.scale);
     case Garment::trousers:
         return put_on_trousers(body, p.scale);
     }

@@ -167,7 +167,7 @@ ImplicitBody::ImplicitBody(const Proportions& p, const BodyPose& pose)
 void ImplicitBody::build_arm(const Proportions& p, const BodyPose& pose, PartName first, BodyJoint shoulder,
                              Vec3& fingertip) {
     const auto at = [&](int step) { return skeleton_.position(next(shoulder, step)); };
-    const double side = side_of(shoulder), heavy = std::max(0.0, p.fat), k = p.scale;
+    const double side = side_of(shoulder), heavy = std::max(0.0, p.fat), k = p.limb_scale;
     Part& upper = parts_[index(first)] = limb_part(skeleton_.frame(shoulder), side, upper_arm(p), p.upper_arm);
     Part& fore = parts_[index(first) + 1] = limb_part(skeleton_.frame(next(shoulder, 1)), side, forearm(p), p.forearm);
     Hand fist = hand(p, pose.at(next(shoulder, 3)));
@@ -186,7 +186,7 @@ void ImplicitBody::build_arm(const Proportions& p, const BodyPose& pose, PartNam
 
 void ImplicitBody::build_leg(const Proportions& p, const BodyPose& pose, PartName first, BodyJoint hip, Vec3& toe) {
     const auto at = [&](int step) { return skeleton_.position(next(hip, step)); };
-    const double side = side_of(hip), heavy = std::max(0.0, p.fat), k = p.scale;
+    const double side = side_of(hip), heavy = std::max(0.0, p.fat), k = p.limb_scale;
     Part& upper = parts_[index(first)] = limb_part(skeleton_.frame(hip), side, thigh(p), p.thigh);
     Part& lower = parts_[index(first) + 1] = limb_part(skeleton_.frame(next(hip, 1)), side, calf(p), p.calf);
     Part& end = parts_[index(first) + 2];

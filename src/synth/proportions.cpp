@@ -45,12 +45,15 @@ void check_shape(const BodyShape& shape) {
     check_range("masculinity", shape.masculinity, 0, 1, " (woman to man)", false);
     check_range("height", shape.height, 0.8, 2.3, " m", true);
     check_range("muscle", shape.muscle, 0, 1, "", false);
-    check_range("arm length", shape.arm_length, 0.6, 1.5, " times the average", false);
-    check_range("leg length", shape.leg_length, 0.6, 1.5, " times the average", false);
-    check_range("torso length", shape.torso_length, 0.6, 1.5, " times the average", false);
-    check_range("head size", shape.head_size, 0.7, 1.5, " times the average", false);
-    check_range("shoulder width", shape.shoulder_width, 0.7, 1.4, " times the average", false);
-    check_range("hip width", shape.hip_width, 0.7, 1.4, " times the average", false);
+    check_range("arm length", shape.arm_length, 0.4, 1.8, " times the average", false);
+    check_range("leg length", shape.leg_length, 0.3, 1.5, " times the average", false);
+    check_range("torso length", shape.torso_length, 0.5, 1.5, " times the average", false);
+    check_range("head size", shape.head_size, 0.6, 3.5, " times the average", false);
+    check_range("hand size", shape.hand_size, 0.6, 2.5, " times the average", false);
+    check_range("foot size", shape.foot_size, 0.6, 2, " times the average", false);
+    check_range("limb girth", shape.limb_girth, 0.6, 2, " times the average", false);
+    check_range("shoulder width", shape.shoulder_width, 0.6, 1.6, " times the average", false);
+    check_range("hip width", shape.hip_width, 0.6, 1.6, " times the average", false);
     const double height = shape.height > 0 ? shape.height : average_height(shape);
     const auto kilograms = [height](double index) { return std::round(10 * index * height * height) / 10; };
     check_range("weight", shape.weight, kilograms(12), kilograms(60), " kg at this height", true);
@@ -80,7 +83,7 @@ Proportions proportions_of(const BodyShape& given) {
     const double leg = shape.leg_length * (1 - 0.10 * child);
     const double torso = shape.torso_length * (1 + 0.02 * child + 0.01 * woman);
     const double head = shape.head_size * (1 + 0.42 * child);
-    p.ankle_height = 0.082;
+    p.ankle_height = 0.082 * shape.foot_size;
     p.calf = 0.405 * leg;
     p.thigh = 0.378 * leg;
     p.hip_drop = 0.087 * torso;
@@ -97,8 +100,9 @@ Proportions proportions_of(const BodyShape& given) {
         *length *= fit;
 
     p.scale = shape.height / 1.75;
+    p.limb_scale = p.scale * shape.limb_girth;
     p.head_scale = head * fit;
-    p.hand_scale = 1.08 * p.scale * (1 + 0.04 * child) * (1 - 0.05 * woman);
+    p.hand_scale = 1.08 * p.scale * shape.hand_size * (1 + 0.04 * child) * (1 - 0.05 * woman);
     p.foot_scale = p.ankle_height / 0.082 * (1 + 0.02 * child) * (1 - 0.05 * woman);
     p.shoulder_factor = shape.shoulder_width;
     p.hip_factor = shape.hip_width;

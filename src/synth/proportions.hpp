@@ -7,6 +7,7 @@ namespace skelgen::synth {
 /// Lengths of one person, in metres, and how much of what is on the bones.
 struct Proportions {
     double scale = 1;      ///< trunk and limbs relative to a man of 1.75 m
+    double limb_scale = 1; ///< thickness of arms and legs, likewise
     double head_scale = 1; ///< head, neck upwards
     double hand_scale = 1;
     double foot_scale = 1;

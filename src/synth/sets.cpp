@@ -122,10 +122,11 @@ Plans partial(std::uint64_t seed) {
     return changed_people(cuts, &BodyPlan::missing, seed);
 }
 
+constexpr double sunk_in = -0.004; ///< metres: parts so deep in each other are one surface
+
 /// The pose with these joints moved towards the body until something sinks in a few millimetres.
 BodyPose closed_in(const BodyShape& shape, BodyPose pose, const std::vector<BodyJoint>& joints) {
-    constexpr double deep_enough = -0.004;
-    for (int step = 0; step < 160 && limb_clearance(shape, pose) > deep_enough; ++step)
+    for (int step = 0; step < 160 && limb_clearance(shape, pose) > sunk_in; ++step)
         for (const BodyJoint joint : joints) pose.at(joint).side -= 0.5;
     return pose;
 }
@@ -172,6 +173,162 @@ Plans scan(std::uint64_t seed) {
     return plans;
 }
 
+/// The joint on both sides turned by `step` again and again until the smallest gap between parts is `gap`: apart where
+/// it was smaller, towards each other where it was larger, as far as the joint goes.
+BodyPose with_gap(const BodyShape& shape, BodyPose pose, BodyJoint joint, const JointAngles& step, double gap) {
+    const AngleRange limits = joint_limits(joint);
+    const auto turn = [&](double sign) {
+        JointAngles& angles = pose.at(joint);
+        angles.bend = std::clamp(angles.bend + sign * step.bend, limits.low.bend, limits.high.bend);
+        angles.side = std::clamp(angles.side + sign * step.side, limits.low.side, limits.high.side);
+        angles.turn = std::clamp(angles.turn + sign * step.turn, limits.low.turn, limits.high.turn);
+        pose.at(mirrored_joint(joint)) = angles;
+    };
+    constexpr int most_steps = 160;
+    for (int i = 0; i < most_steps && limb_clearance(shape, pose) < gap; ++i) turn(-1);
+    for (int i = 0; i < most_steps && limb_clearance(shape, pose) > gap; ++i) turn(1);
+    return pose;
+}
+
+Plans curled(std::uint64_t) {
+    struct Curl {
+        const char* name;
+        JointAngles crotch, waist, chest, neck;
+        JointAngles shoulder, elbow, wrist, hip, knee, ankle; ///< on both sides
+        BodyJoint closing;
+        JointAngles step; ///< of the closing joint
+    };
+    const std::vector<Curl> curls{{"squat",
+                                   {25, 0, 0},
+                                   {22, 0, 0},
+                                   {10, 0, 0},
+                                   {-20, 0, 0},
+                                   {80, 14, 0},
+                                   {12, 0, 0},
+                                   {},
+                                   {112, 16, 10},
+                                   {146, 0, 0},
+                                   {24, 0, 0},
+                                   J::left_shoulder,
+                                   {0, -0.5, 0}},
+                                  {"hands-on-knees",
+                                   {},
+                                   {10, 0, 0},
+                                   {4, 0, 0},
+                                   {},
+                                   {48, 12, -8},
+                                   {30, 0, 0},
+                                   {0, 0, -70},
+                                   {86, 12, 4},
+                                   {88, 0, 0},
+                                   {},
+                                   J::left_shoulder,
+                                   {-0.5, 0, 0}},
+                                  {"hands-in-lap",
+                                   {},
+                                   {6, 0, 0},
+                                   {4, 0, 0},
+                                   {10, 0, 0},
+                                   {28, 10, -34},
+                                   {66, 0, 0},
+                                   {0, 0, -60},
+                                   {86, 10, 4},
+                                   {88, 0, 0},
+                                   {},
+                                   J::left_elbow,
+                                   {-0.5, 0, 0}},
+                                  {"hands-behind-back",
+                                   {},
+                                   {},
+                                   {},
+                                   {},
+                                   {-34, 22, -84},
+                                   {70, 0, 0},
+                                   {0, 0, 0},
+                                   {0, 8, 4},
+                                   {0, -3, 0},
+                                   {},
+                                   J::left_elbow,
+                                   {0.5, 0, 0}},
+                                  {"kneeling-on-heels",
+                                   {10, 0, 0},
+                                   {8, 0, 0},
+                                   {},
+                                   {},
+                                   {22, 14, 0},
+                                   {24, 0, 0},
+                                   {0, 0, -60},
+                                   {78, 8, 0},
+                                   {146, 0, 0},
+                                   {-50, 0, 0},
+                                   J::left_shoulder,
+                                   {-0.5, 0, 0}},
+                                  {"knees-to-chest",
+                                   {14, 0, 0},
+                                   {34, 0, 0},
+                                   {16, 0, 0},
+                                   {8, 0, 0},
+                                   {58, 22, -6},
+                                   {34, 0, 0},
+                                   {0, 0, -40},
+                                   {122, 8, 2},
+                                   {132, 0, 0},
+                                   {-6, 0, 0},
+                                   J::left_shoulder,
+                                   {0, -0.5, 0}},
+                                  {"foetal",
+                                   {0, 0, 0},
+                                   {46, 0, 0},
+                                   {22, 0, 0},
+                                   {26, 0, 0},
+                                   {52, 20, -18},
+                                   {120, 0, 0},
+                                   {0, 0, -30},
+                                   {108, 14, 2},
+                                   {112, 0, 0},
+                                   {-20, 0, 0},
+                                   J::left_shoulder,
+                                   {0, -0.5, 0}},
+                                  {"hands-on-shoulders",
+                                   {},
+                                   {},
+                                   {},
+                                   {},
+                                   {40, 30, -40},
+                                   {118, 0, 0},
+                                   {},
+                                   {0, 8, 4},
+                                   {0, -3, 0},
+                                   {},
+                                   J::left_elbow,
+                                   {0.5, 0, 0}}};
+    constexpr double just_apart = 0.004;
+    Plans plans;
+    for (const Curl& curl : curls) {
+        BodyPose pose;
+        pose.at(J::crotch) = curl.crotch, pose.at(J::waist) = curl.waist;
+        pose.at(J::chest) = curl.chest, pose.at(J::neck) = curl.neck;
+        for (const auto& [joint, angles] : {std::pair{J::left_shoulder, curl.shoulder},
+                                            {J::left_elbow, curl.elbow},
+                                            {J::left_wrist, curl.wrist},
+                                            {J::left_hip, curl.hip},
+                                            {J::left_knee, curl.knee},
+                                            {J::left_ankle, curl.ankle}})
+            pose.at(joint) = pose.at(mirrored_joint(joint)) = angles;
+        for (const bool joins : {false, true}) {
+            const BodyShape shape = person(30, joins ? 1 : 0);
+            const double gap = joins ? sunk_in : just_apart;
+            BodyPose closed = with_gap(shape, pose, curl.closing, curl.step, gap);
+            // Forearms that pass beside the legs come to them from the sides.
+            if (limb_clearance(shape, closed) > gap)
+                closed = with_gap(shape, pose, J::left_shoulder, {0, -0.5, 0}, gap);
+            plans.push_back(plan(std::string(curl.name) + (joins ? "-joined" : "-touching"), shape, closed));
+            plans.back().may_touch = true;
+        }
+    }
+    return plans;
+}
+
 /// Arms and legs further apart than a naked body needs.
 BodyPose dressed_pose(const BodyShape& shape, const char* name) {
     BodyPose pose = spread_limbs(shape, named_pose(name));
@@ -200,6 +357,50 @@ Plans dressed(std::uint64_t) {
     return plans;
 }
 
+Plans cartoon(std::uint64_t seed) {
+    using G = Garment;
+    struct Figure {
+        const char* name;
+        BodyShape shape;
+        std::vector<Garment> wears;
+    };
+    /// Head, torso, legs, arms, hands, feet and girth of the limbs, relative to a grown-up's.
+    const auto figure = [](double head, double torso, double leg, double arm, double hand, double foot, double girth) {
+        BodyShape shape = person(30, 0.5, 1.2);
+        shape.head_size = head, shape.torso_length = torso, shape.leg_length = leg, shape.arm_length = arm;
+        shape.hand_size = hand, shape.foot_size = foot, shape.limb_girth = girth;
+        return shape;
+    };
+    const auto broad = [](BodyShape shape, double shoulders, double hips, double weight) {
+        shape.shoulder_width = shoulders, shape.hip_width = hips, shape.weight = weight;
+        return shape;
+    };
+    const std::vector<Figure> figures{
+        {"third-is-head", figure(2.4, 0.85, 0.5, 0.75, 1.1, 1.0, 1.0), {}},
+        {"small-child", figure(1.8, 0.9, 0.6, 0.7, 1, 0.9, 1.1), {}},
+        {"legs-of-a-quarter", broad(figure(1.8, 1, 0.42, 0.9, 1.3, 1.2, 1.2), 1, 1.3, 0), {}},
+        {"dwarf", broad(figure(1.5, 0.9, 0.5, 0.7, 1.2, 1.2, 1.15), 1.2, 1.4, 40), {G::boots}},
+        {"ape", broad(figure(1.1, 1, 0.55, 1.4, 1.4, 1.3, 1.2), 1.3, 1.1, 0), {}},
+        {"paws", figure(1.6, 0.9, 0.7, 0.9, 1.6, 1.4, 1.1), {G::mittens}},
+        {"boots", figure(1.7, 0.9, 0.7, 0.9, 1.2, 1.3, 0.8), {G::boots}},
+        {"horns", figure(1.5, 0.9, 0.7, 0.9, 1.3, 1.2, 1), {G::horns, G::mittens}},
+        {"tail", figure(1.5, 0.9, 0.7, 0.9, 1.3, 1.2, 1), {G::boots, G::tail}},
+        {"doll", figure(2, 0.8, 0.9, 0.9, 0.9, 0.8, 0.7), {G::long_hair}},
+        {"stick", figure(1.8, 0.8, 1.2, 1.3, 1.4, 1.3, 0.6), {}},
+        {"barrel", broad(figure(1, 1.4, 0.5, 0.8, 1.2, 1.2, 1.1), 1.1, 1.3, 46), {}}};
+    Plans plans;
+    for (const auto& [name, shape, wears] : figures) {
+        const bool naked = wears.empty();
+        plans.push_back(plan(std::string(name) + "-a", shape,
+                             naked ? spread_limbs(shape, named_pose("a")) : dressed_pose(shape, "a")));
+        plans.back().clothes = wears;
+        plans.push_back(naked ? plan(std::string(name) + "-random", shape, random_free_pose(shape, seed + plans.size()))
+                              : plan(std::string(name) + "-walk", shape, dressed_pose(shape, "walk")));
+        plans.back().clothes = wears;
+    }
+    return plans;
+}
+
 Plans pieces(std::uint64_t) {
     using G = Garment;
     using L = LimbPieces;
@@ -224,14 +425,16 @@ struct NamedSet {
     Plans (*plans)(std::uint64_t seed);
 };
 
-constexpr std::array<NamedSet, 8> sets{{{"scape", scape},
-                                        {"faust", faust},
-                                        {"proportions", proportions},
-                                        {"partial", partial},
-                                        {"joined", joined},
-                                        {"scan", scan},
-                                        {"dressed", dressed},
-                                        {"pieces", pieces}}};
+constexpr std::array<NamedSet, 10> sets{{{"scape", scape},
+                                         {"faust", faust},
+                                         {"proportions", proportions},
+                                         {"partial", partial},
+                                         {"joined", joined},
+                                         {"scan", scan},
+                                         {"dressed", dressed},
+                                         {"pieces", pieces},
+                                         {"cartoon", cartoon},
+                                         {"curled", curled}}};
 
 } // namespace
 

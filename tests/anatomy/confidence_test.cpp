@@ -100,3 +100,22 @@ TEST_CASE("what is missing is neither trusted nor misplaced, and says nothing of
     const auto even = equalise_bones(skeleton, builtin_template("human21")).skeleton;
     CHECK(at(even, "left_hand") == at(skeleton, "left_hand"));
 }
+
+TEST_CASE("no joint is surer than the sides, nor than the joints are on average") {
+    KinematicSkeleton<double> skeleton = rest_skeleton<double>();
+    for (Joint<double>& joint : skeleton.joints) joint.confidence = 0.8;
+    skeleton.joints[0].confidence = 1;
+    skeleton.joints[1].confidence = 0.6;
+    skeleton.joints[2].confidence = 0;
+    skeleton.joints[2].is_present = false;
+    skeleton.quality.sides_confidence = 0.9;
+    const auto by_mean = no_surer_than_the_whole(skeleton);
+    CHECK(by_mean.joints[0].confidence == Approx(0.8));
+    CHECK(by_mean.joints[1].confidence == 0.6);
+    CHECK(by_mean.joints[2].confidence == 0);
+    skeleton.quality.sides_confidence = 0.3;
+    const auto by_sides = no_surer_than_the_whole(skeleton);
+    CHECK(by_sides.joints[0].confidence == 0.3);
+    CHECK(by_sides.joints[1].confidence == 0.3);
+    CHECK(by_sides.quality.sides_confidence == 0.3);
+}

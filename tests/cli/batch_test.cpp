@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <map>
 #include <regex>
-#include <sstream>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -11,6 +10,7 @@
 
 #include <skelgen/io/read_mesh.hpp>
 
+#include "batch_results.hpp"
 #include "catch.hpp"
 #include "run_cli.hpp"
 
@@ -19,32 +19,6 @@ namespace {
 using namespace skelgen::test;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
-
-/// summary.jsonl by file; fails the test if a file has two lines or a line is no JSON.
-std::map<std::string, Json> read_summary(const fs::path& folder) {
-    std::map<std::string, Json> lines;
-    std::istringstream text(read_file(folder / "summary.jsonl"));
-    for (std::string line; std::getline(text, line);) {
-        const Json json = Json::parse(line);
-        CHECK(lines.emplace(json.at("file"), json).second);
-    }
-    return lines;
-}
-
-std::map<std::string, std::string> statuses(const fs::path& folder) {
-    std::map<std::string, std::string> all;
-    for (const auto& [file, line] : read_summary(folder)) all[file] = line.at("status");
-    return all;
-}
-
-/// The files below a batch's output folder and what they hold, less what differs from run to run.
-std::map<std::string, std::string> results(const fs::path& folder) {
-    static const std::regex times("\"timings_ms\": \\{[^}]*\\}|\"seconds\":[0-9.e+-]+");
-    std::map<std::string, std::string> all;
-    for (const std::string& file : files_below(folder))
-        all[file] = std::regex_replace(read_file(folder / file), times, "");
-    return all;
-}
 
 /// A named pipe that nobody writes to: reading it as a mesh takes forever.
 class EndlessMesh {

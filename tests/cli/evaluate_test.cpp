@@ -62,6 +62,14 @@ TEST_CASE("two folders are compared, to text, CSV and JSON") {
         CHECK(result.out == "set,joint,count,mean,median,p95,worst,worst_mesh\nset,neck,1,0.01,0.01,0.01,0.01,a\n"
                             "set,all,1,0.01,0.01,0.01,0.01,a\n");
     }
+    SECTION("reliability to a picture or JSON, and the text too") {
+        const CliResult picture = run_cli(folder.path(), {"evaluate", "truth", "results", "--reliability", "plot.png"});
+        CHECK(picture.status == 0);
+        CHECK(picture.out.find("set: solved 1/1") == 0);
+        CHECK(read_file(folder / "plot.png").substr(1, 3) == "PNG");
+        CHECK(run_cli(folder.path(), {"evaluate", "truth", "results", "--reliability", "plot.json"}).status == 0);
+        CHECK(read_file(folder / "plot.json").find("\"mean_confidence\"") != std::string::npos);
+    }
     SECTION("CSV to a file, and the text too") {
         const CliResult result = run_cli(folder.path(), {"evaluate", "truth", "results", "--csv", "table.csv"});
         CHECK(result.out.find("set: solved 1/1") == 0);

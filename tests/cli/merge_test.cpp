@@ -1,14 +1,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <regex>
-#include <sstream>
 #include <string>
 #include <sys/stat.h>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "batch_results.hpp"
 #include "catch.hpp"
 #include "run_cli.hpp"
 
@@ -18,32 +17,6 @@ using namespace skelgen::test;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 using Statuses = std::map<std::string, std::string>;
-
-/// summary.jsonl by file; fails the test if a file has two lines or a line is no JSON.
-std::map<std::string, Json> read_summary(const fs::path& folder) {
-    std::map<std::string, Json> lines;
-    std::istringstream text(read_file(folder / "summary.jsonl"));
-    for (std::string line; std::getline(text, line);) {
-        const Json json = Json::parse(line);
-        CHECK(lines.emplace(json.at("file"), json).second);
-    }
-    return lines;
-}
-
-Statuses statuses(const fs::path& folder) {
-    Statuses all;
-    for (const auto& [file, line] : read_summary(folder)) all[file] = line.at("status");
-    return all;
-}
-
-/// The files below an output folder and what they hold, less what differs from run to run.
-std::map<std::string, std::string> results(const fs::path& folder) {
-    static const std::regex times("\"timings_ms\": \\{[^}]*\\}|\"seconds\":[0-9.e+-]+");
-    std::map<std::string, std::string> all;
-    for (const std::string& file : files_below(folder))
-        all[file] = std::regex_replace(read_file(folder / file), times, "");
-    return all;
-}
 
 /// A batch of the bodies in/a.off and in/b.off, done in the shards s1 (a) and s2 (b).
 struct TwoShards {

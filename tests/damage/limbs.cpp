@@ -1,10 +1,15 @@
 #include "limbs.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <optional>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include <skelgen/core/error.hpp>
+#include <skelgen/core/skeleton_template.hpp>
 
 namespace skelgen::damage {
 namespace {
@@ -15,7 +20,7 @@ enum class Across { next_bone, both_bones, last_bone }; ///< which way a cut's p
 struct Cut {
     std::size_t limb; ///< the one that begins here
     std::string last, joint, next;
-    Across across;              ///< tried before the other ways
+    Across across;              ///< tried first, and taken of like ways
     std::vector<double> places; ///< parts of the bone, tried in turn
 };
 
@@ -96,8 +101,24 @@ std::vector<std::size_t> nearest_ring(const Soup& soup, const std::vector<Face>&
     return nearest;
 }
 
+/// What is to be cut off.
+struct CutFaces {
+    std::vector<bool> off; ///< per face
+    double rim = 0;        ///< length of the cut, roughly
+};
+
+double rim_of(const Soup& soup, const std::vector<std::size_t>& ring) {
+    double rim = 0;
+    for (const std::size_t f : ring) {
+        const Face& face = soup.faces[f];
+        const Vec3 a = soup.at(face[0]);
+        rim += std::sqrt((soup.at(face[1]) - a).cross(soup.at(face[2]) - a).norm());
+    }
+    return rim;
+}
+
 /// The faces beyond the plane, if its nearest ring parts the surface there.
-std::optional<std::vector<bool>> faces_beyond(const Soup& soup, const std::vector<Face>& beyond, const Plane& plane) {
+std::optional<CutFaces> faces_beyond(const Soup& soup, const std::vector<Face>& beyond, const Plane& plane) {
     const std::vector<std::size_t> ring = nearest_ring(soup, beyond, plane);
     if (ring.empty()) return std::nullopt;
     std::vector<bool> in_ring(beyond.size(), false);
@@ -110,7 +131,7 @@ std::optional<std::vector<bool>> faces_beyond(const Soup& soup, const std::vecto
             (plane.side(centroid(soup, soup.faces[n])) > 0 ? above : below).insert(n);
         }
     if (above.empty() || below.empty()) return std::nullopt;
-    std::vector<bool> out(beyond.size(), false);
+    CutFaces out{std::vector<bool>(beyond.size(), false), rim_of(soup, ring)};
     for (const auto& group : connected_groups(beyond, [&](std::size_t f) { return !in_ring[f]; })) {
         const auto touches = [&](const std::set<std::size_t>& side) {
             return std::any_of(group.begin(), group.end(), [&](std::size_t f) { return side.count(f) > 0; });
@@ -118,22 +139,50 @@ std::optional<std::vector<bool>> faces_beyond(const Soup& soup, const std::vecto
         const bool is_above = touches(above);
         if (is_above && touches(below)) return std::nullopt;
         if (!is_above) continue;
-        for (const std::size_t f : group) out[f] = true;
+        for (const std::size_t f : group) out.off[f] = true;
     }
-    for (const std::size_t f : ring) out[f] = plane.side(centroid(soup, soup.faces[f])) > 0;
+    for (const std::size_t f : ring) out.off[f] = plane.side(centroid(soup, soup.faces[f])) > 0;
     return out;
 }
 
+/// Which limb ends at a face, by the name of its end on the surface.
+using EndFaces = std::map<std::size_t, std::string>;
+
+EndFaces faces_at_ends(const Soup& soup, const KinematicSkeleton<double>& skeleton) {
+    EndFaces ends;
+    for (const auto& [end, place] : skeleton.end_points) {
+        std::size_t nearest = 0;
+        for (std::size_t f = 1; f < soup.faces.size(); ++f)
+            if ((centroid(soup, soup.faces[f]) - place).norm() < (centroid(soup, soup.faces[nearest]) - place).norm())
+                nearest = f;
+        ends[nearest] = end;
+    }
+    return ends;
+}
+
+/// Does the limb to be cut off end beyond the cut, and no other?
+bool takes_off(const std::vector<bool>& off, const Cut& cut, const EndFaces& ends) {
+    return std::all_of(ends.begin(), ends.end(), [&](const auto& face_and_end) {
+        const auto& [face, end] = face_and_end;
+        const SidedName limb = split_side(end), joint = split_side(cut.next);
+        const bool is_arm = joint.plain == "elbow" || joint.plain == "wrist" || joint.plain == "hand";
+        const std::string_view own = joint.side == Side::none ? "head_top" : is_arm ? "fingertip" : "toe";
+        return off[face] == (limb.side == joint.side && limb.plain == own);
+    });
+}
+
 /// Which faces are cut off. \throws Error bad_input when none of the cut's places and ways will do.
-std::vector<bool> cut_off(const Soup& soup, const std::vector<Face>& beyond, const Cut& cut,
+std::vector<bool> cut_off(const Soup& soup, const std::vector<Face>& beyond, const EndFaces& ends, const Cut& cut,
                           const KinematicSkeleton<double>& skeleton) {
-    for (const Across across : {cut.across, Across::both_bones, Across::last_bone, Across::next_bone})
-        for (const double place : cut.places) {
-            const auto off = faces_beyond(soup, beyond, plane_of(cut, across, place, skeleton));
-            // More than half of the faces beyond it would be the rest of the body.
-            if (off && 2 * std::count(off->begin(), off->end(), true) < static_cast<std::ptrdiff_t>(beyond.size()))
-                return *off;
+    for (const double place : cut.places) {
+        std::optional<CutFaces> shortest; // others may run along the limb, and leave some of it
+        for (const Across across : {cut.across, Across::both_bones, Across::last_bone, Across::next_bone}) {
+            auto faces = faces_beyond(soup, beyond, plane_of(cut, across, place, skeleton));
+            if (faces && takes_off(faces->off, cut, ends) && (!shortest || faces->rim < shortest->rim))
+                shortest = std::move(faces);
         }
+        if (shortest) return shortest->off;
+    }
     throw Error(ErrorCode::bad_input,
                 std::string("the ") + limb_names[cut.limb] + " cannot be cut off: no ring around it parts the surface");
 }
@@ -142,9 +191,10 @@ std::vector<bool> cut_off(const Soup& soup, const std::vector<Face>& beyond, con
 
 std::vector<std::size_t> cut_limbs(const Soup& soup, const KinematicSkeleton<double>& skeleton) {
     const std::vector<Face> beyond = neighbours(soup.faces);
+    const EndFaces ends = faces_at_ends(soup, skeleton);
     std::vector<std::size_t> limb(soup.faces.size(), 0);
     for (const Cut& cut : cuts()) {
-        const std::vector<bool> off = cut_off(soup, beyond, cut, skeleton);
+        const std::vector<bool> off = cut_off(soup, beyond, ends, cut, skeleton);
         for (std::size_t f = 0; f < limb.size(); ++f)
             if (off[f]) limb[f] = cut.limb;
     }

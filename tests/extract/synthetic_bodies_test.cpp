@@ -67,6 +67,24 @@ TEST_CASE("joints lie inside of the body, end points on it, and the frame is one
     }
 }
 
+TEST_CASE("a head of a third of the height ends where its neck is") {
+    const FixtureBody body = load_fixture_body("figure");
+    const Extraction<double> out = extract_skeleton(body.mesh);
+    const auto error = [&](const std::string& name) {
+        const auto truth = std::find_if(body.truth.joints.begin(), body.truth.joints.end(),
+                                        [&](const auto& joint) { return joint.first == name; });
+        REQUIRE(truth != body.truth.joints.end());
+        const auto& joint = out.skeleton.joints[static_cast<std::size_t>(find_joint(out.skeleton, name))];
+        return (joint.position - truth->second).norm() / body.truth.scale;
+    };
+    CHECK(error("neck") < 0.08); // with an adult's head it would be far inside this one
+    CHECK(error("head") < 0.08); // an adult's would be twice as far from here
+    for (const char* end : {"left_hand", "right_hand", "left_foot", "right_foot"}) {
+        INFO(end);
+        CHECK(error(end) < 0.04);
+    }
+}
+
 TEST_CASE("joints are near the true ones, left and right as they are") {
     for (const auto& [name, body] : bodies()) {
         INFO(name);

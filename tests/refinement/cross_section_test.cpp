@@ -1,5 +1,6 @@
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/refinement/cross_section.hpp>
@@ -208,4 +209,20 @@ TEST_CASE("a section is egg-shaped towards where it is narrower") {
     CHECK(egg_shape(triangle, Vec3(Vec3::UnitX())) == Approx(0.5));
     CHECK(egg_shape(triangle, Vec3(-Vec3::UnitX())) == Approx(-0.5));
     CHECK(egg_shape(triangle, Vec3(Vec3::UnitY())) == Approx(0).margin(1e-12));
+}
+
+TEST_CASE("a section is widest where its area reaches farthest, a round one nowhere") {
+    Mesh mesh = cylinder(radius, 4, around);
+    const auto widest = [&] {
+        const auto section = cut(mesh, {0, 0, 1.03}, Vec3::UnitZ());
+        REQUIRE(section);
+        return widest_direction(*section);
+    };
+    CHECK(widest().norm() < 1e-9);
+    mesh.vertices.col(0) *= 2;
+    CHECK(widest().norm() == Approx(0.5));
+    CHECK(std::abs(widest().x()) == Approx(0.5));
+    for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v) std::swap(mesh.vertices(v, 0), mesh.vertices(v, 1));
+    mesh.faces.col(0).swap(mesh.faces.col(1));
+    CHECK(std::abs(widest().y()) == Approx(0.5));
 }

@@ -30,6 +30,23 @@ TEST_CASE("two tubes part where their inner sides meet, below their axes' meetin
     }
 }
 
+TEST_CASE("legs part highest on the way from foot to foot, even where one is longer") {
+    const double radius = 0.12, step = 0.035, apart = 0.35;
+    const Vec3 top(0, 0, 1), left(apart, 0, 0), right(-1.3 * apart, 0, -0.3);
+    const Mesh mesh = tubes({{top, left}, {top, right}, {top, Vec3(0, 0, 2)}}, radius, step);
+    const EndPoint<double> one = end_near(mesh, left - Vec3(0, 0, radius)),
+                           two = end_near(mesh, right - Vec3(0, 0, radius));
+    const Vec3 parted(0, 0, 1 - radius * std::hypot(1, apart) / apart);
+    const auto equally_far = fork_between(mesh, one, two);
+    REQUIRE(equally_far.has_value());
+    CHECK((*equally_far - parted).norm() > 2 * step); // on the longer leg
+    const Points<double> way = way_between(mesh, one, two, 0.6, 0.02);
+    CHECK(way.rows() == 61);
+    for (Eigen::Index i = 1; i < way.rows(); ++i) CHECK((way.row(i) - way.row(i - 1)).norm() < 2 * step);
+    CHECK((way.row(30).transpose() - *equally_far).norm() < 1e-12);
+    CHECK((highest_on(way, Vec3(0.02, 0, 1.3), Vec3(0, 0, 1)) - parted).norm() < 1.5 * step);
+}
+
 TEST_CASE("what is not joined has no fork") {
     Mesh mesh = tubes({{Vec3(0, 0, 0), Vec3(0, 0, 1)}}, 0.1, 0.05);
     const Mesh other = tubes({{Vec3(2, 0, 0), Vec3(2, 0, 1)}}, 0.1, 0.05);
@@ -38,7 +55,9 @@ TEST_CASE("what is not joined has no fork") {
     mesh.vertices.bottomRows(other.vertices.rows()) = other.vertices;
     mesh.faces.conservativeResize(m + other.faces.rows(), 3);
     mesh.faces.bottomRows(other.faces.rows()) = other.faces.array() + static_cast<int>(n);
-    CHECK_FALSE(fork_between(mesh, end_near(mesh, Vec3(0, 0, 0)), end_near(mesh, Vec3(2, 0, 0))).has_value());
+    const EndPoint<double> one = end_near(mesh, Vec3(0, 0, 0)), two = end_near(mesh, Vec3(2, 0, 0));
+    CHECK_FALSE(fork_between(mesh, one, two).has_value());
+    CHECK(way_between(mesh, one, two, 0.5, 0.1).rows() == 0);
 }
 
 TEST_CASE("in float limbs part in the same place") {

@@ -1,8 +1,6 @@
 #include <cmath>
 #include <limits>
-#include <optional>
 
-#include <skelgen/refinement/fork.hpp>
 #include <skelgen/refinement/pelvis.hpp>
 
 #include "catch.hpp"
@@ -19,26 +17,6 @@ using enum JointRole;
 const int left_hip = joint_of(hip, Side::left), right_hip = joint_of(hip, Side::right);
 constexpr double thigh = 0.87 - 0.481; // of human21 at rest
 
-/// A trunk along z from (0, 0, 1), and from there two legs, each this far to its side, ahead (along y) and down.
-template <typename Scalar>
-struct Figure {
-    Body<Scalar> body;
-    Vec3 fork;
-
-    explicit Figure(const Vec3& leg) {
-        const Vec3 top(0, 0, 1), left = top + leg, right = top + Vec3(-leg.x(), leg.y(), leg.z());
-        body = body_of<Scalar>(tubes({{top, left}, {top, right}, {top, Vec3(0, 0, 2)}}, 0.12, 0.04));
-        fork =
-            fork_between(body.mesh, end_point_near(body, left), end_point_near(body, right))->template cast<double>();
-    }
-
-    [[nodiscard]] std::optional<TrunkAxis<Scalar>> axis() const {
-        Points<double> line(4, 3);
-        line << fork.transpose(), 0, 0, 1, 0.03, 0.02, 1.3, 0, 0, 1.9;
-        return find_trunk_axis(Slicer<Scalar>(body), Points<Scalar>(line.cast<Scalar>()), static_cast<Scalar>(thigh));
-    }
-};
-
 /// Hips 0.142 apart beside the axis and off its middle; thighs of `length` hang from (+-0.071, 0, hips) downwards, the
 /// feet point along y.
 template <typename Scalar>
@@ -46,10 +24,13 @@ struct Standing {
     Placement<Scalar> placement{builtin_template("human21"), 1};
     std::vector<Limb<Scalar>> limbs;
 
-    Standing(double hips, double length) {
+    /// Thighs raised forward by these angles, radians.
+    Standing(double hips, double length, double left_flexion = 0, double right_flexion = 0) {
         for (const Side side : {Side::left, Side::right}) {
             const double x = side == Side::left ? 0.071 : -0.071;
-            const Vec3 knee_at(x, 0, hips - length), ankle_at = knee_at - 0.4 * Vec3::UnitZ();
+            const double flexion = side == Side::left ? left_flexion : right_flexion;
+            const Vec3 knee_at = Vec3(x, 0, hips) + length * Vec3(0, std::sin(flexion), -std::cos(flexion));
+            const Vec3 ankle_at = knee_at - 0.4 * Vec3::UnitZ();
             limbs.push_back(limb_along<Scalar>({Vec3(x, 0, hips), ankle_at, ankle_at + 0.2 * Vec3::UnitY()},
                                                {joint_of(hip, side), joint_of(knee, side), joint_of(ankle, side)},
                                                {0.6 + length, 0.6, 0.2}));
@@ -62,32 +43,10 @@ struct Standing {
 
 } // namespace
 
-TEMPLATE_TEST_CASE("the lower trunk's axis runs through its middle, and legs held forward turn it little", "", float,
-                   double) {
-    const double held_forward = 0.3; // of the leg's height, 17 degrees
-    for (const double ahead : {0.0, held_forward}) {
-        INFO("legs held forward by " << ahead);
-        const Figure<TestType> figure(Vec3(0.3, ahead, -1));
-        const auto axis = figure.axis();
-        REQUIRE(axis);
-        CHECK(std::hypot(axis->place.x(), axis->place.y()) < 0.02 + 0.2 * ahead);
-        CHECK(axis->up.z() > std::cos(0.1 + ahead));
-        CHECK(axis->place.z() > figure.fork.z() + 0.4 * thigh);
-        CHECK(axis->fork == figure.fork.template cast<TestType>());
-    }
-}
-
-TEST_CASE("a line that passes the body by has no axis") {
-    const Body<double> body = body_of<double>(tubes({{Vec3(3, 0, 0), Vec3(3, 0, 0.1)}}, 0.1, 0.05));
-    Points<double> line(2, 3);
-    line << 0, 0, 0, 0, 0, 1;
-    CHECK_FALSE(find_trunk_axis(Slicer<double>(body), line, thigh).has_value());
-}
-
 TEMPLATE_TEST_CASE("hips go level to the axis, to the height that fork and thighs agree on, the root above them", "",
                    float, double) {
     const TestType tolerance = 64 * std::numeric_limits<TestType>::epsilon();
-    const double hips = 0.7 + 0.15 * thigh;
+    const double hips = 0.7 + PelvisOptions{}.hips_above_fork * thigh;
     const Standing<TestType> body(hips, 0.4);
     const TrunkAxis<TestType> axis{Vector3<TestType>(0, 0, 1), Vector3<TestType>::UnitZ(),
                                    Vec3(0.1, -0.1, 0.7).cast<TestType>()};
@@ -101,7 +60,7 @@ TEMPLATE_TEST_CASE("hips go level to the axis, to the height that fork and thigh
 }
 
 TEST_CASE("where fork and thighs disagree, each counts by its precision, but a hem far from the hips for little") {
-    const double by_fork = 0.7 + 0.15 * thigh;
+    const double by_fork = 0.7 + PelvisOptions{}.hips_above_fork * thigh;
     const TrunkAxis<double> axis{Vec3(0, 0, 1), Vec3::UnitZ(), Vec3(0, 0, 0.7)};
     PelvisOptions options;
     options.tilt = 0;
@@ -125,8 +84,56 @@ TEST_CASE("the pelvis's own up leans back from the trunk's line, away from where
     const auto placed = place_pelvis(body.placement, body.limbs, axis, options);
     REQUIRE(placed);
     const Vec3 up = Vec3(0, -0.2, 1).normalized();
-    const Vec3 middle = axis.place - (0.3 * up.z() - 0.15 * thigh) * up;
+    const Vec3 middle = axis.place - (0.3 * up.z() - PelvisOptions{}.hips_above_fork * thigh) * up;
     CHECK((0.5 * (placed->at(left_hip) + placed->at(right_hip)) - middle).norm() < 1e-6);
+}
+
+TEST_CASE(
+    "flexed thighs turn the pelvis back against the trunk by its part of what both are flexed, one alone does not") {
+    const TrunkAxis<double> axis{Vec3(0, 0, 1), Vec3::UnitZ(), Vec3(0, 0, 0.7)};
+    PelvisOptions options;
+    options.tilt = 0;
+    const auto turned_back = [&](double left, double right) {
+        const Standing<double> body(0.76, thigh, left, right);
+        const auto placed = place_pelvis(body.placement, body.limbs, axis, options);
+        REQUIRE(placed);
+        const Vec3 up = placed->at(joint_of(pelvis)) - 0.5 * (placed->at(left_hip) + placed->at(right_hip));
+        CHECK(std::abs(up.x()) < 1e-9);
+        return std::atan2(-up.y(), up.z());
+    };
+    const double sitting = 80 * pi / 180, walking = 30 * pi / 180;
+    CHECK(turned_back(0, 0) == Approx(0).margin(1e-6));
+    CHECK(turned_back(sitting, 0) == Approx(0).margin(1e-6));
+    const double two = turned_back(sitting, sitting);
+    CHECK(two == Approx(options.rhythm * sitting).epsilon(0.1));
+    CHECK(turned_back(sitting, walking) < two);
+    CHECK(turned_back(walking, sitting) == Approx(turned_back(sitting, walking)).margin(1e-6));
+}
+
+TEST_CASE(
+    "the hips' line lies between that of the thighs and the trunk's sides, with the latter where the thighs' is off") {
+    const double turn = 12 * pi / 180;
+    TrunkAxis<double> axis{Vec3(0, 0, 1), Vec3::UnitZ(), Vec3(0, 0, 0.7),
+                           0.4 * Vec3(std::cos(turn), std::sin(turn), 0)};
+    const auto direction = [&](const Vec3& off) {
+        Standing<double> body(0.76, thigh);
+        for (const int joint : {left_hip, right_hip}) body.placement.put(joint, body.placement.at(joint) + off);
+        const auto placed = place_pelvis(body.placement, body.limbs, axis);
+        REQUIRE(placed);
+        const Vec3 line = placed->at(left_hip) - placed->at(right_hip);
+        CHECK(line.norm() == Approx(0.142));
+        CHECK(line.z() == Approx(0).margin(1e-9));
+        return std::atan2(line.y(), line.x());
+    };
+    const double near = direction(Vec3::Zero()), far = direction(Vec3(0, 0.5, 0));
+    CHECK(near > 0.4 * turn);
+    CHECK(near < 0.75 * turn);
+    CHECK(far > 0.9 * turn);
+    CHECK(far < turn);
+    axis.across = -axis.across; // of either sense
+    CHECK(direction(Vec3::Zero()) == Approx(near).margin(1e-9));
+    axis.across = Vec3::Zero();
+    CHECK(direction(Vec3::Zero()) == Approx(0).margin(1e-9));
 }
 
 TEST_CASE("one leg, or hips along the axis, make no pelvis") {

@@ -270,7 +270,7 @@ TEST_CASE("parameters out of range are refused with the range") {
     check_usage_error("0.8 to 2.3", [&] { make([](BodyShape& s) { s.height = 17; }); });
     check_usage_error("0 to 1", [&] { make([](BodyShape& s) { s.muscle = 2; }); });
     check_usage_error("kg at this height", [&] { make([](BodyShape& s) { s.weight = 5; }); });
-    check_usage_error("0.6 to 1.5", [&] { make([](BodyShape& s) { s.leg_length = std::nan(""); }); });
+    check_usage_error("0.3 to 1.5", [&] { make([](BodyShape& s) { s.leg_length = std::nan(""); }); });
     check_usage_error("5000 to 3000000", [] { (void)synthesize_body({}, {}, 10); });
     check_usage_error("arms-crossed", [] { (void)named_pose("yoga"); });
     check_usage_error("0 to 150 degrees", [] { (void)parse_pose(R"({"left_elbow": [-40, 0, 0]})"); });

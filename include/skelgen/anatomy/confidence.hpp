@@ -28,6 +28,12 @@ template <typename Scalar>
 estimate_confidence(KinematicSkeleton<Scalar> skeleton, const SkeletonTemplate& skeleton_template,
                     const std::vector<Scalar>& measured, const std::vector<int>& moved);
 
+/// No joint is surer than the whole skeleton: where the sides may be exchanged its limbs are elsewhere, and its front
+/// is its back; where many bones are of unlikely lengths, those that are not are so by chance. Confidences come down to
+/// `sides_confidence`, and to their own mean over the joints that are there. O(joints).
+template <typename Scalar>
+[[nodiscard]] KinematicSkeleton<Scalar> no_surer_than_the_whole(KinematicSkeleton<Scalar> skeleton);
+
 } // namespace skelgen::anatomy
 
 #ifdef SKELGEN_HEADER_ONLY

@@ -65,6 +65,7 @@ struct TemplateJoint {
     Vector3<double> position = Vector3<double>::Zero(); ///< rest pose, any unit: x to the body's left, y up, z forward
     double radius = 0; ///< of an end joint: mean distance to the surface around it, same unit; 0: not known
     std::optional<Vector3<double>> tip; ///< of an end joint: the limb's end on the surface, same coordinates
+    bool is_absent = false;             ///< the body looked for lacks it, and all joints after it: see without_limb
 };
 
 /// A kinematic skeleton to be found in a mesh: a tree of joints with parents before children.
@@ -95,6 +96,31 @@ struct SkeletonTemplate {
     const TemplateJoint& joint = skeleton_template.joint(j);
     if (joint.side == Side::none) return -1;
     return find_joint(skeleton_template, joint.role, joint.side == Side::left ? Side::right : Side::left);
+}
+
+/// Is a joint all that is left of its limb or of the head, a shoulder, hip or neck that nothing follows? Such a joint
+/// is in the trunk: no branch of a curve leads to it. O(joints).
+[[nodiscard]] inline bool is_bare(const SkeletonTemplate& skeleton_template, int j) {
+    const JointRole role = skeleton_template.joint(j).role;
+    if (role != JointRole::neck && role != JointRole::shoulder && role != JointRole::hip) return false;
+    for (const TemplateJoint& joint : skeleton_template.joints)
+        if (joint.parent == j && !joint.is_absent) return false;
+    return true;
+}
+
+/// The template of a body whose limb ends before joint `first`, which is not the root: that joint and all after it are
+/// absent. A limb then ends a little beyond the joint before it: people cut beside joints. O(joints^2).
+[[nodiscard]] inline SkeletonTemplate without_limb(SkeletonTemplate skeleton_template, int first) {
+    constexpr double left = 0.15; // of the next bone
+    std::vector<TemplateJoint>& joints = skeleton_template.joints;
+    const auto at = [&](int j) -> TemplateJoint& { return joints[static_cast<std::size_t>(j)]; };
+    at(first).is_absent = true;
+    for (TemplateJoint& joint : joints)
+        if (joint.parent >= 0 && at(joint.parent).is_absent) joint.is_absent = true;
+    TemplateJoint& last = at(at(first).parent);
+    if (part_of(last.role) != BodyPart::trunk && !is_bare(skeleton_template, at(first).parent))
+        last.tip = last.position + left * (at(first).position - last.position);
+    return skeleton_template;
 }
 
 /// Length of the bone between two joints in the rest pose, in the template's unit.

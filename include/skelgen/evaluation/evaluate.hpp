@@ -16,6 +16,9 @@ namespace skelgen::evaluation {
 /// Joint positions by joint name, as far as a skeleton file has them.
 using JointPositions = std::map<std::string, Vector3<double>>;
 
+/// Confidences by joint name, 0 to 1, as far as a skeleton file has them.
+using JointConfidences = std::map<std::string, double>;
+
 /// How well one skeleton agrees with the truth. Of what is no body, `refused` alone says something.
 struct MeshScore {
     std::string name;
@@ -26,6 +29,8 @@ struct MeshScore {
     std::vector<std::string> flipped;                   ///< the joints that break `sides`
     std::optional<std::vector<std::string>> outside;    ///< the joints outside of the mesh, if a mesh was looked at
     std::vector<std::pair<std::string, double>> errors; ///< distance to the truth over its scale, in the truth's order
+
+    JointConfidences confidences; ///< that the skeleton's file gives its joints
 
     bool not_a_body = false; ///< the truth says that there is no skeleton
     bool refused = false;    ///< and there is no skeleton file, as there should be
@@ -65,6 +70,9 @@ struct SetSummary {
 /// Reads the joints of a skeleton file and nothing else of it: a result that breaks the file format elsewhere is still
 /// to be scored. Empty when there is no such file, or nothing to score in it.
 [[nodiscard]] JointPositions read_joint_positions(const std::filesystem::path& path);
+
+/// Reads the confidences of a skeleton file's joints. Empty when there is no such file, or none in it.
+[[nodiscard]] JointConfidences read_joint_confidences(const std::filesystem::path& path);
 
 /// Scores one skeleton. O(1).
 /// \throws Error bad_input when `truth` is of no body or lacks a marker, or names a joint that a complete `joints` does

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <skelgen/anatomy/complete.hpp>
+#include <skelgen/anatomy/confidence.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geodesics.hpp>
 #include <skelgen/core/geometry.hpp>
@@ -18,6 +20,7 @@
 #include <skelgen/core/template_rules.hpp>
 #include <skelgen/embedding/embed.hpp>
 #include <skelgen/embedding/loop_cuts.hpp>
+#include <skelgen/embedding/missing_limbs.hpp>
 #include <skelgen/embedding/part_contacts.hpp>
 #include <skelgen/refinement/end_points.hpp>
 #include <skelgen/surface/canonical_form.hpp>
@@ -127,6 +130,7 @@ std::optional<Failure> not_apart(const KinematicSkeleton<Scalar>& skeleton, cons
         for (std::size_t k = 0; k < count; ++k) {
             const TemplateJoint& other = wanted.joints[k];
             const MainPart part = main_part(other.role);
+            if (!skeleton.joints[j].is_present || !skeleton.joints[k].is_present) continue;
             if (part == MainPart::none || other.parent < 0 || (part == limb && other.side == joint.side)) continue;
             const Vector3<Scalar>& from = skeleton.joints[static_cast<std::size_t>(other.parent)].position;
             const Vector3<Scalar>& place = skeleton.joints[j].position;
@@ -156,6 +160,13 @@ KinematicSkeleton<Scalar> less_certain(KinematicSkeleton<Scalar> skeleton, doubl
     return skeleton;
 }
 
+/// What a body lacks that lacks the limb which ends in such a joint.
+inline std::string part_name(JointRole end) {
+    return end == JointRole::head          ? "its head"
+           : part_of(end) == BodyPart::arm ? "an arm or part of it"
+                                           : "a leg or part of it";
+}
+
 /// One attempt, with one curve: what LF20's Fig. 1 shows from the embedding on.
 template <typename Scalar>
 struct Attempt {
@@ -176,6 +187,9 @@ Attempt<Scalar> fit_to_curve(const Body<Scalar>& body, const curve::CurveResult<
     if (const auto failure = not_single(curve, *embedding)) return failed(*failure);
     const Scalar unmatched = embedding::unmatched_share(curve, *embedding);
     if (const auto failure = not_all_matched(unmatched)) return failed(*failure);
+    if (const auto lacking = embedding::find_missing_limb(curve, wanted, *embedding, options.matching))
+        return failed({FailureReason::no_match,
+                       "no whole human body: it seems to lack " + part_name(wanted.joint(lacking->end).role)});
     timings.embed = stage.lap();
 
     const auto ends = refinement::find_end_points(body, curve, *embedding, wanted);
@@ -207,12 +221,14 @@ std::pair<int, bool> faults(const Candidate<Scalar>& found) {
 
 inline constexpr int most_attempts = 3;
 
+/// So many misplaced joints make a skeleton doubtful.
+inline constexpr int suspicious = 3;
+
 /// The best of some attempts with curves of ever finer proxies, each half as fine again as the last one; the first
 /// where little looks wrong ends it.
 template <typename Scalar>
 Attempt<Scalar> fit_to_finer_curves(const Body<Scalar>& body, const curve::CurveResult<Scalar>& curve,
                                     const SkeletonTemplate& wanted, const ExtractOptions& options, int attempts) {
-    constexpr int suspicious = 3; // joints misplaced
     Attempt<Scalar> best = fit_to_curve(body, curve, wanted, options);
     curve::CurveOptions finer = options.curve;
     for (int attempt = 1; attempt < attempts; ++attempt) {
@@ -254,6 +270,7 @@ Outcome<Fit<Scalar>> to_fit(const Body<Scalar>& body, Attempt<Scalar> attempt) {
     if (body.dropped_pieces > 0)
         warnings.push_back(std::to_string(body.dropped_pieces) + " pieces not connected to the body were left out");
     if (!found.curve.converged) warnings.push_back("the curve skeleton's contraction did not converge");
+    found.skeleton = anatomy::no_surer_than_the_whole(std::move(found.skeleton));
     return Fit<Scalar>{surface::to_input(body, found.skeleton), surface::to_input(body, found.curve.curve),
                        body.similarity.scale * found.geodesic_diameter, attempt.timings};
 }
@@ -261,9 +278,12 @@ Outcome<Fit<Scalar>> to_fit(const Body<Scalar>& body, Attempt<Scalar> attempt) {
 /// How likely all joints are right together: the mean of their confidences.
 template <typename Scalar>
 double likelihood(const KinematicSkeleton<Scalar>& skeleton) {
-    double sum = 0;
-    for (const Joint<Scalar>& joint : skeleton.joints) sum += joint.confidence;
-    return skeleton.joints.empty() ? 0 : sum / static_cast<double>(skeleton.joints.size());
+    double sum = 0, count = 0;
+    for (const Joint<Scalar>& joint : skeleton.joints) {
+        sum += joint.confidence;
+        count += joint.is_present ? 1 : 0;
+    }
+    return count > 0 ? sum / count : 0;
 }
 
 /// Fits the template to a body that touches itself: to its surface cut there, in that of the ways to cut it where the
@@ -310,6 +330,67 @@ Outcome<Fit<Scalar>> fit_to_body(const Body<Scalar>& body, const curve::CurveRes
                                  const SkeletonTemplate& wanted, const ExtractOptions& options, int attempts) {
     if (embedding::contact_count(curve.curve) > 0) return fit_touching_body(body, curve, wanted, options, attempts);
     return to_fit(body, fit_to_finer_curves(body, curve, wanted, options, attempts));
+}
+
+/// How far a skeleton without a limb can be trusted: less than a whole one, as the limb may be there and lie on the
+/// body; without a head, little: it may as well be the clothes of one. Working values; so measured, none is wrong with
+/// confidence above 0.8.
+inline double trust_without(JointRole end) { return end == JointRole::head ? 0.45 : 0.75; }
+
+/// A body as one that lacks a limb.
+template <typename Scalar>
+struct PartialAttempt {
+    Attempt<Scalar> attempt;
+    double least_distortion; ///< per pair, of all templates without a limb: see embedding::distortion_per_pair
+};
+
+/// So little distorted a template without a limb is to be: as the whole one is in whole bodies.
+inline constexpr double well_fitted_part = 0.006;
+
+/// The template without a limb that fits the curve best, if it fits well.
+template <typename Scalar>
+PartialAttempt<Scalar> fit_part_to_curve(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found,
+                                         const SkeletonTemplate& wanted, const ExtractOptions& options) {
+    Attempt<Scalar> best{Failure{FailureReason::no_match, "no human body, nor one that lacks a limb"}, {}};
+    double least = well_fitted_part, least_of_all = std::numeric_limits<double>::infinity();
+    for (const embedding::PartialTemplate& part : embedding::partial_templates(wanted)) {
+        const auto embedding = embedding::embed(found.curve, part.skeleton_template, options.matching);
+        if (!embedding) continue;
+        const double distortion = embedding::distortion_per_pair(*embedding);
+        least_of_all = std::min(least_of_all, distortion);
+        if (!(distortion < least)) continue;
+        Attempt<Scalar> attempt = fit_to_curve(body, found, part.skeleton_template, options);
+        attempt.timings = attempt.timings + best.timings;
+        if (!attempt.outcome || attempt.outcome->misplaced >= suspicious) continue;
+        least = distortion;
+        best = std::move(attempt);
+        const JointRole end = wanted.joint(part.end).role;
+        best.outcome->skeleton = less_certain(std::move(best.outcome->skeleton), trust_without(end));
+        best.outcome->skeleton.quality.warnings.push_back("the body seems to lack " + part_name(end));
+    }
+    return {std::move(best), least_of_all};
+}
+
+/// A body in which the whole template has not been found, as one that lacks a limb: by the first curve, of ever finer
+/// proxies, that lets it in. What no such template nearly fits is not looked at more finely.
+template <typename Scalar>
+Outcome<Fit<Scalar>> fit_partial(const Body<Scalar>& body, const SkeletonTemplate& wanted,
+                                 const ExtractOptions& options) {
+    constexpr double nearly = 2; // times the distortion of what fits well
+    curve::CurveOptions finer = options.curve;
+    StageTimings timings;
+    for (int i = 0; i < most_attempts; ++i) {
+        Stopwatch stage;
+        const curve::CurveResult<Scalar> curve = find_curve(body, finer);
+        timings.curve += stage.lap();
+        auto [attempt, least_distortion] = fit_part_to_curve(body, curve, wanted, options);
+        timings = timings + attempt.timings;
+        attempt.timings = timings;
+        if (attempt.outcome) return to_fit(body, std::move(attempt));
+        if (least_distortion > nearly * well_fitted_part) break;
+        finer.proxy.vertices = std::min(finer.proxy.vertices + finer.proxy.vertices / 2, curve::most_proxy_vertices);
+    }
+    return Failure{FailureReason::no_match, "no human body, nor one that lacks a limb"};
 }
 
 /// The components that get a curve each.
@@ -423,13 +504,26 @@ Outcome<Fit<Scalar>> fit_opened(const Body<Scalar>& body, const SkeletonTemplate
     return found;
 }
 
+/// A skeleton found in a body that the remedy made of the mesh, with what that says of its certainty.
+template <typename Scalar>
+Outcome<Fit<Scalar>> judged_by_surface(Outcome<Fit<Scalar>> found, const Body<Scalar>& body, surface::Remedy remedy,
+                                       const TriangleMesh<Scalar>& mesh) {
+    constexpr double much_noise = 0.005; // a centimetre on a person
+    if (!found) return found;
+    const double noise = smoothed_away(body, mesh);
+    const bool is_noisy = noise > much_noise;
+    if (is_noisy) found->skeleton.quality.warnings.push_back(noise_smoothed(noise));
+    const bool is_as_given = remedy == surface::Remedy::largest_piece && body.dropped_pieces == 0 && !is_noisy;
+    if (!is_as_given) found->skeleton = less_certain(std::move(found->skeleton), trust_in_repaired);
+    return found;
+}
+
 /// Makes one surface of a mesh by the gentlest remedy that serves, as what comes out shows: the first skeleton that is
 /// sure, or the surest of all. Of several bodies none is taken unless the caller says which.
 template <typename Scalar>
 Outcome<FittedBody<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh, const SkeletonTemplate& wanted,
                                                 const ExtractOptions& options) {
     constexpr double sure = 0.4;
-    constexpr double much_noise = 0.005; // a centimetre on a person
     Stopwatch stage;
     const surface::BodyMaterial<Scalar> material = surface::gather(mesh, options.prepare);
     StageTimings timings{.surface = stage.lap()};
@@ -439,6 +533,7 @@ Outcome<FittedBody<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh
                            " bodies apart; give each a file of its own, or take one by its number (--component)"};
     std::optional<Outcome<Fit<Scalar>>> best;
     Body<Scalar> best_body;
+    std::optional<std::pair<Body<Scalar>, surface::Remedy>> first;
     for (const surface::Remedy remedy : material.remedies) {
         const bool is_no_body = best && !*best && best->failure().reason == FailureReason::no_body;
         if (remedy == surface::Remedy::rounded && is_no_body) break; // however round
@@ -462,17 +557,23 @@ Outcome<FittedBody<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh
                                  : 1;
         Outcome<Fit<Scalar>> found = fit_opened(*body, wanted, options, attempts, is_envelope);
         if (found) timings = timings + found->timings;
-        const double noise = smoothed_away(*body, mesh);
-        const bool is_noisy = noise > much_noise;
-        if (found && is_noisy) found->skeleton.quality.warnings.push_back(noise_smoothed(noise));
-        const bool is_as_given = remedy == surface::Remedy::largest_piece && body->dropped_pieces == 0 && !is_noisy;
-        if (found && !is_as_given) found->skeleton = less_certain(std::move(found->skeleton), trust_in_repaired);
+        found = judged_by_surface(std::move(found), *body, remedy, mesh);
+        if (!found && !first) first = std::pair(*body, remedy);
         const bool better = found && (!best || !*best || sureness(found->skeleton) > sureness((*best)->skeleton));
         if (better || !best) {
             best = std::move(found);
             best_body = *std::move(body);
         }
         if (*best && sureness((*best)->skeleton) >= sure) break;
+    }
+    if (!*best && best->failure().reason == FailureReason::no_match && first) {
+        auto& [body, remedy] = *first;
+        Outcome<Fit<Scalar>> partial = fit_partial(body, wanted, options);
+        if (partial) {
+            timings = timings + partial->timings;
+            best = judged_by_surface(std::move(partial), body, remedy, mesh);
+            best_body = std::move(body);
+        }
     }
     if (!*best) return best->failure();
     (*best)->timings = timings;

@@ -69,6 +69,11 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] Scalar egg_shape(const CrossSection<Scalar>& section, const Vector3<Scalar>& direction);
 
+/// Where a section is widest, by the second moments of its area: along the vector that is returned, of either sense;
+/// its length is by how much of that the section is narrower the other way, 0 to 1. O(k).
+template <typename Scalar>
+[[nodiscard]] Vector3<Scalar> widest_direction(const CrossSection<Scalar>& section);
+
 } // namespace skelgen::refinement
 
 #ifdef SKELGEN_HEADER_ONLY

@@ -6,7 +6,7 @@
 #include <skelgen/core/skeleton_template.hpp>
 #include <skelgen/refinement/bone_line.hpp>
 #include <skelgen/refinement/limbs.hpp>
-#include <skelgen/refinement/pelvis.hpp>
+#include <skelgen/refinement/trunk_axis.hpp>
 
 namespace skelgen::refinement {
 

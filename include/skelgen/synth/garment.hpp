@@ -11,9 +11,12 @@ enum class Garment {
     boots,
     coat, ///< loose, from the neck to the knees, with sleeves
     hat,
+    horns,
     long_hair, ///< down to the shoulder blades
+    mittens,   ///< round ones that make paws of the hands
     rucksack,
     skirt, ///< to the knees; thighs disappear in it
+    tail,  ///< behind the pelvis, a third as long as the body is high
     trousers
 };
 

@@ -13,12 +13,14 @@
 namespace skelgen::embedding {
 namespace detail {
 
-/// Chains of the template: from each joint of the reduced graph, given by `ends`, up to the next one above it.
+/// Chains of the template: from each joint of the reduced graph, given by `ends`, up to the next one above it. Where
+/// the root is none of them, a leg being absent, one chain leads past it, downwards.
 inline std::vector<std::vector<int>> template_chains(const SkeletonTemplate& skeleton_template,
                                                      const std::vector<int>& ends) {
     std::vector<bool> is_end(skeleton_template.joints.size(), false);
     for (const int j : ends) is_end[at(j)] = true;
     std::vector<std::vector<int>> chains;
+    std::vector<int> to_root; // from the trunk's upper joint
     for (const int end : ends) {
         std::vector<int> chain{end};
         for (int j = skeleton_template.joint(end).parent; j >= 0; j = skeleton_template.joint(j).parent) {
@@ -26,9 +28,15 @@ inline std::vector<std::vector<int>> template_chains(const SkeletonTemplate& ske
             if (is_end[at(j)]) break;
         }
         if (chain.size() < 2) continue;
+        if (part_of(skeleton_template.joint(end).role) == BodyPart::trunk && !is_end[at(chain.back())]) {
+            to_root = std::move(chain);
+            continue;
+        }
         std::reverse(chain.begin(), chain.end());
         chains.push_back(std::move(chain));
     }
+    for (std::vector<int>& chain : chains)
+        if (!is_end[at(chain.front())]) chain.insert(chain.begin(), to_root.begin(), to_root.end() - 1);
     return chains;
 }
 
@@ -112,7 +120,10 @@ Outcome<Embedding> embed(const CurveSkeleton<Scalar>& curve, const SkeletonTempl
         const int end = out.node_of_joint[detail::at(joints.back())];
         const core::ShortestPaths<Scalar> paths = core::shortest_paths(graph, start);
         if (!std::isfinite(paths.distance[detail::at(end)])) return detail::in_several_pieces();
-        std::vector<int> nodes = detail::without_merged(paths.path_to(end), target);
+        std::vector<int> nodes = paths.path_to(end);
+        // Where a chain leads past the root, the junction there is not the upper one's: an absent leg's stump.
+        const bool past_root = std::find(joints.begin() + 1, joints.end(), 0) != joints.end();
+        if (!past_root) nodes = detail::without_merged(nodes, target);
         out.chains.push_back({std::move(joints), std::move(nodes)});
     }
     return out;

@@ -74,23 +74,34 @@ ReducedGraph<Scalar> with_largest_distance_one(ReducedGraph<Scalar> graph) {
     return graph;
 }
 
-/// The template's bones as a curve, each end joint followed by its tip.
+/// The bones of a template as a curve.
 template <typename Scalar>
-CurveSkeleton<Scalar> bones(const SkeletonTemplate& skeleton_template) {
-    const auto joints = static_cast<int>(skeleton_template.joints.size());
-    CurveSkeleton<Scalar> out;
-    out.nodes.resize(joints, 3);
-    for (int j = 0; j < joints; ++j) {
+struct BonesCurve {
+    CurveSkeleton<Scalar> curve;
+    std::vector<int> joint_of_node; ///< of a tip the joint that it belongs to
+};
+
+/// The template's bones as a curve, each end joint followed by its tip; without what the body lacks.
+template <typename Scalar>
+BonesCurve<Scalar> bones(const SkeletonTemplate& skeleton_template) {
+    BonesCurve<Scalar> out;
+    std::vector<int> node_of_joint(skeleton_template.joints.size(), -1);
+    const auto append = [&](const Vector3<double>& place, int joint, int before) {
+        const auto node = static_cast<int>(out.joint_of_node.size());
+        out.curve.nodes.conservativeResize(node + 1, 3);
+        out.curve.nodes.row(node) = place.transpose().template cast<Scalar>();
+        out.joint_of_node.push_back(joint);
+        if (before >= 0) out.curve.edges.push_back({before, node});
+        return node;
+    };
+    for (int j = 0; j < static_cast<int>(skeleton_template.joints.size()); ++j) {
         const TemplateJoint& joint = skeleton_template.joint(j);
-        out.nodes.row(j) = joint.position.transpose().template cast<Scalar>();
-        if (joint.parent >= 0) out.edges.push_back({joint.parent, j});
+        if (joint.is_absent || is_bare(skeleton_template, j)) continue;
+        node_of_joint[at(j)] = append(joint.position, j, joint.parent < 0 ? -1 : node_of_joint[at(joint.parent)]);
     }
-    for (int j = 0; j < joints; ++j) {
+    for (int j = 0; j < static_cast<int>(skeleton_template.joints.size()); ++j) {
         const TemplateJoint& joint = skeleton_template.joint(j);
-        if (!joint.tip) continue;
-        out.edges.push_back({j, static_cast<int>(out.nodes.rows())});
-        out.nodes.conservativeResize(out.nodes.rows() + 1, 3);
-        out.nodes.template bottomRows<1>() = joint.tip->transpose().template cast<Scalar>();
+        if (joint.tip && !joint.is_absent) append(*joint.tip, j, node_of_joint[at(j)]);
     }
     return out;
 }
@@ -112,18 +123,16 @@ ReducedGraph<Scalar> reduce(const CurveSkeleton<Scalar>& curve) {
 
 template <typename Scalar>
 ReducedGraph<Scalar> reduce(const SkeletonTemplate& skeleton_template) {
-    ReducedGraph<Scalar> out = detail::without_chains(core::curve_graph(detail::bones<Scalar>(skeleton_template)));
-    int tip = static_cast<int>(skeleton_template.joints.size()); // tips stand for the joints they belong to
-    for (std::size_t j = 0; j < skeleton_template.joints.size(); ++j)
-        if (skeleton_template.joints[j].tip)
-            std::replace(out.origin.begin(), out.origin.end(), tip++, static_cast<int>(j));
+    const detail::BonesCurve<Scalar> bones = detail::bones<Scalar>(skeleton_template);
+    ReducedGraph<Scalar> out = detail::without_chains(core::curve_graph(bones.curve));
+    for (int& origin : out.origin) origin = bones.joint_of_node[detail::at(origin)];
     for (std::size_t i = 0; i < out.origin.size(); ++i)
         if (out.degree[i] == 1) out.radius[i] = static_cast<Scalar>(skeleton_template.joint(out.origin[i]).radius);
     return detail::with_largest_distance_one(std::move(out));
 }
 
 SKELGEN_INLINE double longest_path(const SkeletonTemplate& skeleton_template) {
-    return core::curve_diameter(core::curve_graph(detail::bones<double>(skeleton_template)));
+    return core::curve_diameter(core::curve_graph(detail::bones<double>(skeleton_template).curve));
 }
 
 } // namespace skelgen::embedding

@@ -103,4 +103,26 @@ Scalar egg_shape(const CrossSection<Scalar>& section, const Vector3<Scalar>& dir
     return (along.maxCoeff() + along.minCoeff()) / 2 - section.centroid.dot(direction);
 }
 
+template <typename Scalar>
+Vector3<Scalar> widest_direction(const CrossSection<Scalar>& section) {
+    // The area as triangles from its centre, signed by their sense: each has, by Simpson's rule, the moments of its two
+    // corners and of their sum.
+    std::vector<Vector3<Scalar>> corners;
+    Vector3<Scalar> normal = Vector3<Scalar>::Zero();
+    const Eigen::Index count = section.points.rows();
+    for (Eigen::Index i = 0; i < count; ++i) corners.emplace_back(core::point(section.points, i) - section.centroid);
+    const auto next = [&](std::size_t i) { return corners[(i + 1) % corners.size()]; };
+    for (std::size_t i = 0; i < corners.size(); ++i) normal += corners[i].cross(next(i));
+    Eigen::Matrix3<Scalar> moments = Eigen::Matrix3<Scalar>::Zero();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Scalar part = normal.dot(corners[i].cross(next(i)));
+        for (const Vector3<Scalar>& q : {corners[i], next(i), Vector3<Scalar>(corners[i] + next(i))})
+            core::add_outer_product<Scalar>(moments, part, q);
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3<Scalar>> axes(moments);
+    const Eigen::Vector3<Scalar> spread = axes.eigenvalues().cwiseMax(Scalar(0)).cwiseSqrt();
+    if (!(spread[2] > 0)) return Vector3<Scalar>::Zero();
+    return (1 - spread[1] / spread[2]) * axes.eigenvectors().col(2);
+}
+
 } // namespace skelgen::refinement

@@ -21,15 +21,18 @@ Eigen::VectorX<Scalar> distances_from(const core::CurveGraph<Scalar>& surface, i
     return Eigen::Map<const Eigen::VectorX<Scalar>>(distance.data(), static_cast<Eigen::Index>(distance.size()));
 }
 
-/// Sum of the distances to the ends at the other end of the body.
+/// Sum of the distances to the ends at the other end of the body: for feet to the head, or without one to the hands;
+/// for the others to the feet.
 template <typename Scalar>
 Eigen::VectorX<Scalar> remoteness(const EndPoint<Scalar>& end, const std::vector<EndPoint<Scalar>>& ends,
                                   const SkeletonTemplate& skeleton_template) {
-    const bool is_foot = skeleton_template.joint(end.joint).role == JointRole::foot;
+    const auto part = [&](const EndPoint<Scalar>& e) { return part_of(skeleton_template.joint(e.joint).role); };
+    const bool has_head =
+        std::any_of(ends.begin(), ends.end(), [&](const auto& e) { return part(e) == BodyPart::trunk; });
+    const BodyPart other_part = part(end) != BodyPart::leg ? BodyPart::leg : has_head ? BodyPart::trunk : BodyPart::arm;
     Eigen::VectorX<Scalar> sum = Eigen::VectorX<Scalar>::Zero(end.distance.size());
     for (const EndPoint<Scalar>& other : ends)
-        if (skeleton_template.joint(other.joint).role == (is_foot ? JointRole::head : JointRole::foot))
-            sum += other.distance;
+        if (part(other) == other_part) sum += other.distance;
     return sum;
 }
 
@@ -41,7 +44,7 @@ std::vector<EndPoint<Scalar>> find_end_points(const Body<Scalar>& body, const Cu
                                               const SkeletonTemplate& skeleton_template) {
     std::vector<EndPoint<Scalar>> leaves;
     for (const embedding::Chain& chain : embedding.chains) {
-        if (!ends_limb(skeleton_template.joint(chain.joints.back()).role)) continue;
+        if (skeleton_template.joint(chain.joints.back()).role == JointRole::chest) continue;
         const int vertex = core::nearest_vertex(body.mesh, core::point(curve.nodes, chain.nodes.back()));
         leaves.push_back({chain.joints.back(), vertex, detail::distances_from(body.graph, vertex)});
     }

@@ -127,7 +127,7 @@ Placement<Scalar> place_girdle(Placement<Scalar> placement, const Limb<Scalar>& 
     placement.put(top, ways.front());
 
     const int anchor = role == JointRole::shoulder ? placement.find(JointRole::neck) : -1;
-    if (anchor < 0) return placement;
+    if (anchor < 0 || is_bare(placement.skeleton_template(), anchor)) return placement;
     const Scalar rest = placement.rest_distance(top, anchor);
     const auto misfit = [&](const Vector3<Scalar>& p) { return std::abs((p - placement.at(anchor)).norm() - rest); };
     if (misfit(ways.front()) > static_cast<Scalar>(options.tolerance) * rest)

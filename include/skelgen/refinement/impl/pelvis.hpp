@@ -3,132 +3,169 @@
 #include <skelgen/refinement/pelvis.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
-#include <skelgen/core/line.hpp>
-#include <skelgen/core/polyline.hpp>
-#include <skelgen/refinement/centreline.hpp>
 #include <skelgen/refinement/profile_matcher.hpp>
 
 namespace skelgen::refinement {
 namespace detail {
 
-/// The sections that tell the trunk's axis, from and to this height above the fork, in thighs: lower, they hold
-/// buttocks and the tops of the thighs, higher, the spine bends.
-template <typename Scalar>
-inline constexpr Scalar lowest_axis_section = Scalar(0.35);
-template <typename Scalar>
-inline constexpr Scalar highest_axis_section = Scalar(0.6);
-
-/// By how much more they may be moved up, in thighs: to the ribs.
-template <typename Scalar>
-inline constexpr Scalar most_axis_lift = Scalar(0.4);
-
-/// Sections this many times larger than the trunk's smallest hold a thigh, too: people's own hips are up to half as
-/// large again as their waists.
-template <typename Scalar>
-inline constexpr Scalar thigh_in_section = Scalar(1.6);
-
-/// Where the smallest one is looked for, in thighs from the fork along the line.
-template <typename Scalar>
-inline constexpr Scalar lowest_waist = Scalar(0.3);
-template <typename Scalar>
-inline constexpr Scalar highest_waist = Scalar(1);
-
-/// A trunk's line is drawn coarsely, and recentred often: it begins as a rough guess, at its surface.
-inline constexpr CentrelineOptions trunk_line_options{0.026, 4, 1.0};
-
-} // namespace detail
-
-template <typename Scalar>
-std::optional<TrunkAxis<Scalar>> find_trunk_axis(const Slicer<Scalar>& slicer, const Points<Scalar>& line,
-                                                 Scalar thigh) {
-    using namespace detail;
-    constexpr int samples = 6, rounds = 8;
-    const Centreline<Scalar> trunk = draw_centreline(slicer, line, trunk_line_options);
-    Scalar waist = 0;
-    for (Eigen::Index i = 0; i < trunk.arc.size(); ++i) {
-        if (trunk.arc[i] < lowest_waist<Scalar> * thigh || trunk.arc[i] > highest_waist<Scalar> * thigh) continue;
-        if (trunk.area[i] > 0 && (!(waist > 0) || trunk.area[i] < waist)) waist = trunk.area[i];
-    }
-    if (!(waist > 0)) return std::nullopt;
-    const Scalar middle = Scalar(0.5) * (lowest_axis_section<Scalar> + highest_axis_section<Scalar>)*thigh;
-    const Scalar half = Scalar(0.5) * (highest_axis_section<Scalar> - lowest_axis_section<Scalar>)*thigh;
-    const auto sample_arc = [&](Scalar centre, int i) {
-        return centre + half * (2 * static_cast<Scalar>(i) / Scalar(samples - 1) - 1);
-    };
-    const auto undisturbed = [&](Scalar centre) {
-        for (int i = 0; i < samples; ++i)
-            if (core::value_at(trunk.area, trunk.arc, sample_arc(centre, i)) > thigh_in_section<Scalar> * waist)
-                return false;
-        return true;
-    };
-    TrunkAxis<Scalar> axis{Vector3<Scalar>::Zero(), Vector3<Scalar>::Zero(), line.row(0).transpose()};
-    Scalar longer = 0; // than its height is the line up to the middle of the sections
-    for (int round = 0; round < rounds; ++round) {
-        Scalar lift = 0;
-        while (lift < most_axis_lift<Scalar> * thigh && !undisturbed(middle + longer + lift))
-            lift += Scalar(0.1) * half;
-        std::vector<Vector3<Scalar>> centres;
-        for (int i = 0; i < samples; ++i)
-            centres.push_back(core::point_at(trunk.points, trunk.arc, sample_arc(middle + longer + lift, i)));
-        const core::Line<Scalar> fitted = core::principal_line(centres);
-        axis.place = fitted.point;
-        axis.up = fitted.direction;
-        longer += Scalar(0.5) * (middle + lift - (axis.place - axis.fork).dot(axis.up));
-    }
-    return axis;
-}
-
-namespace detail {
-
-/// How much a leg says that `ahead` is where the body faces: its foot and its thigh point there, or away. -2 to 2.
-template <typename Scalar>
-Scalar facing(const Placement<Scalar>& placement, const Limb<Scalar>& leg, const Vector3<Scalar>& ahead) {
-    const Vector3<Scalar> thigh = placement.at(leg.joints[1]) - placement.at(leg.joints[0]);
-    Scalar out = thigh.normalized().dot(ahead);
-    if (leg.missing > 0) return out;
-    if (const auto ankle = find_in_limb(leg, placement.skeleton_template(), JointRole::ankle))
-        out += (tip_of(leg) - placement.at(leg.joints[*ankle])).normalized().dot(ahead);
-    return out;
-}
-
-/// How far below `axis.place` along `up` the hips lie: what the fork and the lengths of the thighs together make
-/// likely (least squares; the fork with a Cauchy weight). `to_hip`: from between the hips to that of the first leg.
-template <typename Scalar>
-Scalar hips_below(const Placement<Scalar>& placement, const std::vector<const Limb<Scalar>*>& legs,
-                  const TrunkAxis<Scalar>& axis, const Vector3<Scalar>& up, const Vector3<Scalar>& to_hip,
-                  const PelvisOptions& options) {
-    constexpr int rounds = 10; // of Gauss-Newton, reweighted: it settles within them
-    const Scalar thigh = placement.rest_distance(legs[0]->joints[0], legs[0]->joints[1]);
-    const auto precision = [&](double deviation) {
-        const Scalar length = static_cast<Scalar>(deviation) * thigh;
-        return 1 / (length * length);
-    };
-    const Scalar by_fork = (axis.place - axis.fork).dot(up) - static_cast<Scalar>(options.hips_above_fork) * thigh;
-    Scalar below = by_fork;
-    for (int round = 0; round < rounds; ++round) {
-        // Far from where the thighs' lengths put the hips, it is rather the hem of a coat than the fork of the legs.
-        const Scalar off = below - by_fork, fork = precision(options.fork_deviation);
-        const Scalar weight = fork / (1 + fork * off * off / static_cast<Scalar>(far_off));
-        Scalar gradient = weight * off, curvature = weight;
-        for (const Limb<Scalar>* leg : legs) {
-            const Vector3<Scalar> side = leg == legs.front() ? to_hip : Vector3<Scalar>(-to_hip);
-            const Vector3<Scalar> bone = axis.place - below * up + side - placement.at(leg->joints[1]);
-            const Scalar slope = -bone.normalized().dot(up); // of the bone's length
-            const Scalar longer = bone.norm() - (leg->from_tip[0] - leg->from_tip[1]);
-            gradient += precision(options.thigh_deviation) * longer * slope;
-            curvature += precision(options.thigh_deviation) * slope * slope;
-        }
-        below -= gradient / curvature;
-    }
-    return below;
-}
-
 /// Hips whose line is nearer to the axis than this part of it (a cosine) are not those of one pelvis.
 template <typename Scalar>
 inline constexpr Scalar least_level = Scalar(0.3);
+
+/// How far the thighs' lines are wrong, in thighs: where the middle between their hips is that far off, what they say
+/// of the hips' line counts half. A working value, as is the next one.
+template <typename Scalar>
+inline constexpr Scalar thigh_lines_deviation = Scalar(0.2);
+
+/// What of the hips' slope against the trunk's level is believed where the thighs' lines are right: their heights are
+/// off by as much as a trunk bends sideways.
+template <typename Scalar>
+inline constexpr Scalar believed_slope = Scalar(0.2);
+
+/// Sections that much narrower one way than the other tell plainly where the trunk's sides are: a third, as people's
+/// waists are.
+template <typename Scalar>
+inline constexpr Scalar plainly_wide = Scalar(0.3);
+
+/// A pelvis as it is being found.
+template <typename Scalar>
+struct Pelvis {
+    Vector3<Scalar> middle; ///< between the hips
+    Vector3<Scalar> across; ///< unit, to the first leg's hip
+    Vector3<Scalar> up;     ///< unit, its own
+};
+
+/// Finds the pelvis of one body; refers to what it is given.
+template <typename Scalar>
+class PelvisFinder {
+public:
+    PelvisFinder(const Placement<Scalar>& placement, std::vector<const Limb<Scalar>*> legs,
+                 const TrunkAxis<Scalar>& axis, const PelvisOptions& options)
+        : placement_(placement), legs_(std::move(legs)), axis_(axis), options_(options),
+          thigh_(placement.rest_distance(legs_[0]->joints[0], legs_[0]->joints[1])), girdle_(hip(0) - hip(1)),
+          girdle_middle_(Scalar(0.5) * (hip(0) + hip(1))) {}
+
+    /// None where the hips lie along the axis.
+    [[nodiscard]] std::optional<Pelvis<Scalar>> find() const {
+        constexpr int rounds = 3; // in the first one the hips are not known, nor the flexion; the third changes little
+        const Vector3<Scalar> level = without_rise(girdle_);
+        if (!(level.norm() > least_level<Scalar> * girdle_.norm())) return std::nullopt;
+        const Scalar hips_below = Scalar(0.5) * thigh_;
+        Pelvis<Scalar> pelvis{axis_.place - hips_below * axis_.up, level.normalized(), axis_.up};
+        Scalar flexion = 0;
+        for (int round = 0; round < rounds; ++round) {
+            pelvis.across = hips_line(pelvis.middle);
+            const Vector3<Scalar> ahead = without_rise(pelvis.across).normalized().cross(axis_.up);
+            const Scalar faces = std::clamp(facing(*legs_[0], ahead) + facing(*legs_[1], ahead), Scalar(-1), Scalar(1));
+            if (round > 0) flexion = least_flexion(pelvis, faces < 0 ? Vector3<Scalar>(-ahead) : ahead);
+            const Scalar lean = std::atan(static_cast<Scalar>(options_.tilt));
+            const Scalar bend = static_cast<Scalar>(options_.rhythm) * flexion;
+            const Vector3<Scalar> unbent = leaning_back(faces * lean, ahead);
+            const Vector3<Scalar> bent = leaning_back(faces * (lean + bend), ahead);
+            pelvis.up = (bent - bent.dot(pelvis.across) * pelvis.across).normalized();
+            const Vector3<Scalar> chord = (unbent + pelvis.up).normalized();
+            pelvis.middle = axis_.place - below(pelvis, chord, flexion) * chord;
+        }
+        return pelvis;
+    }
+
+    [[nodiscard]] Vector3<Scalar> to_hip(const Pelvis<Scalar>& pelvis) const {
+        return Scalar(0.5) * girdle_.norm() * pelvis.across;
+    }
+
+private:
+    [[nodiscard]] Vector3<Scalar> hip(std::size_t leg) const { return placement_.at(legs_[leg]->joints[0]); }
+    [[nodiscard]] Vector3<Scalar> knee(std::size_t leg) const { return placement_.at(legs_[leg]->joints[1]); }
+
+    [[nodiscard]] Vector3<Scalar> without_rise(const Vector3<Scalar>& v) const {
+        return v - v.dot(axis_.up) * axis_.up;
+    }
+
+    [[nodiscard]] Vector3<Scalar> leaning_back(Scalar angle, const Vector3<Scalar>& ahead) const {
+        return std::cos(angle) * axis_.up - std::sin(angle) * ahead;
+    }
+
+    /// The hips' line: level to the trunk between what the thighs' lines and the trunk's sections say, and sloping by
+    /// what is believed of the thighs', all the less as their hips lie off `middle`.
+    [[nodiscard]] Vector3<Scalar> hips_line(const Vector3<Scalar>& middle) const {
+        const Scalar off = (girdle_middle_ - middle).norm() / (thigh_lines_deviation<Scalar> * thigh_);
+        const Scalar trust = 1 / (1 + off * off);
+        const Vector3<Scalar> level = without_rise(girdle_).normalized();
+        Vector3<Scalar> sections = without_rise(axis_.across) / plainly_wide<Scalar>;
+        if (sections.norm() > 1) sections.normalize();
+        if (sections.dot(level) < 0) sections = -sections;
+        const Vector3<Scalar> between = (trust * level + sections).normalized();
+        const Scalar slope = girdle_.dot(axis_.up) / without_rise(girdle_).norm();
+        const Scalar weight = believed_slope<Scalar> * trust;
+        return (between + weight / (weight + 1 - believed_slope<Scalar>)*slope * axis_.up).normalized();
+    }
+
+    /// How much a leg says that `ahead` is where the body faces: its foot and its thigh point there, or away. -2 to 2.
+    [[nodiscard]] Scalar facing(const Limb<Scalar>& leg, const Vector3<Scalar>& ahead) const {
+        const Vector3<Scalar> thigh = placement_.at(leg.joints[1]) - placement_.at(leg.joints[0]);
+        Scalar out = thigh.normalized().dot(ahead);
+        if (leg.missing > 0) return out;
+        if (const auto ankle = find_in_limb(leg, placement_.skeleton_template(), JointRole::ankle))
+            out += (tip_of(leg) - placement_.at(leg.joints[*ankle])).normalized().dot(ahead);
+        return out;
+    }
+
+    /// By how much both thighs are flexed at least against the prolonged trunk, radians, 0 at least: one alone turns
+    /// the pelvis little, which stands on the other.
+    [[nodiscard]] Scalar least_flexion(const Pelvis<Scalar>& pelvis, const Vector3<Scalar>& ahead) const {
+        const auto flexion = [&](std::size_t leg, const Vector3<Scalar>& side) {
+            const Vector3<Scalar> thigh = knee(leg) - (pelvis.middle + side);
+            return std::atan2(thigh.dot(ahead), -thigh.dot(axis_.up));
+        };
+        const Vector3<Scalar> side = to_hip(pelvis);
+        return std::max(Scalar(0), std::min(flexion(0, side), flexion(1, Vector3<Scalar>(-side))));
+    }
+
+    /// How far below `axis.place` along `chord` the hips lie: what the fork and the lengths of the thighs together make
+    /// likely (least squares; the fork with a Cauchy weight).
+    [[nodiscard]] Scalar below(const Pelvis<Scalar>& pelvis, const Vector3<Scalar>& chord, Scalar flexion) const {
+        constexpr int rounds = 10; // of Gauss-Newton, reweighted: it settles within them
+        const auto precision = [&](double deviation) {
+            const Scalar length = static_cast<Scalar>(deviation) * thigh_;
+            return 1 / (length * length);
+        };
+        const Scalar above_fork =
+            static_cast<Scalar>(options_.hips_above_fork) - static_cast<Scalar>(options_.fork_rise) * flexion;
+        const Scalar by_fork = ((axis_.place - axis_.fork).dot(pelvis.up) - above_fork * thigh_) / chord.dot(pelvis.up);
+        const Vector3<Scalar> side = to_hip(pelvis);
+        Scalar below = by_fork;
+        for (int round = 0; round < rounds; ++round) {
+            // Far from where the thighs' lengths put the hips, it is rather the hem of a coat than the fork of the
+            // legs.
+            const Scalar off = below - by_fork, fork = precision(options_.fork_deviation);
+            const Scalar weight = fork / (1 + fork * off * off / static_cast<Scalar>(far_off));
+            Scalar gradient = weight * off, curvature = weight;
+            for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
+                const Vector3<Scalar> hip_at = axis_.place - below * chord + (leg == 0 ? side : Vector3<Scalar>(-side));
+                const Vector3<Scalar> bone = hip_at - knee(leg);
+                const Scalar slope = -bone.normalized().dot(chord); // of the bone's length
+                const Scalar longer = bone.norm() - (legs_[leg]->from_tip[0] - legs_[leg]->from_tip[1]);
+                gradient += precision(options_.thigh_deviation) * longer * slope;
+                curvature += precision(options_.thigh_deviation) * slope * slope;
+            }
+            below -= gradient / curvature;
+        }
+        return below;
+    }
+
+    const Placement<Scalar>& placement_;
+    std::vector<const Limb<Scalar>*> legs_;
+    const TrunkAxis<Scalar>& axis_;
+    const PelvisOptions& options_;
+    Scalar thigh_;
+    Vector3<Scalar> girdle_;        ///< from hip to hip as the thighs' lines have them
+    Vector3<Scalar> girdle_middle_; ///< between those hips
+};
 
 } // namespace detail
 
@@ -138,24 +175,18 @@ std::optional<Placement<Scalar>> place_pelvis(Placement<Scalar> placement, const
     std::vector<const Limb<Scalar>*> legs;
     for (const std::size_t leg : find_legs(limbs, placement.skeleton_template())) legs.push_back(&limbs[leg]);
     if (legs.empty()) return std::nullopt;
-    const int one = legs[0]->joints[0], other = legs[1]->joints[0];
-    const Vector3<Scalar> between = placement.at(one) - placement.at(other);
-    const Vector3<Scalar> level = between - between.dot(axis.up) * axis.up;
-    if (!(level.norm() > detail::least_level<Scalar> * between.norm())) return std::nullopt;
-    const Vector3<Scalar> to_hip = Scalar(0.5) * between.norm() * level.normalized();
-
-    const Vector3<Scalar> ahead = level.normalized().cross(axis.up);
-    const Scalar faces = detail::facing(placement, *legs[0], ahead) + detail::facing(placement, *legs[1], ahead);
-    const Scalar tilt = static_cast<Scalar>(options.tilt) * std::clamp(faces, Scalar(-1), Scalar(1));
-    const Vector3<Scalar> up = (axis.up - tilt * ahead).normalized();
-    const Vector3<Scalar> middle = axis.place - detail::hips_below(placement, legs, axis, up, to_hip, options) * up;
-    placement.put(one, middle + to_hip);
-    placement.put(other, middle - to_hip);
+    const detail::PelvisFinder<Scalar> finder(placement, legs, axis, options);
+    const auto pelvis = finder.find();
+    if (!pelvis) return std::nullopt;
+    const Vector3<Scalar> to_hip = finder.to_hip(*pelvis);
+    Placement<Scalar> out = placement;
+    out.put(legs[0]->joints[0], pelvis->middle + to_hip);
+    out.put(legs[1]->joints[0], pelvis->middle - to_hip);
     const int root = placement.find(JointRole::pelvis);
     const double higher =
         placement.skeleton_template().joint(root).position.y() - placement.rest_height(JointRole::hip);
-    placement.put(root, middle + placement.scale() * static_cast<Scalar>(higher) * up);
-    return placement;
+    out.put(root, pelvis->middle + placement.scale() * static_cast<Scalar>(higher) * pelvis->up);
+    return out;
 }
 
 } // namespace skelgen::refinement

@@ -8,11 +8,13 @@
 #include <utility>
 
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/refinement/bare_joints.hpp>
 #include <skelgen/refinement/cross_section.hpp>
 #include <skelgen/refinement/fork.hpp>
 #include <skelgen/refinement/hip_anchor.hpp>
 #include <skelgen/refinement/limbs.hpp>
 #include <skelgen/refinement/placement.hpp>
+#include <skelgen/refinement/trunk_axis.hpp>
 
 namespace skelgen::refinement {
 namespace detail {
@@ -29,18 +31,65 @@ std::optional<HeadShape<Scalar>> head_of(const Limb<Scalar>& limb, const Slicer<
     return measure_head(slicer, tip_of(limb), point_on(limb, arc_of(limb, 0)), options);
 }
 
-/// The head's limb, drawn again where the head is plainly larger than the template's: a child's. The neck lies that
-/// much lower; the head's joint stays where it was, in the middle of the larger head.
+/// The limb with its joints `factor` times as far from its tip.
+template <typename Scalar>
+Limb<Scalar> stretched(Limb<Scalar> limb, Scalar factor, const Slicer<Scalar>& slicer, const EndPoint<Scalar>& end,
+                       const CentrelineOptions& options) {
+    for (Scalar& from_tip : limb.from_tip) from_tip *= factor;
+    return draw_limb(std::move(limb), slicer, end, options);
+}
+
+/// A head may be so much larger than the template's that its slices, above the place where the template has the neck,
+/// show no head at all: the limb drawn for the first of ever larger heads that is seen to end in a throat, and is no
+/// smaller than that. None where there is no such one, as with hair, hats and hands on heads.
+template <typename Scalar>
+std::optional<Limb<Scalar>> with_far_larger_head(const Limb<Scalar>& limb, const Slicer<Scalar>& slicer,
+                                                 const EndPoint<Scalar>& end, const RefinementOptions& options) {
+    constexpr Scalar step = Scalar(1.25), most = Scalar(3.5); // times the template's
+    for (Scalar factor = step; factor < most; factor *= step) {
+        Limb<Scalar> larger = stretched(limb, factor, slicer, end, options.centreline);
+        const auto head = head_of(larger, slicer, options.head);
+        if (head && head->throat && head->size >= 1) return larger;
+    }
+    return std::nullopt;
+}
+
+/// How much farther from the top than an adult's the joint of a head lies that is `size` times as large. A child's is
+/// in the middle of its head: as far as an adult's. From two years on people have heads of less than 1.5 times an
+/// adult's for their height; larger ones are drawn figures', whose joint goes with the head: wholly from 2 on.
+template <typename Scalar>
+Scalar joint_of_larger_head(Scalar size) {
+    constexpr Scalar most_of_people = Scalar(1.5), figure = 2;
+    const Scalar drawn = std::clamp((size - most_of_people) / (figure - most_of_people), Scalar(0), Scalar(1));
+    return 1 + drawn * (size - 1);
+}
+
+/// The head's limb, drawn again where the head is plainly larger than the template's, a child's or a drawn figure's:
+/// the neck lies that much lower. A larger head is measured once more, from where its neck then is.
 template <typename Scalar>
 Limb<Scalar> with_fitting_head(Limb<Scalar> limb, const Slicer<Scalar>& slicer, const EndPoint<Scalar>& end,
                                const RefinementOptions& options) {
-    const auto head = head_of(limb, slicer, options.head);
-    if (!head || head->size < static_cast<Scalar>(options.larger_head)) return limb;
-    for (std::size_t i = 0; i + 1 < limb.from_tip.size(); ++i) limb.from_tip[i] *= head->size;
-    return draw_limb(std::move(limb), slicer, end, options.centreline);
+    constexpr int most_rounds = 3;
+    const Scalar neck = limb.from_tip.front(), joint = limb.from_tip.back();
+    auto head = head_of(limb, slicer, options.head);
+    if (!head) {
+        auto larger = with_far_larger_head(limb, slicer, end, options);
+        if (!larger) return limb;
+        limb = *std::move(larger);
+        head = head_of(limb, slicer, options.head);
+    }
+    for (int round = 0; round < most_rounds && head && head->size >= static_cast<Scalar>(options.larger_head);
+         ++round) {
+        limb = stretched(std::move(limb), head->size, slicer, end, options.centreline);
+        head = head_of(limb, slicer, options.head);
+    }
+    const Scalar measured = head ? head->size : Scalar(1);
+    if (limb.joints.size() > 1)
+        limb.from_tip.back() = joint * joint_of_larger_head(measured * limb.from_tip.front() / neck);
+    return limb;
 }
 
-/// The axis of the lower trunk; none without two legs and a head.
+/// The axis of the lower trunk; none without two legs.
 template <typename Scalar>
 std::optional<TrunkAxis<Scalar>>
 trunk_axis_of(const std::vector<Limb<Scalar>>& limbs, const std::vector<EndPoint<Scalar>>& ends,
@@ -50,19 +99,25 @@ trunk_axis_of(const std::vector<Limb<Scalar>>& limbs, const std::vector<EndPoint
     std::optional<Vector3<Scalar>> neck;
     for (const Limb<Scalar>& limb : limbs)
         if (is_head(limb, skeleton_template)) neck = point_on(limb, arc_of(limb, 0));
-    if (legs.empty() || !neck) return std::nullopt;
+    if (legs.empty()) return std::nullopt;
     const auto fork = fork_between(slicer.mesh(), ends[legs[0]], ends[legs[1]]);
     if (!fork) return std::nullopt;
     const int chest = find_joint(skeleton_template, JointRole::chest);
     const auto trunk = std::find_if(embedding.chains.begin(), embedding.chains.end(),
                                     [&](const embedding::Chain& chain) { return chain.joints.back() == chest; });
     if (trunk == embedding.chains.end()) return std::nullopt;
-    Points<Scalar> line(static_cast<Eigen::Index>(trunk->nodes.size()) + 2, 3);
+    Points<Scalar> line(static_cast<Eigen::Index>(trunk->nodes.size()) + (neck ? 2 : 1), 3);
     line.row(0) = fork->transpose();
     for (std::size_t i = 0; i < trunk->nodes.size(); ++i)
         line.row(static_cast<Eigen::Index>(i) + 1) = curve.nodes.row(trunk->nodes[i]);
-    line.row(line.rows() - 1) = neck->transpose();
-    return find_trunk_axis(slicer, line, scale * rest_length_of_first_bone(limbs[legs[0]], skeleton_template));
+    if (neck) line.row(line.rows() - 1) = neck->transpose();
+    const Scalar thigh = scale * rest_length_of_first_bone(limbs[legs[0]], skeleton_template);
+    auto axis = find_trunk_axis(slicer, line, thigh);
+    if (!axis) return axis;
+    // Half a thigh to both sides of the fork, in fortieths of it: more than a bent knee or an unlike end moves it.
+    const Points<Scalar> way = way_between(slicer.mesh(), ends[legs[0]], ends[legs[1]], thigh, Scalar(0.05) * thigh);
+    axis->fork = highest_on(way, axis->place, axis->up);
+    return axis;
 }
 
 /// The limbs of a body, rest-pose length to body length, and the axis of the lower trunk, if that can be seen.
@@ -124,6 +179,7 @@ RefinedJoints<Scalar> refine(const Body<Scalar>& body, const std::vector<EndPoin
     }
     for (const Limb<Scalar>& limb : limbs)
         placement = place_girdle(std::move(placement), limb, options.girdle, options.bone_line);
+    placement = place_bare_joints(std::move(placement), curve, embedding);
     placement = narrow_hips(std::move(placement), limbs);
     const auto with_pelvis =
         axis ? place_pelvis(placement, limbs, *axis, options.pelvis) : std::optional<Placement<Scalar>>();
@@ -135,11 +191,15 @@ RefinedJoints<Scalar> refine(const Body<Scalar>& body, const std::vector<EndPoin
 
     out.positions = placement.positions();
     out.trunk = detail::trunk_of(placement, slicer);
-    out.is_present.assign(skeleton_template.joints.size(), true);
+    for (const TemplateJoint& joint : skeleton_template.joints) out.is_present.push_back(!joint.is_absent);
+    for (std::size_t j = 0; j < out.is_present.size(); ++j)
+        if (!out.is_present[j])
+            out.positions.row(static_cast<Eigen::Index>(j)) = out.positions.row(skeleton_template.joints[j].parent);
     for (const Limb<Scalar>& limb : limbs) {
         for (std::size_t i = limb.joints.size() - limb.missing; i < limb.joints.size(); ++i)
             out.is_present[static_cast<std::size_t>(limb.joints[i])] = false;
-        if (limb.missing == 0) out.tips.emplace_back(limb.joints.back(), tip_of(limb));
+        const bool is_whole = limb.missing == 0 && ends_limb(skeleton_template.joint(limb.joints.back()).role);
+        if (is_whole) out.tips.emplace_back(limb.joints.back(), tip_of(limb));
     }
     return out;
 }

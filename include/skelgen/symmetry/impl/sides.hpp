@@ -49,13 +49,14 @@ private:
 };
 
 template <typename Scalar>
-LegBones<Scalar> leg_bones(const JointsByRole<Scalar>& joints, Side side) {
+std::optional<LegBones<Scalar>> leg_bones(const JointsByRole<Scalar>& joints, Side side) {
     using enum JointRole;
+    if (!joints.find(knee, side)) return std::nullopt;
     const Vector3<Scalar> knee_at = joints.get(knee, side);
     const Vector3<Scalar> ankle_at = joints.find(ankle, side).value_or(knee_at);
     const auto foot_at = joints.find(foot, side);
     const Vector3<Scalar> toe = foot_at ? joints.tip(foot, side).value_or(*foot_at) : ankle_at;
-    return {knee_at - joints.get(hip, side), ankle_at - knee_at, toe - ankle_at};
+    return LegBones<Scalar>{knee_at - joints.get(hip, side), ankle_at - knee_at, toe - ankle_at};
 }
 
 /// Where the axis of a bent elbow points: left, times the sine of the bend. None without elbow, shoulder or forearm.
@@ -158,14 +159,14 @@ Outcome<SidesDecision<Scalar>> decide_sides(const refinement::RefinedJoints<Scal
     };
     Vector3<Scalar> forward = Vector3<Scalar>::Zero();
     for (const Side side : {Side::left, Side::right}) {
-        const LegBones<Scalar> leg = detail::leg_bones(by_role, side);
-        if (by_role.find(foot, side)) {
-            const Vector3<Scalar> standing = detail::without_component(standing_foot_direction(leg, up, across), up);
+        const auto leg = detail::leg_bones(by_role, side);
+        if (leg && by_role.find(foot, side)) {
+            const Vector3<Scalar> standing = detail::without_component(standing_foot_direction(*leg, up, across), up);
             forward += standing;
             vote("foot", options.foot, up.cross(standing)); // up x forward is left
         }
         // The calf folds backwards: thigh x calf points left.
-        vote("knee", options.knee, leg.thigh.normalized().cross(leg.calf.normalized()));
+        if (leg) vote("knee", options.knee, leg->thigh.normalized().cross(leg->calf.normalized()));
         if (const auto axis = detail::elbow_axis(by_role, side)) vote("elbow", options.elbow, *axis);
     }
     constexpr double clear_head = 0.08, clear_trunk = 0.012; // median frontness over 96 real bodies

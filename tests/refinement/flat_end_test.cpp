@@ -1,0 +1,42 @@
+#include <skelgen/refinement/flat_end.hpp>
+
+#include "catch.hpp"
+#include "refinement/limb_shapes.hpp"
+#include "shapes.hpp"
+
+using namespace skelgen;
+using namespace skelgen::refinement;
+using namespace skelgen::test;
+
+namespace {
+
+constexpr double length = 1, radius = 0.05;
+
+/// How flat a limb along z ends that has this surface, which ends at `top`.
+template <typename Scalar>
+Scalar flatness(const Mesh& mesh, double top) {
+    const Body<Scalar> body = body_of<Scalar>(mesh);
+    const Limb<Scalar> limb = limb_along<Scalar>({Vec3::Zero(), Vec3(0, 0, top)}, {0}, {0.5}, radius);
+    return flat_end(body.mesh, limb, end_point_near(body, Vec3(0, 0, top)), Scalar(0.2));
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("the lid of a limb that is cut off covers its section, a round end does not", "", float, double) {
+    CHECK(flatness<TestType>(cylinder(radius, length), length) == Approx(1).epsilon(0.05));
+    CHECK(flatness<TestType>(capsule(radius, length), length + radius) < 0.2);
+}
+
+TEST_CASE("a limb may be cut off obliquely") {
+    Mesh cut = cylinder(radius, length);
+    for (Eigen::Index v = 0; v < cut.vertices.rows(); ++v)
+        if (cut.vertices(v, 2) > length - 1e-9) cut.vertices(v, 2) += 0.5 * cut.vertices(v, 0); // 27 degrees
+    CHECK(flatness<double>(cut, length) > 1);
+}
+
+TEST_CASE("a limb without sections near its end says nothing") {
+    const Body<double> body = body_of<double>(cylinder(radius, length));
+    Limb<double> limb = limb_along<double>({Vec3::Zero(), Vec3(0, 0, length)}, {0}, {0.5}, radius);
+    limb.line.thickness.setZero();
+    CHECK(flat_end(body.mesh, limb, end_point_near(body, Vec3(0, 0, length)), 0.2) == 0);
+}
