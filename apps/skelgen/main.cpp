@@ -15,7 +15,7 @@
 namespace skelgen::cli {
 namespace {
 
-constexpr int to_status(ErrorCode code) { return static_cast<int>(code); }
+constexpr int exit_status(ErrorCode code) { return static_cast<int>(code); }
 
 /// A command that needs what not every build has: the build defines SKELGEN_WITH_... as 0 or 1.
 struct OptionalCommand {
@@ -123,7 +123,7 @@ int run(int argc, char** argv) {
         return ended.get_exit_code();
     } catch (const CLI::ParseError& error) {
         print_usage_error(app, error, argc > 1 ? argv[1] : "");
-        return to_status(ErrorCode::usage);
+        return exit_status(ErrorCode::usage);
     }
     return 0;
 }
@@ -134,7 +134,7 @@ int run_and_report(int argc, char** argv) {
         return run(argc, argv);
     } catch (const Error& error) {
         print_error(error.what());
-        return to_status(error.code());
+        return exit_status(error.code());
     } catch (const std::bad_alloc&) {
         print_error("out of memory; use a smaller mesh or a larger machine");
     } catch (const std::exception& error) {
@@ -142,7 +142,7 @@ int run_and_report(int argc, char** argv) {
     } catch (...) {
         print_error("a fault of skelgen's own of unknown kind, please report it");
     }
-    return to_status(ErrorCode::internal);
+    return exit_status(ErrorCode::internal);
 }
 
 } // namespace

@@ -35,7 +35,7 @@ struct MergeCommand {
     bool quiet = false;
 };
 
-fs::path place_of(const fs::path& folder) {
+fs::path folder_place(const fs::path& folder) {
     std::error_code error;
     return fs::weakly_canonical(fs::absolute(folder / "", error), error).lexically_normal();
 }
@@ -45,8 +45,8 @@ std::vector<ShardFolder> read_shards(const MergeCommand& command) {
     std::vector<fs::path> places;
     std::vector<ShardFolder> shards;
     for (const std::string& folder : command.shards) {
-        const fs::path place = place_of(folder);
-        if (place == place_of(command.output_folder))
+        const fs::path place = folder_place(folder);
+        if (place == folder_place(command.output_folder))
             throw Error(ErrorCode::usage, folder + ": is a shard's folder; choose another one with -o");
         if (std::find(places.begin(), places.end(), place) != places.end()) continue;
         places.push_back(place);

@@ -8,12 +8,12 @@ namespace skelgen::evaluation {
 namespace {
 
 /// Errors, and the mesh that each is from.
-struct Sample {
+struct JointErrors {
     std::vector<double> errors;
     std::vector<std::string> meshes;
 };
 
-ErrorStatistics to_statistics(const Sample& sample) {
+ErrorStatistics to_statistics(const JointErrors& sample) {
     const auto worst = std::max_element(sample.errors.begin(), sample.errors.end());
     ErrorStatistics statistics;
     statistics.count = sample.errors.size();
@@ -26,8 +26,8 @@ ErrorStatistics to_statistics(const Sample& sample) {
 }
 
 /// The solved meshes' errors joint by joint, in the order in which the joints first appear.
-std::vector<std::pair<std::string, Sample>> group_by_joint(const SetScore& set) {
-    std::vector<std::pair<std::string, Sample>> groups;
+std::vector<std::pair<std::string, JointErrors>> group_by_joint(const SetScore& set) {
+    std::vector<std::pair<std::string, JointErrors>> groups;
     for (const MeshScore& mesh : set.meshes) {
         if (!mesh.solved()) continue;
         for (const auto& [joint, error] : mesh.errors) {
@@ -69,7 +69,7 @@ SetSummary summarise(const SetScore& set) {
     summary.refused = count(set, [](const MeshScore& mesh) { return mesh.refused; });
     summary.inside = mean_share_inside(set);
 
-    Sample all; // joint after joint: the mean's last digit depends on the order
+    JointErrors all; // joint after joint: the mean's last digit depends on the order
     for (const auto& [joint, sample] : group_by_joint(set)) {
         summary.per_joint.emplace_back(joint, to_statistics(sample));
         all.errors.insert(all.errors.end(), sample.errors.begin(), sample.errors.end());

@@ -20,8 +20,6 @@ struct Plane {
     }
 };
 
-std::uint8_t to_byte(float value) { return static_cast<std::uint8_t>(std::lround(255 * value)); }
-
 void fill(const Plane& plane, const Bar& bar, Image& image) {
     const auto pixel = [](double x) { return static_cast<int>(std::lround(x)); };
     const double gap = 1.5;

@@ -167,8 +167,7 @@ Pixel to_pixel(Layer sum, Background background) {
     if (background == Background::white) sum = over(sum, Layer::Ones());
     const float opacity = sum[3];
     if (opacity <= 0) return {0, 0, 0, 0};
-    const auto byte = [](float x) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0f, 1.0f))); };
-    return {byte(sum[0] / opacity), byte(sum[1] / opacity), byte(sum[2] / opacity), byte(opacity)};
+    return {to_byte(sum[0] / opacity), to_byte(sum[1] / opacity), to_byte(sum[2] / opacity), to_byte(opacity)};
 }
 
 Layer average(const Band& band, int x, int y, int supersampling) {

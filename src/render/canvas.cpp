@@ -52,10 +52,6 @@ void cover_segment(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double ra
         }
 }
 
-std::uint8_t to_byte(float value) {
-    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(value, 0.0f, 1.0f)));
-}
-
 /// Paints over a pixel whose colour is not multiplied by its opacity.
 void paint(const Colour& colour, float opacity, Pixel& pixel) {
     const float below = float(pixel[3]) / 255 * (1 - opacity);

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
 namespace skelgen::render {
 
 /// Each 0 to 1, as written to the file (sRGB).
@@ -8,6 +12,11 @@ struct Colour {
     float green = 0;
     float blue = 0;
 };
+
+/// A colour's part, 0 to 1, as it is written: 0 to 255.
+inline std::uint8_t to_byte(float part) {
+    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(part, 0.0f, 1.0f)));
+}
 
 /// Every colour of our pictures, in one place. Blue and yellow stay apart for every kind of colour blindness.
 namespace palette {

@@ -84,7 +84,7 @@ auto rank_of(const ReportEntry& entry) {
 
 std::string text_of(const std::optional<double>& number) { return number ? decimal(*number) : std::string(); }
 
-std::string attribute(const char* name, const std::string& value) {
+std::string data_attribute(const char* name, const std::string& value) {
     return std::string(" data-") + name + "=\"" + xml_text(value) + "\"";
 }
 
@@ -103,11 +103,12 @@ std::string numbers_of(const ReportEntry& entry) {
 }
 
 std::string item_of(const ReportEntry& entry, std::size_t rank) {
-    std::string out = std::string("<li class=\"") + kind_of(entry) + "\"" + attribute("rank", std::to_string(rank)) +
-                      attribute("file", entry.file) + attribute("seconds", decimal(entry.seconds)) +
-                      attribute("faces", std::to_string(entry.faces)) +
-                      attribute("sides", text_of(entry.sides_confidence)) +
-                      attribute("joints", text_of(entry.least_confidence)) + ">\n";
+    std::string out = std::string("<li class=\"") + kind_of(entry) + "\"" +
+                      data_attribute("rank", std::to_string(rank)) + data_attribute("file", entry.file) +
+                      data_attribute("seconds", decimal(entry.seconds)) +
+                      data_attribute("faces", std::to_string(entry.faces)) +
+                      data_attribute("sides", text_of(entry.sides_confidence)) +
+                      data_attribute("joints", text_of(entry.least_confidence)) + ">\n";
     if (!entry.picture.empty())
         out += "<img alt=\"" + xml_text(entry.file) + "\" loading=\"lazy\" src=\"data:image/png;base64," +
                io::detail::encode_base64(entry.picture) + "\">\n";

@@ -16,9 +16,8 @@ namespace skelgen::render {
 namespace {
 
 std::string hex(const Colour& colour) {
-    const auto byte = [](float x) { return static_cast<unsigned>(std::lround(255 * x)); };
     char text[8];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(colour.red), byte(colour.green), byte(colour.blue));
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", to_byte(colour.red), to_byte(colour.green), to_byte(colour.blue));
     return text;
 }
 

@@ -8,6 +8,7 @@
 #include <skelgen/core/error.hpp>
 
 #include "catch.hpp"
+#include "human.hpp"
 #include "mesh_changes.hpp"
 #include "shapes.hpp"
 
@@ -15,9 +16,9 @@ namespace {
 
 using namespace skelgen;
 using namespace skelgen::applications;
+using test::human;
 using Rotation = Eigen::Quaterniond;
 
-const SkeletonTemplate& human() { return builtin_template("human21"); }
 std::size_t index_of(const std::string& name) {
     return static_cast<std::size_t>(find_joint(rest_skeleton<double>(human()), name));
 }

@@ -6,14 +6,14 @@
 #include <skelgen/surface/prepare.hpp>
 
 #include "catch.hpp"
+#include "human.hpp"
 #include "shapes.hpp"
 
 namespace {
 
 using namespace skelgen;
 using namespace skelgen::applications;
-
-const SkeletonTemplate& human() { return builtin_template("human21"); }
+using test::human;
 
 TEMPLATE_TEST_CASE("sections: circles where planes across the bones cut a ball around them", "[applications][sections]",
                    float, double) {

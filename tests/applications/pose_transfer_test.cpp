@@ -6,6 +6,7 @@
 #include <skelgen/applications/posing.hpp>
 
 #include "catch.hpp"
+#include "human.hpp"
 #include "mesh_changes.hpp"
 #include "sample_body.hpp"
 #include "shapes.hpp"
@@ -14,8 +15,7 @@ namespace {
 
 using namespace skelgen;
 using namespace skelgen::applications;
-
-const SkeletonTemplate& human() { return builtin_template("human21"); }
+using test::human;
 
 /// human21 at rest, turned as a whole and with its left upper arm lowered by 60 degrees.
 KinematicSkeleton<double> model(const Eigen::Quaterniond& whole) {

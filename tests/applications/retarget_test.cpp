@@ -9,6 +9,7 @@
 #include <skelgen/io/rig_formats.hpp>
 
 #include "catch.hpp"
+#include "human.hpp"
 #include "shapes.hpp"
 #include "template_rig.hpp"
 #include "walking_clip.hpp"
@@ -17,9 +18,8 @@ namespace {
 
 using namespace skelgen;
 using namespace skelgen::applications;
+using test::human;
 using Vec = Eigen::Vector3d;
-
-const SkeletonTemplate& human() { return builtin_template("human21"); }
 
 /// Our joints whose bones have to point as the clip's, and the ends of those.
 const std::vector<std::pair<std::string, std::pair<std::string, std::string>>> bones{

@@ -7,6 +7,7 @@
 #include <skelgen/extract.hpp>
 
 #include "catch.hpp"
+#include "human.hpp"
 #include "mesh_changes.hpp"
 #include "sample_body.hpp"
 #include "shapes.hpp"
@@ -16,8 +17,7 @@ namespace {
 
 using namespace skelgen;
 using namespace skelgen::applications;
-
-const SkeletonTemplate& human() { return builtin_template("human21"); }
+using test::human;
 
 template <typename Scalar>
 KinematicSkeleton<Scalar> cast(const KinematicSkeleton<double>& skeleton) {

@@ -49,7 +49,7 @@ TEST_CASE("the geodesic diameter grows with the mesh and does not turn with it")
     CHECK(diameter(shuffled(mesh, 1)) == Approx(before).epsilon(0.01));
 }
 
-TEST_CASE("no path is shorter than the straight line") {
+TEST_CASE("no path is shorter than the straight line", "[slow]") {
     const Mesh mesh = three_tubes();
     double farthest = 0;
     for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v)

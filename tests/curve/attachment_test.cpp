@@ -46,7 +46,7 @@ void check_same_shape(const BranchedCurve<double>& before, const BranchedCurve<d
 
 } // namespace
 
-TEST_CASE("a branch that leaves another one too far down comes to leave it where its tube does") {
+TEST_CASE("a branch that leaves another one too far down comes to leave it where its tube does", "[slow]") {
     const Body<double> body = body_of(three_tubes());
     for (const double down : {0.2, 0.3}) {
         const BranchedCurve<double> before = axes_joined(down), after = reattach_branches(before, {}, body, spacing);

@@ -131,7 +131,7 @@ TEST_CASE("the node at which a ring begins is as well centred as the others") {
     CHECK(off_circle(ring.knots[0]) < 0.03 * tube);
 }
 
-TEST_CASE("the branches of three tubes come to lie on their axes away from the junction") {
+TEST_CASE("the branches of three tubes come to lie on their axes away from the junction", "[slow]") {
     const Body<double> body = body_of(three_tubes());
     REQUIRE(off_axes(bent_star(), 0.35, 0.9) > 0.2 * 0.12);
     const CentredBranches<double> centred = centre_branches(bent_star(), body, body.mesh);
@@ -144,7 +144,7 @@ TEST_CASE("the branches of three tubes come to lie on their axes away from the j
     CHECK(centred.sections.size() == centred.branched.branches.size());
 }
 
-TEST_CASE("a turned body has the turned branches") {
+TEST_CASE("a turned body has the turned branches", "[slow]") {
     const Motion turn{random_rotation(11), 1, Vec3::Zero()};
     const Mesh mesh = three_tubes();
     BranchedCurve<double> star = bent_star();

@@ -108,7 +108,7 @@ TEST_CASE("contraction refuses options that make no sense") {
     CHECK(throws(ErrorCode::usage, [&] { static_cast<void>(contract(mesh, none)); }));
 }
 
-TEST_CASE("contraction keeps every vertex within the surface's bounds") {
+TEST_CASE("contraction keeps every vertex within the surface's bounds", "[slow]") {
     const Mesh proxy = proxy_mesh(three_tubes());
     const Contraction<double> contraction = contract(proxy);
     REQUIRE(contraction.vertices.rows() == proxy.vertices.rows());

@@ -41,7 +41,7 @@ void check_is_y(const CurveSkeleton<Scalar>& curve, double scale) {
 
 } // namespace
 
-TEMPLATE_TEST_CASE("three tubes that meet: one junction, three leaves at their ends", "", float, double) {
+TEMPLATE_TEST_CASE("three tubes that meet: one junction, three leaves at their ends", "[slow]", float, double) {
     const Mesh mesh = three_tubes();
     const CurveResult<TestType> found = find_curve(unit_body<TestType>(mesh));
     check_is_curve(found.curve, mesh.vertices.rows());
@@ -51,7 +51,7 @@ TEMPLATE_TEST_CASE("three tubes that meet: one junction, three leaves at their e
     CHECK(found.volume_ratio < 0.1);
 }
 
-TEST_CASE("the curve of three tubes runs along their axes") {
+TEST_CASE("the curve of three tubes runs along their axes", "[slow]") {
     const Mesh mesh = three_tubes();
     const double scale = 1 / std::sqrt(surface_area(mesh));
     const CurveSkeleton<double> curve = find_curve(unit_body(mesh)).curve;
@@ -65,7 +65,7 @@ TEST_CASE("the curve of three tubes runs along their axes") {
     }
 }
 
-TEST_CASE("the curve of three tubes is a Y however they lie") {
+TEST_CASE("the curve of three tubes is a Y however they lie", "[slow]") {
     const Mesh mesh = three_tubes();
     const double scale = 1 / std::sqrt(surface_area(mesh));
     for (unsigned seed = 1; seed <= 3; ++seed) {
@@ -77,7 +77,7 @@ TEST_CASE("the curve of three tubes is a Y however they lie") {
     }
 }
 
-TEST_CASE("a capsule has a curve without junctions from pole to pole") {
+TEST_CASE("a capsule has a curve without junctions from pole to pole", "[slow]") {
     const Body<double> body = unit_body(capsule(0.2, 4));
     const CurveSkeleton<double> curve = find_curve(body).curve;
     check_is_curve(curve, body.mesh.vertices.rows());
@@ -95,7 +95,7 @@ TEMPLATE_TEST_CASE("a torus has a curve with one cycle", "", float, double) {
     CHECK(cycles(curve) == 1);
 }
 
-TEST_CASE("beside the ends of its limbs a curve lies inside, and its nodes have radii") {
+TEST_CASE("beside the ends of its limbs a curve lies inside, and its nodes have radii", "[slow]") {
     const Body<double> body = unit_body(three_tubes());
     const CurveSkeleton<double> curve = find_curve(body).curve;
     const CurveGraph<double> graph = curve_graph(curve);
@@ -107,7 +107,7 @@ TEST_CASE("beside the ends of its limbs a curve lies inside, and its nodes have 
     }
 }
 
-TEST_CASE("a curve says when its contraction has not come to its end") {
+TEST_CASE("a curve says when its contraction has not come to its end", "[slow]") {
     CurveOptions options;
     options.contraction.iterations = 1;
     const CurveResult<double> found = find_curve(unit_body(three_tubes()), options);

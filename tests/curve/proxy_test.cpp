@@ -50,7 +50,7 @@ double part_of_edges_between(const Mesh& mesh, double low, double high, int vert
 
 } // namespace
 
-TEMPLATE_TEST_CASE("a proxy has the size asked for, whatever the input's, and its topology", "", float, double) {
+TEMPLATE_TEST_CASE("a proxy has the size asked for, whatever the input's, and its topology", "[slow]", float, double) {
     constexpr int vertices = 1500;
     for (const Case& c : cases()) {
         INFO(c.name);
@@ -62,14 +62,14 @@ TEMPLATE_TEST_CASE("a proxy has the size asked for, whatever the input's, and it
     }
 }
 
-TEST_CASE("a proxy's edges are about as long as equilateral triangles of its size have them") {
+TEST_CASE("a proxy's edges are about as long as equilateral triangles of its size have them", "[slow]") {
     for (const Case& c : cases()) {
         INFO(c.name);
         CHECK(part_of_edges_between(proxy_mesh(c.mesh), 0.6, 1.5, 1500) > 0.97);
     }
 }
 
-TEMPLATE_TEST_CASE("a proxy keeps the shape", "", float, double) {
+TEMPLATE_TEST_CASE("a proxy keeps the shape", "[slow]", float, double) {
     for (const Case& c : cases()) {
         INFO(c.name);
         const TriangleMesh<TestType> proxy = proxy_mesh(mesh_in<TestType>(c.mesh));
@@ -95,7 +95,7 @@ TEST_CASE("a hole stays a hole") {
     CHECK(surface_area(proxy) == Approx(surface_area(open)).epsilon(0.05));
 }
 
-TEST_CASE("neither a fan of needles nor a finely divided rim makes a proxy large") {
+TEST_CASE("neither a fan of needles nor a finely divided rim makes a proxy large", "[slow]") {
     constexpr int vertices = 1500;
     const Mesh lids = cylinder(0.3, 4, 500, 2);
     Mesh disc; // one vertex in the middle of 1000 on the rim
@@ -122,7 +122,7 @@ TEMPLATE_TEST_CASE("an edge without length costs a proxy nothing", "", float, do
     CHECK(proxy.vertices.rows() < 2100);
 }
 
-TEST_CASE("the same mesh has the same proxy") {
+TEST_CASE("the same mesh has the same proxy", "[slow]") {
     const Mesh a = proxy_mesh(three_tubes()), b = proxy_mesh(three_tubes());
     const bool same_vertices = a.vertices == b.vertices, same_faces = a.faces == b.faces;
     CHECK(same_vertices);

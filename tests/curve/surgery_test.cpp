@@ -25,8 +25,8 @@ CurveSkeleton<Scalar> contracted_curve(const TriangleMesh<Scalar>& proxy) {
 
 } // namespace
 
-TEMPLATE_TEST_CASE("surgery leaves one connected graph, every vertex in the region of exactly one node", "", float,
-                   double) {
+TEMPLATE_TEST_CASE("surgery leaves one connected graph, every vertex in the region of exactly one node", "[slow]",
+                   float, double) {
     for (const Mesh& mesh : {sphere(1, 4), capsule(0.2, 4), torus(1, 0.25), three_tubes()}) {
         const TriangleMesh<TestType> proxy = proxy_mesh(mesh_in<TestType>(mesh), 1200);
         const CurveSkeleton<TestType> curve = contracted_curve(proxy);
@@ -36,7 +36,7 @@ TEMPLATE_TEST_CASE("surgery leaves one connected graph, every vertex in the regi
     }
 }
 
-TEMPLATE_TEST_CASE("a torus leaves exactly one cycle, a sphere, a capsule and a Y none", "", float, double) {
+TEMPLATE_TEST_CASE("a torus leaves exactly one cycle, a sphere, a capsule and a Y none", "[slow]", float, double) {
     const auto cycles_of = [](const Mesh& mesh) {
         return cycles(contracted_curve(proxy_mesh(mesh_in<TestType>(mesh), 1200)));
     };

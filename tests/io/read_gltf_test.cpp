@@ -374,7 +374,7 @@ TEST_CASE("read glTF: what does not hold together is refused, with its place", "
     CHECK_THAT(reading_error(tetrahedron_scene().gltf("data:;base64,%%%%")), Catch::Matchers::Contains("base64"));
 }
 
-TEST_CASE("read glTF: a small file does not make a huge mesh", "[io][gltf]") {
+TEST_CASE("read glTF: a small file does not make a huge mesh", "[io][gltf][slow]") {
     GltfBuilder scene = tetrahedron_scene();
     const std::vector<float> many(3 * 20000, 1.0F);
     scene.primitive()["attributes"]["POSITION"] = scene.add<float>("VEC3", many);

@@ -66,7 +66,7 @@ void check_same(const SkeletonTemplate& a, const SkeletonTemplate& b) {
 
 } // namespace
 
-TEST_CASE("JSON that is nested deeply or has countless keys is refused at once", "[io][template]") {
+TEST_CASE("JSON that is nested deeply or has countless keys is refused at once", "[io][template][slow]") {
     const auto error = [](const std::string& json) -> std::string {
         try {
             static_cast<void>(io::parse_template(json));

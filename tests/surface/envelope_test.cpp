@@ -102,7 +102,7 @@ TEST_CASE("small parts cover the faces they are of, and have no long edges") {
     CHECK(parts == mesh.faces.rows());
 }
 
-TEST_CASE("an envelope has no more faces than wanted, about, and is as large as with more") {
+TEST_CASE("an envelope has no more faces than wanted, about, and is as large as with more", "[slow]") {
     const Mesh ball = sphere(1, 3);
     EnvelopeOptions options = with_cells(150);
     const auto many = winding_envelope(ball, options);
@@ -150,7 +150,7 @@ TEST_CASE("whatever nodes are inside, the surface around them is closed and mani
     CHECK(enclosed_volume(mesh) > 0);
 }
 
-TEMPLATE_TEST_CASE("the envelope of a ball is the ball", "", float, double) {
+TEMPLATE_TEST_CASE("the envelope of a ball is the ball", "[slow]", float, double) {
     const Mesh exact = sphere(3, 4);
     const TriangleMesh<TestType> ball{exact.vertices.cast<TestType>(), exact.faces};
     for (const auto& envelope : {winding_envelope(ball, with_cells(60)), rolling_envelope(ball, with_cells(60))}) {
@@ -161,7 +161,7 @@ TEMPLATE_TEST_CASE("the envelope of a ball is the ball", "", float, double) {
     }
 }
 
-TEST_CASE("overlapping boxes become one with the volume of their union") {
+TEST_CASE("overlapping boxes become one with the volume of their union", "[slow]") {
     const Mesh both = side_by_side(box(Vec3(2, 1, 1)), moved_by(box(Vec3(1, 1, 3)), Vec3(0.5, 0.25, -1.25)));
     const auto volume = [](double width, double depth, double height) { return width * depth * height; };
     const auto [low, high] = std::pair<Vec3, Vec3>{both.vertices.topRows(8).colwise().minCoeff().transpose(),
@@ -178,7 +178,7 @@ TEST_CASE("overlapping boxes become one with the volume of their union") {
     }
 }
 
-TEST_CASE("an envelope closes holes") {
+TEST_CASE("an envelope closes holes", "[slow]") {
     const Mesh open = without_top(sphere(1, 4), 0.05);
     REQUIRE_FALSE(is_closed(open.faces));
     const Mesh envelope = winding_envelope(open, with_cells(80));
@@ -186,14 +186,14 @@ TEST_CASE("an envelope closes holes") {
     CHECK(enclosed_volume(envelope) == Approx(4 * pi / 3).epsilon(0.03));
 }
 
-TEST_CASE("a narrow gap stays open to the winding number") {
+TEST_CASE("a narrow gap stays open to the winding number", "[slow]") {
     const double gap = 0.04; // three cells
     const Mesh both = side_by_side(cube(2), moved_by(cube(2), Vec3(1 + gap, 0, 0)));
     CHECK(manifold_parts(winding_envelope(both, with_cells(150))).size() == 2);
     CHECK(manifold_parts(rolling_envelope(both, with_cells(150))).size() == 1); // narrower than the ball
 }
 
-TEST_CASE("a rolled envelope needs no orientation") {
+TEST_CASE("a rolled envelope needs no orientation", "[slow]") {
     Mesh ball = sphere(1, 4);
     for (Eigen::Index f = 0; f < ball.faces.rows(); f += 2) std::swap(ball.faces(f, 0), ball.faces(f, 1));
     CHECK(enclosed_volume(rolling_envelope(ball, with_cells(60))) == Approx(4 * pi / 3).epsilon(0.02));

@@ -38,7 +38,7 @@ TEST_CASE("a plate beside a body is left out, and so is what floats far away") {
     CHECK(body.notes[0] == "a plate left out");
 }
 
-TEST_CASE("bodies apart are counted, and each can be had") {
+TEST_CASE("bodies apart are counted, and each can be had", "[slow]") {
     const Mesh tube = capsule(0.3, 4), other = moved_by(capsule(0.28, 4), Vec3(1, 0, 0));
     const Mesh both = side_by_side(tube, other);
     CHECK(faces_of_body(both).bodies == 2);
@@ -57,7 +57,7 @@ TEST_CASE("pieces that overlap or lie in each other are one body") {
     CHECK(faces_of_body(side_by_side(tube, capsule(0.25, 4))).bodies == 1);
 }
 
-TEST_CASE("a sound body has one remedy, pieces have an envelope first") {
+TEST_CASE("a sound body has one remedy, pieces have an envelope first", "[slow]") {
     const Mesh tube = capsule(0.3, 4);
     CHECK(gather(tube).remedies == std::vector<Remedy>{Remedy::largest_piece, Remedy::rounded});
     CHECK(gather(subdivided(tube, 1)).remedies == std::vector<Remedy>{Remedy::largest_piece}); // fine enough
@@ -80,7 +80,7 @@ TEST_CASE("a sound body has one remedy, pieces have an envelope first") {
     }
 }
 
-TEST_CASE("material that encloses nothing makes no body") {
+TEST_CASE("material that encloses nothing makes no body", "[slow]") {
     const Mesh sheet = make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}},
                                  {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
     const Outcome<Body<double>> body = make_body_by(Remedy::envelope, gather(sheet));

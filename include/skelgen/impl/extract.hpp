@@ -49,14 +49,17 @@ inline StageTimings operator+(const StageTimings& a, const StageTimings& b) {
             a.refine + b.refine,   a.sides + b.sides, a.total + b.total};
 }
 
+inline Failure too_compact_a_shape() {
+    return {FailureReason::no_body, "no human body: too compact a shape for one with arms and legs"};
+}
+
 /// A body reaches far for its surface: toe to fingertip takes 1.34 (very heavy, or in a coat) to 1.85 times (thin) the
 /// square root of its area; a ball 0.9, a dog 1.2, two people hand in hand 2.2: measured on registered and generated
 /// bodies and objects. `diameter` is geodesic, for unit area.
 template <typename Scalar>
 std::optional<Failure> not_slender(Scalar diameter) {
     constexpr Scalar least = Scalar(1.26), most = Scalar(2.1);
-    if (diameter < least)
-        return Failure{FailureReason::no_body, "no human body: too compact a shape for one with arms and legs"};
+    if (diameter < least) return too_compact_a_shape();
     if (diameter > most)
         return Failure{FailureReason::no_body, "no single human body: too thin and long a shape for one"};
     return std::nullopt;
@@ -181,6 +184,7 @@ Attempt<Scalar> fit_to_curve(const Body<Scalar>& body, const curve::CurveResult<
     Stopwatch stage;
     StageTimings timings;
     const auto failed = [&](const Failure& failure) { return Attempt<Scalar>{failure, timings}; };
+    if (found.is_point) return failed(too_compact_a_shape());
 
     const Outcome<embedding::Embedding> embedding = embedding::embed(curve, wanted, options.matching);
     if (!embedding) return failed(embedding.failure());
