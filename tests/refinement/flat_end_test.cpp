@@ -40,3 +40,14 @@ TEST_CASE("a limb without sections near its end says nothing") {
     limb.line.thickness.setZero();
     CHECK(flat_end(body.mesh, limb, end_point_near(body, Vec3(0, 0, length)), 0.2) == 0);
 }
+
+TEST_CASE("a mesh with edges as long as its limb is thick says nothing") {
+    Mesh coarse; // a prism over a triangle, which reaches beyond where it is cut off
+    coarse.vertices.resize(6, 3);
+    coarse.vertices << radius, 0, 0, -radius, radius, 0, -radius, -radius, 0, //
+        radius, 0, length, -radius, radius, length, -radius, -radius, length;
+    coarse.faces.resize(8, 3);
+    coarse.faces << 0, 2, 1, 3, 4, 5, 0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 2, 0, 3, 2, 3, 5;
+    CHECK(flatness<double>(coarse, length) == 0);
+    CHECK(flatness<double>(cylinder(radius, length), length) > 0.9);
+}

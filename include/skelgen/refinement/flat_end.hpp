@@ -9,7 +9,7 @@ namespace skelgen::refinement {
 /// How much of the limb's cross-section the largest flat piece of its end that faces outwards along it covers: about 1
 /// where the limb is cut off and closed by a lid, a tenth where it is round; fingers and toes have less. `length`: how
 /// far from the end the limb's thickness and direction are taken, in the body's unit. `end` is the limb's. 0 where the
-/// limb has no sections there. O(n).
+/// limb has no sections there, and where the mesh's edges are as long as it is thick: any end is flat then. O(n).
 template <typename Scalar>
 [[nodiscard]] Scalar flat_end(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, const EndPoint<Scalar>& end,
                               Scalar length);

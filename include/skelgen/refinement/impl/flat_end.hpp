@@ -13,7 +13,7 @@ namespace skelgen::refinement {
 namespace detail {
 
 /// Cosine of the angle up to which normals are those of one flat piece: 15 degrees, as a scan's or a coarse lid's
-/// waviness has it. A working value, as are the next two.
+/// waviness has it. A working value, as are the next three.
 template <typename Scalar>
 inline constexpr Scalar flat = Scalar(0.966);
 
@@ -24,6 +24,17 @@ inline constexpr Scalar outwards = Scalar(0.64);
 /// The end's surface reaches so many times the limb's thickness over the surface: across a lid.
 template <typename Scalar>
 inline constexpr Scalar end_size = Scalar(3);
+
+/// Edges that are so many times as long as a limb is thick leave each end flat.
+template <typename Scalar>
+inline constexpr Scalar coarse = Scalar(1.2);
+
+/// Length of the edges of equilateral triangles as large as the mesh's are on average.
+template <typename Scalar>
+Scalar typical_edge(const TriangleMesh<Scalar>& mesh) {
+    return std::sqrt(4 / std::numbers::sqrt3_v<Scalar> * core::surface_area(mesh) /
+                     static_cast<Scalar>(mesh.faces.rows()));
+}
 
 template <typename Scalar>
 struct EndFace {
@@ -79,6 +90,7 @@ Scalar flat_end(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, cons
     if (thickness.empty()) return 0;
     const auto middle = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 2);
     std::nth_element(thickness.begin(), middle, thickness.end());
+    if (detail::typical_edge(mesh) > detail::coarse<Scalar> * *middle) return 0;
     const Vector3<Scalar> along =
         (point_on(limb, all - *middle) - point_on(limb, all - std::max(length, 3 * *middle))).normalized();
     const auto faces = detail::end_faces(mesh, end, detail::end_size<Scalar> * *middle, along);
