@@ -101,12 +101,6 @@ const Part& find_part(std::string_view name) {
     throw Error(ErrorCode::usage, "--also: '" + std::string(name) + "' is none of " + names);
 }
 
-/// The place that a path names, whatever way it is written.
-fs::path place_of(const fs::path& file) {
-    std::error_code error;
-    return fs::weakly_canonical(fs::absolute(file, error), error);
-}
-
 } // namespace
 
 const std::vector<std::string>& batch_part_names() {

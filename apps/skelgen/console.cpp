@@ -60,6 +60,11 @@ void require_folder_of(const std::string& output) {
                              "output file");
 }
 
+std::filesystem::path place_of(const std::filesystem::path& file) {
+    std::error_code error;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(file, error), error);
+}
+
 void require_different_files(const std::filesystem::path& input, const std::string& output) {
     std::error_code error; // of files that are not there: they are not the same
     if (std::filesystem::is_regular_file(output, error) && std::filesystem::equivalent(input, output, error))
@@ -70,10 +75,7 @@ void require_different_outputs(const std::string& a, const std::string& option_a
                                const std::string& option_b) {
     if (a.empty() || b.empty() || a == "-" || b == "-") return;
     std::error_code error;
-    const auto place = [&](const std::string& file) {
-        return std::filesystem::weakly_canonical(std::filesystem::absolute(file, error), error);
-    };
-    if (place(a) == place(b) && std::filesystem::status(a, error).type() != std::filesystem::file_type::character)
+    if (place_of(a) == place_of(b) && std::filesystem::status(a, error).type() != std::filesystem::file_type::character)
         throw Error(ErrorCode::usage, a + ": is given to " + option_a + " and to " + option_b +
                                           "; choose two files, or one result would replace the other");
 }

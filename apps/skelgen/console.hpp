@@ -28,6 +28,9 @@ void make_folder(const std::filesystem::path& folder);
 /// "-" are no files. \throws Error usage.
 void require_folder_of(const std::string& output);
 
+/// The place that a path names, whatever way it is written.
+[[nodiscard]] std::filesystem::path place_of(const std::filesystem::path& file);
+
 /// Refuses to replace the input by the output.
 /// \throws Error usage when both are the same file.
 void require_different_files(const std::filesystem::path& input, const std::string& output);

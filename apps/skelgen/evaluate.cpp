@@ -1,6 +1,9 @@
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include <skelgen/evaluation/evaluate.hpp>
 #include <skelgen/evaluation/reliability.hpp>
@@ -95,14 +98,31 @@ std::string reliability(const EvaluateCommand& command, const std::vector<evalua
 #endif
 }
 
+/// Does one of the results go to standard output, in the report's place?
+bool replaces_report(const EvaluateCommand& command) {
+    const std::array<std::pair<const char*, const std::string*>, 3> results{
+        {{"--csv", &command.csv}, {"--json", &command.json}, {"--reliability", &command.reliability}}};
+    const char* on_output = nullptr;
+    for (const auto& [option, file] : results) {
+        if (*file != "-") continue;
+        if (on_output)
+            throw Error(ErrorCode::usage, std::string(on_output) + " and " + option +
+                                              ": both go to standard output; name a file for one");
+        on_output = option;
+    }
+    return on_output != nullptr;
+}
+
 void run(const EvaluateCommand& command) {
-    if (command.csv == "-" && command.json == "-")
-        throw Error(ErrorCode::usage, "--csv and --json: both go to standard output; name a file for one");
+    const bool has_report = !replaces_report(command);
+    require_different_outputs(command.csv, "--csv", command.json, "--json");
+    require_different_outputs(command.csv, "--csv", command.reliability, "--reliability");
+    require_different_outputs(command.json, "--json", command.reliability, "--reliability");
     const std::vector<evaluation::SetScore> sets = evaluate(command);
     if (!command.csv.empty()) write_result(command.csv, csv(sets));
     if (!command.reliability.empty()) write_result(command.reliability, reliability(command, sets));
     if (!command.json.empty()) write_result(command.json, evaluation::scores_to_json(sets, command.per_mesh));
-    if (command.csv != "-" && command.json != "-") write_result("-", report(command, sets));
+    if (has_report) write_result("-", report(command, sets));
 }
 
 } // namespace

@@ -35,18 +35,13 @@ struct MergeCommand {
     bool quiet = false;
 };
 
-fs::path folder_place(const fs::path& folder) {
-    std::error_code error;
-    return fs::weakly_canonical(fs::absolute(folder / "", error), error).lexically_normal();
-}
-
 /// Each folder once; what it says.
 std::vector<ShardFolder> read_shards(const MergeCommand& command) {
     std::vector<fs::path> places;
     std::vector<ShardFolder> shards;
     for (const std::string& folder : command.shards) {
-        const fs::path place = folder_place(folder);
-        if (place == folder_place(command.output_folder))
+        const fs::path place = place_of(fs::path(folder) / "");
+        if (place == place_of(fs::path(command.output_folder) / ""))
             throw Error(ErrorCode::usage, folder + ": is a shard's folder; choose another one with -o");
         if (std::find(places.begin(), places.end(), place) != places.end()) continue;
         places.push_back(place);

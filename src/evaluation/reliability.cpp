@@ -18,7 +18,7 @@ std::vector<ReliabilityBin> reliability(const std::vector<SetScore>& sets, std::
             for (const auto& [joint, error] : mesh.errors) {
                 const auto confidence = mesh.confidences.find(joint);
                 if (confidence == mesh.confidences.end()) continue;
-                const double place = std::max(0.0, confidence->second) * static_cast<double>(bins);
+                const double place = std::clamp(confidence->second, 0.0, 1.0) * static_cast<double>(bins);
                 ReliabilityBin& bin = out[std::min(static_cast<std::size_t>(place), bins - 1)];
                 ++bin.joints;
                 bin.near += error <= near ? 1 : 0;

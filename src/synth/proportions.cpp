@@ -45,15 +45,20 @@ void check_shape(const BodyShape& shape) {
     check_range("masculinity", shape.masculinity, 0, 1, " (woman to man)", false);
     check_range("height", shape.height, 0.8, 2.3, " m", true);
     check_range("muscle", shape.muscle, 0, 1, "", false);
-    check_range("arm length", shape.arm_length, 0.4, 1.8, " times the average", false);
-    check_range("leg length", shape.leg_length, 0.3, 1.5, " times the average", false);
-    check_range("torso length", shape.torso_length, 0.5, 1.5, " times the average", false);
-    check_range("head size", shape.head_size, 0.6, 3.5, " times the average", false);
-    check_range("hand size", shape.hand_size, 0.6, 2.5, " times the average", false);
-    check_range("foot size", shape.foot_size, 0.6, 2, " times the average", false);
-    check_range("limb girth", shape.limb_girth, 0.6, 2, " times the average", false);
-    check_range("shoulder width", shape.shoulder_width, 0.6, 1.6, " times the average", false);
-    check_range("hip width", shape.hip_width, 0.6, 1.6, " times the average", false);
+    struct Factor {
+        const char* name;
+        double value, low, high;
+    };
+    for (const Factor& factor : {Factor{"arm length", shape.arm_length, 0.4, 1.8},
+                                 {"leg length", shape.leg_length, 0.3, 1.5},
+                                 {"torso length", shape.torso_length, 0.5, 1.5},
+                                 {"head size", shape.head_size, 0.6, 3.5},
+                                 {"hand size", shape.hand_size, 0.6, 2.5},
+                                 {"foot size", shape.foot_size, 0.6, 2},
+                                 {"limb girth", shape.limb_girth, 0.6, 2},
+                                 {"shoulder width", shape.shoulder_width, 0.6, 1.6},
+                                 {"hip width", shape.hip_width, 0.6, 1.6}})
+        check_range(factor.name, factor.value, factor.low, factor.high, " times the average", false);
     const double height = shape.height > 0 ? shape.height : average_height(shape);
     const auto kilograms = [height](double index) { return std::round(10 * index * height * height) / 10; };
     check_range("weight", shape.weight, kilograms(12), kilograms(60), " kg at this height", true);

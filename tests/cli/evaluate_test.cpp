@@ -69,6 +69,16 @@ TEST_CASE("two folders are compared, to text, CSV and JSON") {
         CHECK(read_file(folder / "plot.png").substr(1, 3) == "PNG");
         CHECK(run_cli(folder.path(), {"evaluate", "truth", "results", "--reliability", "plot.json"}).status == 0);
         CHECK(read_file(folder / "plot.json").find("\"mean_confidence\"") != std::string::npos);
+        const CliResult alone = run_cli(folder.path(), {"evaluate", "truth", "results", "--reliability", "-"});
+        CHECK(alone.status == 0);
+        CHECK(alone.out == read_file(folder / "plot.json")); // and no text after it
+        for (const std::vector<std::string> more : {std::vector<std::string>{"--reliability", "-", "--json", "-"},
+                                                    std::vector<std::string>{"--reliability", "x", "--json", "x"}}) {
+            std::vector<std::string> arguments{"evaluate", "truth", "results"};
+            arguments.insert(arguments.end(), more.begin(), more.end());
+            CHECK(run_cli(folder.path(), arguments).status == 2);
+        }
+        CHECK_FALSE(fs::exists(folder / "x"));
     }
     SECTION("CSV to a file, and the text too") {
         const CliResult result = run_cli(folder.path(), {"evaluate", "truth", "results", "--csv", "table.csv"});

@@ -30,6 +30,12 @@ TEST_CASE("joints are counted in the interval of their confidence") {
         CHECK(bins[b].mean_confidence == 0);
     }
     CHECK(reliability({{"set", {mesh}}}, 1, 1.0).front().near == 4);
+    MeshScore odd; // a file may hold what is no confidence
+    odd.errors = {{"a", 0}, {"b", 0}};
+    odd.confidences = {{"a", 1e300}, {"b", -2}};
+    const auto outermost = reliability({{"set", {odd}}}, 5);
+    CHECK(outermost[4].joints == 1);
+    CHECK(outermost[0].joints == 1);
     const auto json = nlohmann::json::parse(reliability_to_json(bins));
     REQUIRE(json.size() == 5);
     CHECK(json[4]["joints"] == 3);

@@ -65,6 +65,7 @@ TEST_CASE("faces that all repeat a vertex are bad input") {
 
 TEST_CASE("a sphere, a torus, a cube, a tetrahedron and a Y are no bodies") {
     CHECK(error_of(sphere(1, 4)) == ErrorCode::no_skeleton);
+    CHECK_THROWS_WITH(extract_skeleton(sphere(1, 4)), Catch::Contains("too compact")); // its curve is a point
     CHECK(error_of(torus(1, 0.3)) == ErrorCode::no_skeleton);
     CHECK(error_of(cube()) == ErrorCode::no_skeleton);
     CHECK(error_of(cube(4)) == ErrorCode::no_skeleton);

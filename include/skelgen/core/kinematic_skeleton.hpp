@@ -61,4 +61,16 @@ template <typename Scalar>
     return -1;
 }
 
+/// Mean confidence of the joints that are there: how likely they are right together. 0 where there are none. O(joints).
+template <typename Scalar>
+[[nodiscard]] double mean_confidence(const KinematicSkeleton<Scalar>& skeleton) {
+    double sum = 0, count = 0;
+    for (const Joint<Scalar>& joint : skeleton.joints) {
+        if (!joint.is_present) continue;
+        sum += joint.confidence;
+        count += 1;
+    }
+    return count > 0 ? sum / count : 0;
+}
+
 } // namespace skelgen

@@ -279,17 +279,6 @@ Outcome<Fit<Scalar>> to_fit(const Body<Scalar>& body, Attempt<Scalar> attempt) {
                        body.similarity.scale * found.geodesic_diameter, attempt.timings};
 }
 
-/// How likely all joints are right together: the mean of their confidences.
-template <typename Scalar>
-double likelihood(const KinematicSkeleton<Scalar>& skeleton) {
-    double sum = 0, count = 0;
-    for (const Joint<Scalar>& joint : skeleton.joints) {
-        sum += joint.confidence;
-        count += joint.is_present ? 1 : 0;
-    }
-    return count > 0 ? sum / count : 0;
-}
-
 /// Fits the template to a body that touches itself: to its surface cut there, in that of the ways to cut it where the
 /// joints are most likely, or, where none serves, as it is.
 template <typename Scalar>
@@ -318,7 +307,7 @@ Outcome<Fit<Scalar>> fit_touching_body(const Body<Scalar>& body, const curve::Cu
         Attempt<Scalar> attempt = fit_to_finer_curves(way.body, way.curve, wanted, options, attempts_each);
         cutting = cutting + attempt.timings;
         if (!attempt.outcome) continue;
-        if (best && !(likelihood(attempt.outcome->skeleton) > likelihood(best->outcome->skeleton))) continue;
+        if (best && !(mean_confidence(attempt.outcome->skeleton) > mean_confidence(best->outcome->skeleton))) continue;
         best = std::move(attempt);
         best_way = &way;
     }

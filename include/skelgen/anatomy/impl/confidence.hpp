@@ -102,14 +102,7 @@ JudgedSkeleton<Scalar> estimate_confidence(KinematicSkeleton<Scalar> skeleton,
 
 template <typename Scalar>
 KinematicSkeleton<Scalar> no_surer_than_the_whole(KinematicSkeleton<Scalar> skeleton) {
-    double sum = 0, count = 0;
-    for (const Joint<Scalar>& joint : skeleton.joints)
-        if (joint.is_present) {
-            sum += joint.confidence;
-            count += 1;
-        }
-    if (count == 0) return skeleton;
-    const double whole = std::min(sum / count, skeleton.quality.sides_confidence);
+    const double whole = std::min(mean_confidence(skeleton), skeleton.quality.sides_confidence);
     for (Joint<Scalar>& joint : skeleton.joints) joint.confidence = std::min(joint.confidence, whole);
     return skeleton;
 }
