@@ -72,8 +72,8 @@ TEST_CASE("two folders are compared, to text, CSV and JSON") {
         const CliResult alone = run_cli(folder.path(), {"evaluate", "truth", "results", "--reliability", "-"});
         CHECK(alone.status == 0);
         CHECK(alone.out == read_file(folder / "plot.json")); // and no text after it
-        for (const std::vector<std::string> more : {std::vector<std::string>{"--reliability", "-", "--json", "-"},
-                                                    std::vector<std::string>{"--reliability", "x", "--json", "x"}}) {
+        for (const std::vector<std::string>& more : {std::vector<std::string>{"--reliability", "-", "--json", "-"},
+                                                     std::vector<std::string>{"--reliability", "x", "--json", "x"}}) {
             std::vector<std::string> arguments{"evaluate", "truth", "results"};
             arguments.insert(arguments.end(), more.begin(), more.end());
             CHECK(run_cli(folder.path(), arguments).status == 2);

@@ -1,3 +1,6 @@
+#include <string>
+#include <vector>
+
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/surface/pieces.hpp>
@@ -36,6 +39,26 @@ TEST_CASE("a plate beside a body is left out, and so is what floats far away") {
     CHECK(body.dropped_pieces == 1);
     REQUIRE(body.notes.size() == 1);
     CHECK(body.notes[0] == "a plate left out");
+}
+
+TEST_CASE("a plate grown to a body is left out where the body has sunk through it, but not far") {
+    const Mesh tube = capsule(0.3, 4);
+    const double foot = tube.vertices.col(2).minCoeff();
+    const auto kept = [&](double sunk) {
+        const Mesh plate = box(Vec3(2, 2, 0.05));
+        const double below = plate.vertices.col(2).minCoeff();
+        const Vec3 way(-1, -1, foot + sunk - below);
+        Mesh both = side_by_side(tube, moved_by(plate, way));
+        const auto corner = static_cast<int>(tube.vertices.rows()); // a face from one to the other makes them one piece
+        both.faces.conservativeResize(both.faces.rows() + 1, 3);
+        both.faces.row(both.faces.rows() - 1) << 0, corner, corner + 1;
+        return faces_of_body(both);
+    };
+    const BodyFaces body = kept(0.1);
+    CHECK(body.notes == std::vector<std::string>{"a plate left out"});
+    CHECK(body.faces.maxCoeff() < tube.vertices.rows());
+    CHECK(10 * body.faces.rows() > 9 * tube.faces.rows());
+    CHECK(kept(0.5).notes.empty()); // a table's top, say
 }
 
 TEST_CASE("bodies apart are counted, and each can be had", "[slow]") {

@@ -30,7 +30,8 @@ estimate_confidence(KinematicSkeleton<Scalar> skeleton, const SkeletonTemplate& 
 
 /// No joint is surer than the whole skeleton: where the sides may be exchanged its limbs are elsewhere, and its front
 /// is its back; where many bones are of unlikely lengths, those that are not are so by chance. Confidences come down to
-/// `sides_confidence`, and to their own mean over the joints that are there. O(joints).
+/// `sides_confidence`, and to their own mean over the joints that are there. Nor are the sides of a skeleton sure whose
+/// joints are not: `sides_confidence` comes down to 1.7 times that mean. O(joints).
 template <typename Scalar>
 [[nodiscard]] KinematicSkeleton<Scalar> no_surer_than_the_whole(KinematicSkeleton<Scalar> skeleton);
 

@@ -22,7 +22,7 @@ struct WeldedMesh {
 template <typename Scalar>
 [[nodiscard]] Eigen::AlignedBox<Scalar, 3> robust_box(const TriangleMesh<Scalar>& mesh);
 
-/// The faces none of whose corners lies farther from the robust box than twice its diagonal: a body reaches a third of
+/// The faces none of whose corners lies farther from the robust box than its diagonal: a body reaches a third of
 /// it beyond. O(faces).
 template <typename Scalar>
 [[nodiscard]] Triangles faces_within_reach(const TriangleMesh<Scalar>& mesh);

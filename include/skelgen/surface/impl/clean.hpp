@@ -41,6 +41,7 @@ CleanMesh<Scalar> clean_welded(WeldedMesh<Scalar> welded, Eigen::Index input_fac
     note("vertices without a face ignored", welded.unused, "vertex", "vertices");
     note("degenerate faces left out", sound.degenerate, "face", "faces");
     note("duplicate faces left out", sound.duplicate, "face", "faces");
+    note("spikes left out", sound.spikes, "face", "faces");
     note("fins left out", sound.fins, "face", "faces");
     note("inner walls left out", sound.walls, "face", "faces");
     note("faces turned outwards", oriented.turned, "face", "faces");

@@ -146,11 +146,12 @@ std::vector<FlatSide<Scalar>> flat_sides(const TriangleMesh<Scalar>& mesh, core:
 }
 
 /// Marks, in `keep`, the faces of plates that are grown to something: between two flat sides that look away from each
-/// other, the outer one with all else behind it. How many there were.
+/// other, the outer one with all else behind it, but for soles that have sunk through it. How many there were.
 template <typename Scalar>
 int drop_grown_plates(const TriangleMesh<Scalar>& mesh, std::vector<bool>& keep) {
     constexpr double least_side = 0.05;                               // of the area: soles have 1.5 % each (LB44)
     constexpr Scalar thickness = Scalar(0.06), slack = Scalar(0.003); // of the size
+    constexpr Scalar sunk = Scalar(0.03);                             // of the size: an ankle's height is 0.04 (LB44)
     const std::vector<FlatSide<Scalar>> sides =
         flat_sides(mesh, least_side * static_cast<core::Accumulator>(core::surface_area(mesh)));
     const Scalar size = core::bounding_diagonal(mesh.vertices);
@@ -159,7 +160,7 @@ int drop_grown_plates(const TriangleMesh<Scalar>& mesh, std::vector<bool>& keep)
         const auto depth = [&](int v) { return outer.offset - outer.normal.dot(core::point(mesh.vertices, v)); };
         bool is_outermost = true;
         for (int v = 0; v < static_cast<int>(mesh.vertices.rows()) && is_outermost; ++v)
-            is_outermost = depth(v) > -slack * size;
+            is_outermost = depth(v) > -sunk * size;
         if (!is_outermost) continue;
         Scalar deepest = -1;
         for (const FlatSide<Scalar>& inner : sides) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -57,6 +58,38 @@ inline SoundFaces distinct_faces(const Triangles& faces) {
         }
     out.faces = out.degenerate + out.duplicate == 0 ? faces : marked_faces(faces, keep);
     return out;
+}
+
+/// Leaves out faces of which one corner has been torn away, as by a fault of the file: no other face has it, and both
+/// edges to it are far longer than the third one and than the faces of the mesh are wide.
+template <typename Scalar>
+SoundFaces without_spikes(const Points<Scalar>& vertices, SoundFaces counted) {
+    constexpr Scalar beside_third = 4, beside_width = 6;
+    const TriangleMesh<Scalar> mesh{vertices, counted.faces};
+    const auto m = static_cast<std::size_t>(mesh.faces.rows());
+    if (m == 0) return counted;
+    const Scalar width = std::sqrt(static_cast<Scalar>(core::surface_area(mesh)) / static_cast<Scalar>(m));
+    std::vector<int> faces_at(static_cast<std::size_t>(vertices.rows()), 0);
+    for (Eigen::Index i = 0; i < mesh.faces.size(); ++i) ++faces_at[static_cast<std::size_t>(mesh.faces.data()[i])];
+    const auto is_spike = [&](Eigen::Index f) {
+        for (int k = 0; k < 3; ++k) {
+            if (faces_at[static_cast<std::size_t>(mesh.faces(f, k))] != 1) continue;
+            const Vector3<Scalar> tip = core::point(vertices, mesh.faces(f, k));
+            const Vector3<Scalar> a = core::point(vertices, mesh.faces(f, (k + 1) % 3));
+            const Vector3<Scalar> b = core::point(vertices, mesh.faces(f, (k + 2) % 3));
+            const Scalar shorter = std::min((tip - a).norm(), (tip - b).norm());
+            if (shorter > beside_third * (a - b).norm() && shorter > beside_width * width) return true;
+        }
+        return false;
+    };
+    std::vector<bool> keep(m, true);
+    for (std::size_t f = 0; f < m; ++f)
+        if (is_spike(static_cast<Eigen::Index>(f))) {
+            keep[f] = false;
+            ++counted.spikes;
+        }
+    if (counted.spikes > 0) counted.faces = marked_faces(counted.faces, keep);
+    return counted;
 }
 
 /// Faces that hang together by edges of two faces, and how the patch ends.
@@ -123,7 +156,7 @@ inline bool is_spare(const Patch& patch, const std::vector<int>& faces_at_shared
 template <typename Scalar>
 SoundFaces without_fins_and_walls(TriangleMesh<Scalar> mesh, SoundFaces counted) {
     constexpr double most_of_area = 0.01; // of a fin: a hand is 2.5 % (LB44)
-    constexpr double hidden = 0.02;       // part of the rays: some slip out through holes
+    constexpr double hidden = 0.15; // part of the rays: some slip out through holes, and walls bulge through the skin
     constexpr int samples = 32;
     Patches found = patches_of(mesh);
     counted.faces = mesh.faces;
@@ -195,9 +228,9 @@ bool is_sound(const TriangleMesh<Scalar>& mesh) {
 
 template <typename Scalar>
 SoundFaces sound_faces(const TriangleMesh<Scalar>& mesh) {
-    SoundFaces distinct = detail::distinct_faces(mesh.faces);
-    TriangleMesh<Scalar> rest{mesh.vertices, distinct.faces};
-    return detail::without_fins_and_walls(std::move(rest), std::move(distinct));
+    SoundFaces kept = detail::without_spikes(mesh.vertices, detail::distinct_faces(mesh.faces));
+    TriangleMesh<Scalar> rest{mesh.vertices, kept.faces};
+    return detail::without_fins_and_walls(std::move(rest), std::move(kept));
 }
 
 } // namespace skelgen::surface

@@ -95,7 +95,7 @@ Eigen::AlignedBox<Scalar, 3> robust_box(const TriangleMesh<Scalar>& mesh) {
 template <typename Scalar>
 Triangles faces_within_reach(const TriangleMesh<Scalar>& mesh) {
     const Eigen::AlignedBox<Scalar, 3> box = robust_box(mesh);
-    const Scalar reach = 2 * box.diagonal().norm();
+    const Scalar reach = box.diagonal().norm();
     Triangles out(mesh.faces.rows(), 3);
     Eigen::Index kept = 0;
     for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
