@@ -33,6 +33,16 @@ TEMPLATE_TEST_CASE("heat: halves where bones meet, all of a bone far from others
     }
 }
 
+TEST_CASE("concentrated weights have narrower bends, the same joint first, and sum to 1", "[applications][weights]") {
+    JointWeights weights(3, 3);
+    weights << 0.5, 0.5, 0, 0.8, 0.2, 0, 0, 0, 1;
+    const JointWeights narrow = concentrated(weights);
+    CHECK((narrow.rowwise().sum().array() - 1).abs().maxCoeff() < 1e-15);
+    CHECK(narrow(0, 0) == 0.5);
+    CHECK(narrow(1, 0) == Approx(0.64 / 0.68));
+    CHECK(narrow.row(2) == weights.row(2));
+}
+
 TEST_CASE("heat: only bones in sight warm", "[applications][weights]") {
     // Beside the capsule, and nearer to its one side than the bone within.
     std::vector<Bone<double>> bones{{0, {0, 0, 0}, {0, 0, 4}, 0, 0}, {1, {0.6, 0, 0}, {0.6, 0, 4}, 0, 0}};

@@ -1,6 +1,7 @@
 #include "quality.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -38,18 +39,44 @@ std::vector<RigidMotion<double>> bent(const Rig<double>& rig) {
     return out;
 }
 
-/// Volume of the cones from a joint's place to the faces whose corners follow it most.
-double volume_around(const Rig<double>& rig, const Points<double>& vertices, std::size_t joint,
-                     const Eigen::Vector3d& place) {
-    double volume = 0;
-    for (Eigen::Index f = 0; f < rig.mesh.faces.rows(); ++f) {
-        Eigen::Vector3d corners[3];
-        bool follows = true;
+/// The faces of a welded mesh whose corners follow a joint most.
+Triangles faces_following(const Triangles& faces, const applications::Skin<double>& skin, std::size_t joint) {
+    Triangles out(faces.rows(), 3);
+    Eigen::Index kept = 0;
+    for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+        const auto follows = [&](int k) { return at(skin.joints(faces(f, k), 0)) == joint; };
+        if (follows(0) && follows(1) && follows(2)) out.row(kept++) = faces.row(f);
+    }
+    out.conservativeResize(kept, 3);
+    return out;
+}
+
+/// Volume of a part of a surface, each rim of which is closed by a fan around its middle.
+double closed_volume(const Points<double>& vertices, const Triangles& part) {
+    std::map<std::pair<int, int>, int> rim; // edges that run one way only
+    core::DisjointSets loops(at(vertices.rows()));
+    TriangleMesh<double> closed{vertices, part};
+    for (Eigen::Index f = 0; f < part.rows(); ++f)
         for (int k = 0; k < 3; ++k) {
-            corners[k] = core::point(vertices, rig.mesh.faces(f, k)) - place;
-            follows = follows && at(rig.skin.joints(rig.mesh.faces(f, k), 0)) == joint;
+            const int a = part(f, k), b = part(f, (k + 1) % 3);
+            if (const auto back = rim.find({b, a}); back != rim.end())
+                rim.erase(back);
+            else
+                rim[{a, b}] = 0;
         }
-        if (follows) volume += corners[0].dot(corners[1].cross(corners[2])) / 6;
+    for (const auto& [edge, unused] : rim) loops.unite(at(edge.first), at(edge.second));
+    std::map<std::size_t, std::pair<Eigen::Vector3d, double>> sums;
+    for (const auto& [edge, unused] : rim) {
+        auto& [sum, length] = sums.try_emplace(loops.find(at(edge.first)), Eigen::Vector3d::Zero(), 0.0).first->second;
+        const double weight = (vertices.row(edge.first) - vertices.row(edge.second)).norm();
+        sum += weight / 2 * (vertices.row(edge.first) + vertices.row(edge.second)).transpose();
+        length += weight;
+    }
+    double volume = core::enclosed_volume(closed);
+    for (const auto& [edge, unused] : rim) {
+        const auto& [sum, length] = sums.at(loops.find(at(edge.first)));
+        if (length > 0)
+            volume += core::point(vertices, edge.second).dot(core::point(vertices, edge.first).cross(sum / length)) / 6;
     }
     return volume;
 }
@@ -100,6 +127,9 @@ Quality measure(const Rig<double>& rig) {
             skin.joints.row(welded.placed[v]) = rig.skin.joints.row(static_cast<Eigen::Index>(v));
     skin.joints.conservativeResize(welded.mesh.vertices.rows(), Eigen::NoChange);
     quality.islands = test::islands(skin, welded.mesh.faces);
+    Points<double> welded_after = welded.mesh.vertices;
+    for (std::size_t v = 0; v < welded.placed.size(); ++v)
+        if (welded.placed[v] >= 0) welded_after.row(welded.placed[v]) = after.row(static_cast<Eigen::Index>(v));
 
     for (Eigen::Index f = 0; f < rig.mesh.faces.rows(); ++f)
         for (int k = 0; k < 3; ++k) {
@@ -113,9 +143,8 @@ Quality measure(const Rig<double>& rig) {
 
     for (std::size_t j = 0; j < rig.joints.size(); ++j) {
         if (rig.joints[j].role != JointRole::elbow && rig.joints[j].role != JointRole::knee) continue;
-        const Eigen::Vector3d middle = (rig.joints[j].position + rig.joints[j].end) / 2;
-        const double was = volume_around(rig, before, j, middle);
-        const double is = volume_around(rig, after, j, motions[j](middle));
+        const Triangles part = faces_following(welded.mesh.faces, skin, j);
+        const double was = closed_volume(welded.mesh.vertices, part), is = closed_volume(welded_after, part);
         if (was > 0) quality.volume = std::max(quality.volume, std::abs(is / was - 1));
     }
     for (const auto& [a, b] : touching(rig.mesh, 0.003 * height)) {

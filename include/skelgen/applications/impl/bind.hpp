@@ -124,7 +124,8 @@ Skin<Scalar> bind(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body, co
     const Outcome<JointWeights> heat =
         heat_weights(body, detail::heating_bones(bones, body, skeleton_template), joints);
     if (!heat) throw Error(ErrorCode::no_skeleton, heat.failure().what);
-    const JointWeights weights = without_islands(following_one_limb(*heat, skeleton_template), body.mesh.faces);
+    const JointWeights weights =
+        without_islands(following_one_limb(concentrated(*heat), skeleton_template), body.mesh.faces);
 
     Eigen::MatrixX<Scalar> carried = Eigen::MatrixX<Scalar>::Zero(mesh.vertices.rows(), weights.cols());
     const std::vector<SurfacePlace<Scalar>> places = places_on(body, mesh);

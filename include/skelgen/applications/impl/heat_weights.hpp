@@ -124,6 +124,12 @@ Outcome<JointWeights> heat_weights(const Body<Scalar>& body, const std::vector<B
     return JointWeights(weights.array().colwise() / sums.array());
 }
 
+SKELGEN_INLINE JointWeights concentrated(const JointWeights& weights) {
+    const JointWeights squares = weights.array().square();
+    const Eigen::VectorX<core::Accumulator> sums = squares.rowwise().sum();
+    return squares.array().colwise() / sums.array();
+}
+
 SKELGEN_INLINE JointWeights following_one_limb(JointWeights weights, const SkeletonTemplate& skeleton_template) {
     using core::Accumulator;
     using PerLimb = Eigen::Array<Accumulator, detail::Limbs::count, 1>;
