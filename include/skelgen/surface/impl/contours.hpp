@@ -48,22 +48,17 @@ public:
         return out;
     }
 
-    /// The same of the face `f` across an edge of another one: one of its corners is new.
-    [[nodiscard]] FaceHeights<Scalar> beyond(const FaceHeights<Scalar>& known, int edge, int f) const {
-        const auto a = static_cast<std::size_t>(edge), b = (a + 1) % 3;
-        FaceHeights<Scalar> out{f, {mesh_.faces(f, 0), mesh_.faces(f, 1), mesh_.faces(f, 2)}, {}};
-        for (std::size_t k = 0; k < 3; ++k)
-            out.heights[k] = out.corners[k] == known.corners[a]   ? known.heights[a]
-                             : out.corners[k] == known.corners[b] ? known.heights[b]
-                                                                  : height_(out.corners[k]);
-        return out;
-    }
+    [[nodiscard]] Scalar height(int v) const { return height_(v); }
+    [[nodiscard]] const TriangleMesh<Scalar>& mesh() const { return mesh_; }
 
-    [[nodiscard]] Vector3<Scalar> crossing(const FaceHeights<Scalar>& at, int edge) const {
-        auto a = static_cast<std::size_t>(edge), b = (a + 1) % 3;
-        if (at.corners[a] > at.corners[b]) std::swap(a, b); // the same point, to the last bit, from both sides
-        const Scalar t = at.heights[a] / (at.heights[a] - at.heights[b]);
-        return (1 - t) * core::point(mesh_.vertices, at.corners[a]) + t * core::point(mesh_.vertices, at.corners[b]);
+    /// Where the contour crosses the edge between two vertices of those heights.
+    [[nodiscard]] Vector3<Scalar> crossing(int a, Scalar at_a, int b, Scalar at_b) const {
+        if (a > b) { // the same point, to the last bit, from both sides
+            std::swap(a, b);
+            std::swap(at_a, at_b);
+        }
+        const Scalar t = at_a / (at_a - at_b);
+        return (1 - t) * core::point(mesh_.vertices, a) + t * core::point(mesh_.vertices, b);
     }
 
 private:
@@ -71,24 +66,66 @@ private:
     Height height_;
 };
 
+/// A walk along a contour from face to face, each of which has one corner that the last one had not. With what is above
+/// on the left where faces turn counter-clockwise, or the other way.
+template <typename Scalar, typename Height>
+class ContourWalk {
+public:
+    /// Begins in a face that is cut.
+    ContourWalk(const FaceCutter<Scalar, Height>& cutter, const Triangles& adjacency, int start, bool backwards)
+        : cutter_(cutter), adjacency_(adjacency), face_(start) {
+        const FaceHeights<Scalar> at = cutter.at(start);
+        const int entry = backwards ? at.exit_edge() : at.entry_edge();
+        const auto from = static_cast<std::size_t>(entry), to = (from + 1) % 3;
+        above_ = {at.corners[from], at.heights[from]};
+        below_ = {at.corners[to], at.heights[to]};
+        if (!at.above(from)) std::swap(above_, below_);
+    }
+
+    [[nodiscard]] int face() const { return face_; }
+
+    /// Where the contour enters the face.
+    [[nodiscard]] Vector3<Scalar> entry() const {
+        return cutter_.crossing(above_.vertex, above_.height, below_.vertex, below_.height);
+    }
+
+    /// On to the next face, -1 at a hole.
+    void go_on() {
+        const int* corners = &cutter_.mesh().faces(face_, 0);
+        Corner added{corners[0] + corners[1] + corners[2] - above_.vertex - below_.vertex, 0};
+        added.height = cutter_.height(added.vertex);
+        Corner& left = added.height >= 0 ? above_ : below_;
+        const int opposite = left.vertex; // the edge ahead
+        left = added;
+        face_ = adjacency_(face_, corners[0] == opposite ? 1 : corners[1] == opposite ? 2 : 0);
+    }
+
+private:
+    struct Corner {
+        int vertex = 0;
+        Scalar height = 0;
+    };
+    const FaceCutter<Scalar, Height>& cutter_;
+    const Triangles& adjacency_;
+    int face_;
+    Corner above_, below_; ///< of the edge through which the contour comes into the face
+};
+
 /// The contour through a face that is cut, from the next face on or, where it is broken by a hole, from the hole on.
 template <typename Scalar, typename Height>
 Contour<Scalar> contour_through(const FaceCutter<Scalar, Height>& cutter, const Triangles& adjacency, int start) {
-    FaceHeights<Scalar> at = cutter.at(start);
-    for (int next = start; (next = adjacency(at.face, at.entry_edge())) >= 0 && next != start;)
-        at = cutter.beyond(at, at.entry_edge(), next);
-    const int first = at.face;
+    int first = start;
+    ContourWalk<Scalar, Height> back(cutter, adjacency, start, true);
+    for (back.go_on(); back.face() >= 0 && back.face() != start; back.go_on()) first = back.face();
     Contour<Scalar> contour;
-    contour.points.push_back(cutter.crossing(at, at.entry_edge()));
-    int next = first;
+    ContourWalk<Scalar, Height> walk(cutter, adjacency, first, false);
+    contour.points.push_back(walk.entry());
     do {
-        contour.faces.push_back(at.face);
-        const int edge = at.exit_edge();
-        contour.points.push_back(cutter.crossing(at, edge));
-        next = adjacency(at.face, edge);
-        if (next >= 0 && next != first) at = cutter.beyond(at, edge, next);
-    } while (next >= 0 && next != first);
-    if (next >= 0)
+        contour.faces.push_back(walk.face());
+        walk.go_on();
+        contour.points.push_back(walk.entry());
+    } while (walk.face() >= 0 && walk.face() != first);
+    if (walk.face() >= 0)
         contour.points.pop_back(); // back at the first point
     else
         contour.faces.push_back(contour.faces.back()); // the straight closure borrows its neighbour's normal
@@ -138,15 +175,14 @@ std::optional<Contour<Scalar>> closed_contour(const FaceCutter<Scalar, Height>& 
     Contour<Scalar> contour;
     contour.faces.reserve(usual);
     contour.points.reserve(usual);
-    FaceHeights<Scalar> at = cutter.at(start);
-    while (true) {
-        contour.faces.push_back(at.face);
-        contour.points.push_back(cutter.crossing(at, at.entry_edge()));
-        const int edge = at.exit_edge(), next = adjacency(at.face, edge);
-        if (next < 0) return std::nullopt;
-        if (next == start) return contour;
-        at = cutter.beyond(at, edge, next);
-    }
+    ContourWalk<Scalar, Height> walk(cutter, adjacency, start, false);
+    do {
+        contour.faces.push_back(walk.face());
+        contour.points.push_back(walk.entry());
+        walk.go_on();
+    } while (walk.face() >= 0 && walk.face() != start);
+    if (walk.face() < 0) return std::nullopt;
+    return contour;
 }
 
 /// Whether the segment from a to b crosses the positive first axis: upwards 1, downwards -1.
