@@ -16,10 +16,13 @@ namespace skelgen::core {
     template int nearest_point(const Points<Scalar>&, const Vector3<Scalar>&);                                         \
     template int nearest_vertex(const TriangleMesh<Scalar>&, const Vector3<Scalar>&);                                  \
     template ShortestPaths<Scalar> shortest_paths(const CurveGraph<Scalar>&, int, Scalar);                             \
+    template ShortestPaths<Scalar> shortest_paths(const SurfaceGraph<Scalar>&, int, Scalar);                           \
+    template std::vector<Scalar> distances_from(const SurfaceGraph<Scalar>&, const std::vector<int>&);                 \
+    template std::vector<int> nearest_source(const SurfaceGraph<Scalar>&, const std::vector<Source<Scalar>>&);         \
     template std::vector<int> nearest_source(const CurveGraph<Scalar>&, const std::vector<Source<Scalar>>&);           \
     template Scalar curve_diameter(const CurveGraph<Scalar>&);                                                         \
-    template CurveGraph<Scalar> surface_graph(const TriangleMesh<Scalar>&, const Triangles&);                          \
-    template Scalar geodesic_diameter(const CurveGraph<Scalar>&);
+    template SurfaceGraph<Scalar> surface_graph(const TriangleMesh<Scalar>&, const Triangles&);                        \
+    template Scalar geodesic_diameter(const SurfaceGraph<Scalar>&);
 
 SKELGEN_INSTANTIATE(float)
 SKELGEN_INSTANTIATE(double)

@@ -8,6 +8,7 @@
 #include <skelgen/curve/impl/centring.hpp>
 #include <skelgen/curve/impl/contraction.hpp>
 #include <skelgen/curve/impl/find_curve.hpp>
+#include <skelgen/curve/impl/half_edges.hpp>
 #include <skelgen/curve/impl/inside_way.hpp>
 #include <skelgen/curve/impl/laplacian.hpp>
 #include <skelgen/curve/impl/leaf_extension.hpp>

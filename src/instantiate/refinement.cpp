@@ -24,6 +24,8 @@ namespace skelgen::refinement {
 
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
     template class Slicer<Scalar>;                                                                                     \
+    template std::optional<Vector3<Scalar>> level_set_centre(const surface::LevelSets<Scalar>&, Scalar,                \
+                                                             const Vector3<Scalar>&, Scalar);                          \
     template Scalar gauss_map_flatness(const CrossSection<Scalar>&);                                                   \
     template Vector3<Scalar> widest_direction(const CrossSection<Scalar>&);                                            \
     template Scalar egg_shape(const CrossSection<Scalar>&, const Vector3<Scalar>&);                                    \

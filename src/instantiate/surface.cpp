@@ -32,8 +32,7 @@ namespace skelgen::surface {
                                          const Vector3<Scalar>&);                                                      \
     template std::vector<Contour<Scalar>> plane_contours(const TriangleMesh<Scalar>&, const Triangles&,                \
                                                          const FaceTree<Scalar>&, const Vector3<Scalar>&, Scalar);     \
-    template std::vector<Contour<Scalar>> level_contours(const TriangleMesh<Scalar>&, const Triangles&,                \
-                                                         const Eigen::VectorX<Scalar>&, Scalar);                       \
+    template class LevelSets<Scalar>;                                                                                  \
     template PlanarRelation<Scalar> relate(const Contour<Scalar>&, const Vector3<Scalar>&, const Vector3<Scalar>&);    \
     template std::optional<Contour<Scalar>> contour_around(const TriangleMesh<Scalar>&, const Triangles&,              \
                                                            const FaceTree<Scalar>&, const Vector3<Scalar>&,            \

@@ -13,7 +13,7 @@ using namespace skelgen::test;
 
 namespace {
 
-CurveGraph<double> graph_of(const Mesh& mesh) { return surface_graph(mesh, face_adjacency(mesh.faces)); }
+SurfaceGraph<double> graph_of(const Mesh& mesh) { return surface_graph(mesh, face_adjacency(mesh.faces)); }
 
 double diameter(const Mesh& mesh) { return geodesic_diameter(graph_of(mesh)); }
 
@@ -59,7 +59,7 @@ TEST_CASE("no path is shorter than the straight line", "[slow]") {
 
 TEST_CASE("on a square grid the surface's graph leads along eight directions: at worst 8 % too far") {
     const Mesh mesh = box({1, 1, 0.1}, 4);
-    const CurveGraph<double> graph = graph_of(mesh);
+    const SurfaceGraph<double> graph = graph_of(mesh);
     REQUIRE(graph.size() == mesh.vertices.rows());
     int corner = 0;
     while (mesh.vertices.row(corner).norm() > 0) ++corner;

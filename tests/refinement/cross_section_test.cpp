@@ -135,7 +135,7 @@ TEST_CASE("the centre of a level set of the height is on the axis: of the longes
     const Triangles adjacency = face_adjacency(mesh.faces);
     const Slicer slicer(mesh, adjacency);
     const auto centre = [&](double level, const Vec3& near, double reach) {
-        return slicer.level_set_centre(mesh.vertices.col(2), level, near, reach);
+        return level_set_centre<double>(slicer.level_sets(mesh.vertices.col(2)), level, near, reach);
     };
     for (const double reach : {5.0, 0.1}) { // both are near, or none is
         REQUIRE(centre(1.37, Vec3(1, 0, 1), reach));

@@ -259,7 +259,7 @@ TEST_CASE("a linear field has its contours where planes cut") {
         for (Eigen::Index v = 0; v < field.size(); ++v) field[v] = normal.dot(point(mesh.vertices, v));
         for (const double level : {-0.4, -0.1, 0.02, 0.3}) {
             const auto expected = surface.cut(normal, level);
-            const auto found = level_contours(mesh, surface.adjacency, field, level);
+            const auto found = LevelSets<double>(mesh, surface.adjacency, field).contours(level);
             REQUIRE(found.size() == expected.size());
             REQUIRE(!found.empty());
             for (std::size_t i = 0; i < found.size(); ++i) {
@@ -267,7 +267,7 @@ TEST_CASE("a linear field has its contours where planes cut") {
                 CHECK(found[i].points == expected[i].points);
             }
         }
-        CHECK(level_contours(mesh, surface.adjacency, field, 9.0).empty());
+        CHECK(LevelSets<double>(mesh, surface.adjacency, field).contours(9.0).empty());
     }
 }
 
@@ -276,7 +276,7 @@ TEST_CASE("the contours of a field need not lie in a plane") {
     const Surface surface(mesh);
     Eigen::VectorXd field(mesh.vertices.rows());
     for (Eigen::Index v = 0; v < field.size(); ++v) field[v] = std::abs(mesh.vertices(v, 2));
-    const auto contours = level_contours(mesh, surface.adjacency, field, 0.6);
+    const auto contours = LevelSets<double>(mesh, surface.adjacency, field).contours(0.6);
     REQUIRE(contours.size() == 2);
     for (const Contour<double>& contour : contours) CHECK(length(contour) == Approx(2 * pi * 0.8).epsilon(0.01));
     CHECK(contours[0].points[0][2] * contours[1].points[0][2] == Approx(-0.36).epsilon(0.01));

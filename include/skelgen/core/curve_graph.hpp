@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -21,6 +23,36 @@ struct CurveGraph {
     [[nodiscard]] int degree(int node) const {
         return static_cast<int>(neighbours[static_cast<std::size_t>(node)].size());
     }
+};
+
+/// The neighbours of many nodes, one list after the other.
+template <typename Scalar = double>
+class NeighbourLists {
+public:
+    using Entry = std::pair<int, Scalar>; ///< a neighbour and how far it is
+
+    NeighbourLists() = default;
+    /// \param first where each node's list begins, and at last where all end.
+    NeighbourLists(std::vector<std::size_t> first, std::vector<Entry> entries)
+        : first_(std::move(first)), entries_(std::move(entries)) {}
+
+    [[nodiscard]] std::size_t size() const { return first_.empty() ? 0 : first_.size() - 1; }
+    [[nodiscard]] std::span<const Entry> operator[](std::size_t node) const {
+        return {entries_.data() + first_[node], first_[node + 1] - first_[node]};
+    }
+    [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+
+private:
+    std::vector<std::size_t> first_;
+    std::vector<Entry> entries_;
+};
+
+/// A graph of the many vertices of a surface, as a CurveGraph but for where the lists are.
+template <typename Scalar = double>
+struct SurfaceGraph {
+    NeighbourLists<Scalar> neighbours;
+
+    [[nodiscard]] int size() const { return static_cast<int>(neighbours.size()); }
 };
 
 template <typename Scalar>
@@ -136,6 +168,17 @@ template <typename Scalar>
 shortest_paths(const CurveGraph<Scalar>& graph, int source,
                std::type_identity_t<Scalar> farthest = std::numeric_limits<Scalar>::infinity());
 
+/// The same on a surface.
+template <typename Scalar>
+[[nodiscard]] ShortestPaths<Scalar>
+shortest_paths(const SurfaceGraph<Scalar>& graph, int source,
+               std::type_identity_t<Scalar> farthest = std::numeric_limits<Scalar>::infinity());
+
+/// Distances of all nodes to the nearest of some, infinite where no path leads: as by `shortest_paths`, faster. O(k +
+/// links) where links are about equally long.
+template <typename Scalar>
+[[nodiscard]] std::vector<Scalar> distances_from(const SurfaceGraph<Scalar>& graph, const std::vector<int>& sources);
+
 /// Where a search for the nearest begins.
 template <typename Scalar = double>
 struct Source {
@@ -146,6 +189,11 @@ struct Source {
 
 /// Per node the label of the source nearest along the graph, its own distance included (the lowest label among equals),
 /// -1 where none can be reached. O((k + edges + sources) log k).
+template <typename Scalar>
+[[nodiscard]] std::vector<int> nearest_source(const SurfaceGraph<Scalar>& graph,
+                                              const std::vector<Source<Scalar>>& sources);
+
+/// The same on a curve.
 template <typename Scalar>
 [[nodiscard]] std::vector<int> nearest_source(const CurveGraph<Scalar>& graph,
                                               const std::vector<Source<Scalar>>& sources);

@@ -44,11 +44,10 @@ public:
     [[nodiscard]] std::optional<CrossSection<Scalar>> around(const Vector3<Scalar>& point,
                                                              const Vector3<Scalar>& normal, Scalar reach) const;
 
-    /// Length-weighted centre of a contour on which a field given at the vertices (n entries, finite) has the value
-    /// `level`: of those whose centre is no farther from `near` than `reach` and their own mean radius, the longest; of
-    /// all when there are none so near; none when there is no contour. O(n + m).
-    [[nodiscard]] std::optional<Vector3<Scalar>> level_set_centre(const Eigen::VectorX<Scalar>& field, Scalar level,
-                                                                  const Vector3<Scalar>& near, Scalar reach) const;
+    /// The contours of a field given at the vertices (n entries, finite). O(m log m).
+    [[nodiscard]] surface::LevelSets<Scalar> level_sets(Eigen::VectorX<Scalar> field) const {
+        return {mesh_, adjacency_, std::move(field)};
+    }
 
     [[nodiscard]] const TriangleMesh<Scalar>& mesh() const { return mesh_; }
 
@@ -57,6 +56,13 @@ private:
     const Triangles& adjacency_;
     surface::FaceTree<Scalar> tree_;
 };
+
+/// Length-weighted centre of a contour on which a field has the value `level`: of those whose centre is no farther from
+/// `near` than `reach` and their own mean radius, the longest; of all when there are none so near; none when there is
+/// no contour. As LevelSets::contours.
+template <typename Scalar>
+[[nodiscard]] std::optional<Vector3<Scalar>> level_set_centre(const surface::LevelSets<Scalar>& sets, Scalar level,
+                                                              const Vector3<Scalar>& near, Scalar reach);
 
 /// Flatness of a section's Gauss map (LF20 section 3.2.1): l3 / (l1 + l2 + l3) of the covariance of its normals,
 /// segments weighted by length, about the origin of the Gauss sphere. 0 for a cylinder cut across (normals on a great

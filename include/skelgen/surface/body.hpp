@@ -18,7 +18,7 @@ template <typename Scalar = double>
 struct Body {
     TriangleMesh<Scalar> mesh;
     Triangles adjacency;              ///< as from core::face_adjacency(mesh.faces)
-    core::CurveGraph<Scalar> graph;   ///< as from core::surface_graph(mesh, adjacency)
+    core::SurfaceGraph<Scalar> graph; ///< as from core::surface_graph(mesh, adjacency)
     surface::FaceTree<Scalar> tree;   ///< of the mesh
     Similarity<Scalar> similarity;    ///< from the input's coordinates to the mesh's
     std::vector<int> source;          ///< per vertex that of the input at the same place, -1 for those added

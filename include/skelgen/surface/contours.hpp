@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -27,11 +28,25 @@ template <typename Scalar>
                                                           const FaceTree<Scalar>& tree, const Vector3<Scalar>& normal,
                                                           Scalar offset);
 
-/// The contours on which a field given at the vertices (n entries, finite), linear on each face, has the value `level`.
-/// Otherwise as above. O(n + faces).
-template <typename Scalar>
-[[nodiscard]] std::vector<Contour<Scalar>> level_contours(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency,
-                                                          const Eigen::VectorX<Scalar>& field, Scalar level);
+/// The contours of a field on an edge-manifold surface; `adjacency` as above. Holds references to mesh and adjacency,
+/// which must outlive it.
+template <typename Scalar = double>
+class LevelSets {
+public:
+    /// `field` is given at the vertices (n entries, finite), linear on each face. O(faces log faces).
+    LevelSets(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency, Eigen::VectorX<Scalar> field);
+
+    /// The contours on which the field has the value `level`. Otherwise as plane_contours. O(log faces) for each face
+    /// whose lowest value is no farther below `level` than the field changes on any face.
+    [[nodiscard]] std::vector<Contour<Scalar>> contours(Scalar level) const;
+
+private:
+    const TriangleMesh<Scalar>& mesh_;
+    const Triangles& adjacency_;
+    Eigen::VectorX<Scalar> field_;
+    std::vector<std::pair<Scalar, int>> faces_; ///< by their lowest values; without those on which it is constant
+    Scalar steepest_ = 0;                       ///< difference of values on a face
+};
 
 /// How a contour lies to a point in its plane.
 template <typename Scalar = double>

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
-#include <unsupported/Eigen/BVH>
+#include <Eigen/Geometry>
 
 #include <skelgen/core/mesh.hpp>
 
@@ -53,7 +54,30 @@ public:
                                                     const Vector3<Scalar>& direction) const;
 
 private:
-    Eigen::KdBVH<Scalar, 3, int> tree_;
+    /// Faces in the order of a curve that fills space (Mor66), and boxes around runs of them: each box is followed by
+    /// those around its first part, and knows where that around the rest is.
+    struct Node {
+        Eigen::AlignedBox<Scalar, 3> box;
+        int rest;  ///< -1 where the run is no longer parted
+        int first; ///< face of such a run
+        int count;
+    };
+    struct Boxes {
+        std::vector<int> faces;
+        std::vector<Node> nodes;
+    };
+
+    /// Asks a query about boxes, from the one around all down, and about the faces in those that it wants.
+    template <typename Query>
+    void ask(Query& query) const;
+    template <typename Query>
+    bool ask_below(Query& query, int node) const;
+    template <typename Query>
+    void ask_nearest_first(Query& query) const;
+    template <typename Query>
+    void ask_nearest_first(Query& query, int node) const;
+
+    std::shared_ptr<const Boxes> boxes_;
 };
 
 /// Distance from a place to a triangle, which may be degenerate.

@@ -64,14 +64,11 @@ int nearest_part(const Vector3<Scalar>& place, const std::vector<PartAxis<Scalar
 
 /// Distance along the surface from the nearest vertex of which `is_source` holds; infinite without any.
 template <typename Scalar, typename IsSource>
-std::vector<Scalar> distance_from(core::CurveGraph<Scalar> graph, const IsSource& is_source) {
-    const int all = graph.size(); // one node more, to which all sources are joined
-    graph.neighbours.emplace_back();
-    for (int v = 0; v < all; ++v)
-        if (is_source(v)) graph.neighbours.back().emplace_back(v, Scalar(0));
-    std::vector<Scalar> distance = core::shortest_paths(graph, all).distance;
-    distance.pop_back();
-    return distance;
+std::vector<Scalar> distance_from(const core::SurfaceGraph<Scalar>& graph, const IsSource& is_source) {
+    std::vector<int> sources;
+    for (int v = 0; v < graph.size(); ++v)
+        if (is_source(v)) sources.push_back(v);
+    return core::distances_from(graph, sources);
 }
 
 /// For each vertex the part of the nearest axis. A limb is in one piece: what of a trunk's side is nearer to an arm

@@ -2,6 +2,8 @@
 
 #include <skelgen/core/curve_graph.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -12,9 +14,11 @@
 
 namespace skelgen::core {
 
-template <typename Scalar>
-ShortestPaths<Scalar> shortest_paths(const CurveGraph<Scalar>& graph, int source,
-                                     std::type_identity_t<Scalar> farthest) {
+namespace detail {
+
+/// As shortest_paths, on either kind of graph.
+template <typename Scalar, typename Graph>
+ShortestPaths<Scalar> paths_from(const Graph& graph, int source, Scalar farthest) {
     ShortestPaths<Scalar> out;
     out.distance.assign(graph.neighbours.size(), std::numeric_limits<Scalar>::infinity());
     out.predecessor.assign(graph.neighbours.size(), -1);
@@ -36,8 +40,63 @@ ShortestPaths<Scalar> shortest_paths(const CurveGraph<Scalar>& graph, int source
     return out;
 }
 
+} // namespace detail
+
 template <typename Scalar>
-std::vector<int> nearest_source(const CurveGraph<Scalar>& graph, const std::vector<Source<Scalar>>& sources) {
+ShortestPaths<Scalar> shortest_paths(const CurveGraph<Scalar>& graph, int source,
+                                     std::type_identity_t<Scalar> farthest) {
+    return detail::paths_from<Scalar>(graph, source, farthest);
+}
+
+template <typename Scalar>
+ShortestPaths<Scalar> shortest_paths(const SurfaceGraph<Scalar>& graph, int source,
+                                     std::type_identity_t<Scalar> farthest) {
+    return detail::paths_from<Scalar>(graph, source, farthest);
+}
+
+template <typename Scalar>
+std::vector<Scalar> distances_from(const SurfaceGraph<Scalar>& graph, const std::vector<int>& sources) {
+    // Nodes wait in slots for distances of half a link's length, in any order (Dia69): what a slot's nodes change in
+    // that slot is looked at again, so that the distances are those of the shortest paths all the same.
+    constexpr Scalar most_slots = 4096;
+    std::vector<Scalar> distance(graph.neighbours.size(), std::numeric_limits<Scalar>::infinity());
+    Accumulator sum = 0;
+    Scalar longest = 0;
+    for (const auto& [node, length] : graph.neighbours.entries()) {
+        sum += length;
+        longest = std::max(longest, length);
+    }
+    const auto mean = static_cast<Scalar>(sum / static_cast<Accumulator>(graph.neighbours.entries().size() + 1));
+    const Scalar width = std::max(mean / 2, longest / most_slots);
+    const auto slots = width > 0 ? static_cast<std::size_t>(longest / width) + 2 : std::size_t(1);
+    std::vector<std::vector<std::pair<Scalar, int>>> waiting(slots);
+    std::size_t pending = sources.size();
+    for (const int source : sources) {
+        distance[static_cast<std::size_t>(source)] = 0;
+        waiting[0].emplace_back(Scalar(0), source);
+    }
+    for (std::size_t slot = 0; pending > 0; slot = (slot + 1) % slots)
+        while (!waiting[slot].empty()) {
+            const auto [from_source, v] = waiting[slot].back();
+            waiting[slot].pop_back();
+            --pending;
+            if (from_source > distance[static_cast<std::size_t>(v)]) continue;
+            for (const auto& [w, length] : graph.neighbours[static_cast<std::size_t>(v)]) {
+                const Scalar candidate = from_source + length;
+                if (!(candidate < distance[static_cast<std::size_t>(w)])) continue;
+                distance[static_cast<std::size_t>(w)] = candidate;
+                waiting[width > 0 ? static_cast<std::size_t>(candidate / width) % slots : 0].emplace_back(candidate, w);
+                ++pending;
+            }
+        }
+    return distance;
+}
+
+namespace detail {
+
+/// As nearest_source, on either kind of graph.
+template <typename Scalar, typename Graph>
+std::vector<int> labels_by_distance(const Graph& graph, const std::vector<Source<Scalar>>& sources) {
     using Claim = std::tuple<Scalar, int, int>; // distance, label, node
     std::vector<std::pair<Scalar, int>> best(graph.neighbours.size(), {std::numeric_limits<Scalar>::infinity(), -1});
     std::priority_queue<Claim, std::vector<Claim>, std::greater<>> queue;
@@ -60,6 +119,18 @@ std::vector<int> nearest_source(const CurveGraph<Scalar>& graph, const std::vect
     labels.reserve(best.size());
     for (const auto& [distance, label] : best) labels.push_back(label);
     return labels;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+std::vector<int> nearest_source(const SurfaceGraph<Scalar>& graph, const std::vector<Source<Scalar>>& sources) {
+    return detail::labels_by_distance(graph, sources);
+}
+
+template <typename Scalar>
+std::vector<int> nearest_source(const CurveGraph<Scalar>& graph, const std::vector<Source<Scalar>>& sources) {
+    return detail::labels_by_distance(graph, sources);
 }
 
 namespace detail {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <skelgen/core/geometry.hpp>
@@ -28,13 +30,19 @@ Scalar unfolded_distance(const Vector3<Scalar>& a, const Vector3<Scalar>& b, con
 } // namespace detail
 
 template <typename Scalar>
-CurveGraph<Scalar> surface_graph(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency) {
-    CurveGraph<Scalar> graph;
-    graph.neighbours.resize(static_cast<std::size_t>(mesh.vertices.rows()));
+SurfaceGraph<Scalar> surface_graph(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency) {
+    struct Link {
+        int u, v;
+        Scalar length;
+    };
+    std::vector<Link> links;
+    links.reserve(static_cast<std::size_t>(mesh.faces.rows()) * 3);
+    std::vector<std::size_t> first(static_cast<std::size_t>(mesh.vertices.rows()) + 1, 0);
     const auto at = [&](int v) { return point(mesh.vertices, v); };
     const auto link = [&](int u, int v, Scalar length) {
-        graph.neighbours[static_cast<std::size_t>(u)].emplace_back(v, length);
-        graph.neighbours[static_cast<std::size_t>(v)].emplace_back(u, length);
+        links.push_back({u, v, length});
+        ++first[static_cast<std::size_t>(u) + 1];
+        ++first[static_cast<std::size_t>(v) + 1];
     };
     for (int f = 0; f < mesh.faces.rows(); ++f)
         for (int k = 0; k < 3; ++k) {
@@ -49,16 +57,23 @@ CurveGraph<Scalar> surface_graph(const TriangleMesh<Scalar>& mesh, const Triangl
             const Scalar across = detail::unfolded_distance<Scalar>(at(a), at(b), at(c), at(d));
             if (std::isfinite(across)) link(c, d, across);
         }
-    return graph;
+    for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
+    std::vector<std::size_t> next(first.begin(), first.end() - 1);
+    std::vector<std::pair<int, Scalar>> entries(2 * links.size());
+    for (const Link& link : links) {
+        entries[next[static_cast<std::size_t>(link.u)]++] = {link.v, link.length};
+        entries[next[static_cast<std::size_t>(link.v)]++] = {link.u, link.length};
+    }
+    return {{std::move(first), std::move(entries)}};
 }
 
 template <typename Scalar>
-Scalar geodesic_diameter(const CurveGraph<Scalar>& surface) {
+Scalar geodesic_diameter(const SurfaceGraph<Scalar>& surface) {
     constexpr int sweeps = 4; // from any vertex to the end farthest from it, to the end farthest from that one, ...
     Scalar diameter = 0;
     int source = 0;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
-        std::vector<Scalar> distance = shortest_paths(surface, source).distance;
+        std::vector<Scalar> distance = distances_from(surface, {source});
         for (Scalar& d : distance)
             if (!std::isfinite(d)) d = -1;
         const auto farthest = std::max_element(distance.begin(), distance.end());

@@ -66,12 +66,13 @@ Points<Scalar> straight_line(const Vector3<Scalar>& from, const Vector3<Scalar>&
 
 /// The first point from the line's start on where it runs in its own sections' middle, and over some points.
 template <typename Scalar>
-Eigen::Index own_from(const Points<Scalar>& line, const std::vector<BranchSection<Scalar>>& sections) {
+Eigen::Index own_from(const Body<Scalar>& body, const Points<Scalar>& line, Scalar spacing) {
     constexpr auto centred = Scalar(0.25);
     constexpr int in_a_row = 3;
     int found = 0;
     for (Eigen::Index i = 1; i + 1 < line.rows(); ++i) {
-        found = off_centre(sections[static_cast<std::size_t>(i)], core::point(line, i)) < centred ? found + 1 : 0;
+        const BranchSection<Scalar> section = section_across(body, line, i, reach_in_spacings * spacing);
+        found = off_centre(section, core::point(line, i)) < centred ? found + 1 : 0;
         if (found == in_a_row) return i - in_a_row + 1;
     }
     return line.rows() - 1;
@@ -158,8 +159,7 @@ BranchedCurve<Scalar> reattached(BranchedCurve<Scalar> curve, std::size_t index,
     const Branch<Scalar> branch = at_end ? turned(curve.branches[index]) : curve.branches[index];
     if (branch.from == branch.to) return curve;
     const Points<Scalar>& line = branch.line;
-    const auto sections = sections_across(body, line, reach_in_spacings * spacing);
-    const Eigen::Index own = own_from(line, sections);
+    const Eigen::Index own = own_from(body, line, spacing);
     if (own < 2 || own + 1 >= line.rows()) return curve;
     const Scalar away = core::arc_lengths(line)[own];
 

@@ -16,7 +16,7 @@ namespace detail {
 
 /// The largest subset of `vertices` (ascending) that hangs together on the surface.
 template <typename Scalar>
-std::vector<int> largest_connected_part(const core::CurveGraph<Scalar>& surface, const std::vector<int>& vertices) {
+std::vector<int> largest_connected_part(const core::SurfaceGraph<Scalar>& surface, const std::vector<int>& vertices) {
     std::vector<int> largest;
     std::vector<bool> seen(vertices.size(), false);
     const auto place = [&](int v) { return std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin(); };

@@ -62,12 +62,12 @@ std::optional<CrossSection<Scalar>> Slicer<Scalar>::around(const Vector3<Scalar>
 }
 
 template <typename Scalar>
-std::optional<Vector3<Scalar>> Slicer<Scalar>::level_set_centre(const Eigen::VectorX<Scalar>& field, Scalar level,
-                                                                const Vector3<Scalar>& near, Scalar reach) const {
+std::optional<Vector3<Scalar>> level_set_centre(const surface::LevelSets<Scalar>& sets, Scalar level,
+                                                const Vector3<Scalar>& near, Scalar reach) {
     std::optional<Vector3<Scalar>> centre;
     Scalar longest = 0;
     bool any_near = false;
-    for (const surface::Contour<Scalar>& contour : surface::level_contours(mesh_, adjacency_, field, level)) {
+    for (const surface::Contour<Scalar>& contour : sets.contours(level)) {
         Vector3<Scalar> mean = Vector3<Scalar>::Zero();
         Scalar length = 0;
         for (std::size_t i = 0; i < contour.points.size(); ++i) {

@@ -16,8 +16,8 @@ template <typename Scalar>
 inline constexpr Scalar end_reach = Scalar(0.08);
 
 template <typename Scalar>
-Eigen::VectorX<Scalar> distances_from(const core::CurveGraph<Scalar>& surface, int vertex) {
-    const std::vector<Scalar> distance = core::shortest_paths(surface, vertex).distance;
+Eigen::VectorX<Scalar> distances_from(const core::SurfaceGraph<Scalar>& surface, int vertex) {
+    const std::vector<Scalar> distance = core::distances_from(surface, {vertex});
     return Eigen::Map<const Eigen::VectorX<Scalar>>(distance.data(), static_cast<Eigen::Index>(distance.size()));
 }
 

@@ -48,12 +48,13 @@ Scalar find_attachment(const Centreline<Scalar>& line, Scalar own, Scalar stretc
 /// the last one: where the end touches another part of the body, that has rings at the same distance.
 template <typename Scalar>
 Points<Scalar> ring_centres(const Slicer<Scalar>& slicer, const EndPoint<Scalar>& end, Scalar length, Scalar step) {
-    const Eigen::VectorX<Scalar> field = end.distance.cwiseMin(2 * length); // finite where no path leads
+    const surface::LevelSets<Scalar> sets =
+        slicer.level_sets(end.distance.cwiseMin(2 * length)); // finite where no path leads
     std::vector<Vector3<Scalar>> centres{slicer.mesh().vertices.row(end.vertex).transpose()};
     const int rings = static_cast<int>(std::ceil(length / step - Scalar(0.5)));
     for (int ring = rings; ring-- > 0;)
         if (const auto centre =
-                slicer.level_set_centre(field, length - static_cast<Scalar>(ring) * step, centres.back(), 2 * step))
+                level_set_centre<Scalar>(sets, length - static_cast<Scalar>(ring) * step, centres.back(), 2 * step))
             centres.push_back(*centre);
     Points<Scalar> out(static_cast<Eigen::Index>(centres.size()), 3);
     for (std::size_t i = 0; i < centres.size(); ++i)

@@ -77,6 +77,14 @@ public:
         return {outer, middle, middle + bone * upper_bone()};
     }
 
+    /// What the lengths alone cost, for any thickness.
+    [[nodiscard]] Scalar of_lengths(Scalar outer_ratio, Scalar bone_ratio) const {
+        const Stretch<Scalar> s = stretch(outer_ratio, bone_ratio);
+        return squared(outer_ratio / static_cast<Scalar>(options_.end_deviation)) +
+               squared(std::log(s.middle / limb_.rest.middle) / static_cast<Scalar>(options_.limb_deviation)) +
+               squared(bone_ratio / static_cast<Scalar>(options_.bone_deviation));
+    }
+
     [[nodiscard]] Scalar operator()(Scalar outer_ratio, Scalar bone_ratio) const {
         const Stretch<Scalar> s = stretch(outer_ratio, bone_ratio);
         const ProfileFit<Scalar> fit =
@@ -129,6 +137,7 @@ StretchRatios<Scalar> search_ratios(const std::vector<StretchCost<Scalar>>& cost
             Scalar least = std::numeric_limits<Scalar>::infinity();
             for (int j = -steps; j <= steps; ++j) {
                 const Scalar outer = centre.outer[k] + static_cast<Scalar>(j) * step;
+                if (costs[k].of_lengths(outer, next.bone) >= least) continue;
                 const Scalar cost = costs[k](outer, next.bone);
                 if (cost < least) {
                     least = cost;
@@ -172,6 +181,7 @@ ProfileFit<Scalar> fit_profile(const std::vector<Sample<Scalar>>& samples, const
         Scalar value, weight;
     };
     std::vector<Residual> residuals;
+    residuals.reserve(samples.size());
     for (const Sample<Scalar>& sample : samples) {
         const Scalar u = stretch.u(sample.from_tip);
         if (const auto expected = value_at(profile, u))

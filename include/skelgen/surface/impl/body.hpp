@@ -15,7 +15,7 @@ template <typename Scalar>
 Body<Scalar> make_body(TriangleMesh<Scalar> mesh, const Similarity<Scalar>& similarity, std::vector<int> source,
                        int dropped_pieces) {
     Triangles adjacency = core::face_adjacency(mesh.faces);
-    core::CurveGraph<Scalar> graph = core::surface_graph(mesh, adjacency);
+    core::SurfaceGraph<Scalar> graph = core::surface_graph(mesh, adjacency);
     FaceTree<Scalar> tree(mesh);
     return {std::move(mesh),
             std::move(adjacency),

@@ -74,7 +74,8 @@ Accumulator skewness(const TriangleMesh<Scalar>& mesh, const Vector3<Accumulator
     for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
         Accumulator along = 0;
         for (int c = 0; c < 3; ++c) along += axis.dot(corner(mesh, f, c) - centroid);
-        sum += core::face_area_vector(mesh, f).norm() * std::pow(along / 3, 3);
+        along /= 3;
+        sum += core::face_area_vector(mesh, f).norm() * (along * along * along);
     }
     return sum;
 }
@@ -117,17 +118,32 @@ std::vector<int> geometric_order(const Points<Scalar>& vertices) {
 
 /// Faces on renumbered vertices, each from its lowest one on, in ascending order.
 inline Triangles sorted_faces(const Triangles& faces, const std::vector<int>& new_index) {
-    std::vector<std::array<int, 3>> list(static_cast<std::size_t>(faces.rows()));
+    struct Face {
+        int low, second, third;
+    };
+    const auto renumbered = [&](Eigen::Index f) {
+        int corners[3];
+        for (int k = 0; k < 3; ++k) corners[k] = new_index[static_cast<std::size_t>(faces(f, k))];
+        const auto low = std::min_element(corners, corners + 3) - corners;
+        return Face{corners[low], corners[(low + 1) % 3], corners[(low + 2) % 3]};
+    };
+    std::vector<std::size_t> begin(new_index.size() + 1, 0); // of each lowest vertex's faces
+    for (Eigen::Index f = 0; f < faces.rows(); ++f) ++begin[static_cast<std::size_t>(renumbered(f).low) + 1];
+    for (std::size_t v = 0; v < new_index.size(); ++v) begin[v + 1] += begin[v];
+    std::vector<Face> list(static_cast<std::size_t>(faces.rows()));
+    std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
     for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-        std::array<int, 3>& face = list[static_cast<std::size_t>(f)];
-        for (std::size_t k = 0; k < 3; ++k)
-            face[k] = new_index[static_cast<std::size_t>(faces(f, static_cast<Eigen::Index>(k)))];
-        std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+        const Face face = renumbered(f);
+        list[next[static_cast<std::size_t>(face.low)]++] = face;
     }
-    std::sort(list.begin(), list.end());
+    for (std::size_t v = 0; v < new_index.size(); ++v)
+        std::sort(list.begin() + static_cast<std::ptrdiff_t>(begin[v]),
+                  list.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]), [](const Face& a, const Face& b) {
+                      return a.second != b.second ? a.second < b.second : a.third < b.third;
+                  });
     Triangles out(faces.rows(), 3);
     for (std::size_t f = 0; f < list.size(); ++f)
-        for (int k = 0; k < 3; ++k) out(static_cast<Eigen::Index>(f), k) = list[f][static_cast<std::size_t>(k)];
+        out.row(static_cast<Eigen::Index>(f)) << list[f].low, list[f].second, list[f].third;
     return out;
 }
 

@@ -3,6 +3,7 @@
 #include <skelgen/surface/contours.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -13,6 +14,20 @@
 
 namespace skelgen::surface {
 namespace detail {
+
+/// A face, and the values at its corners of a function that is linear on it.
+template <typename Scalar>
+struct FaceHeights {
+    int face;
+    std::array<int, 3> corners;
+    std::array<Scalar, 3> heights;
+
+    [[nodiscard]] bool above(std::size_t k) const { return heights[k] >= 0; } // a vertex at zero counts as above
+
+    /// The edge through which the contour leaves the face, which must be cut: it runs from above to below.
+    [[nodiscard]] int exit_edge() const { return above(0) ? (above(1) ? (above(2) ? 0 : 1) : 0) : (above(2) ? 2 : 1); }
+    [[nodiscard]] int entry_edge() const { return above(0) ? (above(2) ? 1 : 2) : (above(1) ? 0 : 1); }
+};
 
 /// How a function of the vertices, linear on each face, is zero on single faces.
 template <typename Scalar, typename Height>
@@ -27,22 +42,22 @@ public:
         return above(mesh_.faces(f, 1)) != first || above(mesh_.faces(f, 2)) != first;
     }
 
-    /// The edge through which the contour leaves a face that is cut: it runs from above to below.
-    [[nodiscard]] int exit_edge(int f) const {
-        for (int k = 0; k < 3; ++k)
-            if (above(mesh_.faces(f, k)) && !above(mesh_.faces(f, (k + 1) % 3))) return k;
-        return 0;
-    }
-    [[nodiscard]] int entry_edge(int f) const {
-        for (int k = 0; k < 3; ++k)
-            if (!above(mesh_.faces(f, k)) && above(mesh_.faces(f, (k + 1) % 3))) return k;
-        return 0;
+    [[nodiscard]] FaceHeights<Scalar> at(int f) const {
+        FaceHeights<Scalar> out{f, {mesh_.faces(f, 0), mesh_.faces(f, 1), mesh_.faces(f, 2)}, {}};
+        for (std::size_t k = 0; k < 3; ++k) out.heights[k] = height_(out.corners[k]);
+        return out;
     }
 
-    [[nodiscard]] Vector3<Scalar> crossing(int f, int edge) const {
-        int a = mesh_.faces(f, edge), b = mesh_.faces(f, (edge + 1) % 3);
-        if (a > b) std::swap(a, b); // the same point, to the last bit, from both sides
-        const Scalar at_a = height_(a), t = at_a / (at_a - height_(b));
+    [[nodiscard]] Scalar height(int v) const { return height_(v); }
+    [[nodiscard]] const TriangleMesh<Scalar>& mesh() const { return mesh_; }
+
+    /// Where the contour crosses the edge between two vertices of those heights.
+    [[nodiscard]] Vector3<Scalar> crossing(int a, Scalar at_a, int b, Scalar at_b) const {
+        if (a > b) { // the same point, to the last bit, from both sides
+            std::swap(a, b);
+            std::swap(at_a, at_b);
+        }
+        const Scalar t = at_a / (at_a - at_b);
         return (1 - t) * core::point(mesh_.vertices, a) + t * core::point(mesh_.vertices, b);
     }
 
@@ -51,21 +66,66 @@ private:
     Height height_;
 };
 
+/// A walk along a contour from face to face, each of which has one corner that the last one had not. With what is above
+/// on the left where faces turn counter-clockwise, or the other way.
+template <typename Scalar, typename Height>
+class ContourWalk {
+public:
+    /// Begins in a face that is cut.
+    ContourWalk(const FaceCutter<Scalar, Height>& cutter, const Triangles& adjacency, int start, bool backwards)
+        : cutter_(cutter), adjacency_(adjacency), face_(start) {
+        const FaceHeights<Scalar> at = cutter.at(start);
+        const int entry = backwards ? at.exit_edge() : at.entry_edge();
+        const auto from = static_cast<std::size_t>(entry), to = (from + 1) % 3;
+        above_ = {at.corners[from], at.heights[from]};
+        below_ = {at.corners[to], at.heights[to]};
+        if (!at.above(from)) std::swap(above_, below_);
+    }
+
+    [[nodiscard]] int face() const { return face_; }
+
+    /// Where the contour enters the face.
+    [[nodiscard]] Vector3<Scalar> entry() const {
+        return cutter_.crossing(above_.vertex, above_.height, below_.vertex, below_.height);
+    }
+
+    /// On to the next face, -1 at a hole.
+    void go_on() {
+        const int* corners = &cutter_.mesh().faces(face_, 0);
+        Corner added{corners[0] + corners[1] + corners[2] - above_.vertex - below_.vertex, 0};
+        added.height = cutter_.height(added.vertex);
+        Corner& left = added.height >= 0 ? above_ : below_;
+        const int opposite = left.vertex; // the edge ahead
+        left = added;
+        face_ = adjacency_(face_, corners[0] == opposite ? 1 : corners[1] == opposite ? 2 : 0);
+    }
+
+private:
+    struct Corner {
+        int vertex = 0;
+        Scalar height = 0;
+    };
+    const FaceCutter<Scalar, Height>& cutter_;
+    const Triangles& adjacency_;
+    int face_;
+    Corner above_, below_; ///< of the edge through which the contour comes into the face
+};
+
 /// The contour through a face that is cut, from the next face on or, where it is broken by a hole, from the hole on.
 template <typename Scalar, typename Height>
 Contour<Scalar> contour_through(const FaceCutter<Scalar, Height>& cutter, const Triangles& adjacency, int start) {
-    int f = start;
-    for (int next = f; (next = adjacency(f, cutter.entry_edge(f))) >= 0 && next != start;) f = next;
-    const int first = f;
+    int first = start;
+    ContourWalk<Scalar, Height> back(cutter, adjacency, start, true);
+    for (back.go_on(); back.face() >= 0 && back.face() != start; back.go_on()) first = back.face();
     Contour<Scalar> contour;
-    contour.points.push_back(cutter.crossing(f, cutter.entry_edge(f)));
+    ContourWalk<Scalar, Height> walk(cutter, adjacency, first, false);
+    contour.points.push_back(walk.entry());
     do {
-        contour.faces.push_back(f);
-        const int edge = cutter.exit_edge(f);
-        contour.points.push_back(cutter.crossing(f, edge));
-        f = adjacency(f, edge);
-    } while (f >= 0 && f != first);
-    if (f >= 0)
+        contour.faces.push_back(walk.face());
+        walk.go_on();
+        contour.points.push_back(walk.entry());
+    } while (walk.face() >= 0 && walk.face() != first);
+    if (walk.face() >= 0)
         contour.points.pop_back(); // back at the first point
     else
         contour.faces.push_back(contour.faces.back()); // the straight closure borrows its neighbour's normal
@@ -111,15 +171,17 @@ std::vector<Contour<Scalar>> contours_through(const FaceCutter<Scalar, Height>& 
 template <typename Scalar, typename Height>
 std::optional<Contour<Scalar>> closed_contour(const FaceCutter<Scalar, Height>& cutter, const Triangles& adjacency,
                                               int start) {
+    constexpr std::size_t usual = 64; // points of a limb's section
     Contour<Scalar> contour;
-    int f = start;
+    contour.faces.reserve(usual);
+    contour.points.reserve(usual);
+    ContourWalk<Scalar, Height> walk(cutter, adjacency, start, false);
     do {
-        contour.faces.push_back(f);
-        const int edge = cutter.entry_edge(f);
-        contour.points.push_back(cutter.crossing(f, edge));
-        f = adjacency(f, cutter.exit_edge(f));
-    } while (f >= 0 && f != start);
-    if (f < 0) return std::nullopt;
+        contour.faces.push_back(walk.face());
+        contour.points.push_back(walk.entry());
+        walk.go_on();
+    } while (walk.face() >= 0 && walk.face() != start);
+    if (walk.face() < 0) return std::nullopt;
     return contour;
 }
 
@@ -145,14 +207,30 @@ std::vector<Contour<Scalar>> plane_contours(const TriangleMesh<Scalar>& mesh, co
 }
 
 template <typename Scalar>
-std::vector<Contour<Scalar>> level_contours(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency,
-                                            const Eigen::VectorX<Scalar>& field, Scalar level) {
-    const auto height = [&](int v) { return field[v] - level; };
-    const detail::FaceCutter<Scalar, decltype(height)> cutter(mesh, height);
+LevelSets<Scalar>::LevelSets(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency, Eigen::VectorX<Scalar> field)
+    : mesh_(mesh), adjacency_(adjacency), field_(std::move(field)) {
+    for (int f = 0; f < static_cast<int>(mesh.faces.rows()); ++f) {
+        const Scalar a = field_[mesh.faces(f, 0)], b = field_[mesh.faces(f, 1)], c = field_[mesh.faces(f, 2)];
+        const Scalar lowest = std::min({a, b, c}), highest = std::max({a, b, c});
+        if (lowest == highest) continue; // on no contour
+        faces_.emplace_back(lowest, f);
+        steepest_ = std::max(steepest_, highest - lowest);
+    }
+    std::sort(faces_.begin(), faces_.end());
+}
+
+template <typename Scalar>
+std::vector<Contour<Scalar>> LevelSets<Scalar>::contours(Scalar level) const {
+    const auto height = [&](int v) { return field_[v] - level; };
+    const detail::FaceCutter<Scalar, decltype(height)> cutter(mesh_, height);
+    constexpr Scalar rounded_up = 1 + 4 * std::numeric_limits<Scalar>::epsilon();
+    const auto below = [](const std::pair<Scalar, int>& face, Scalar value) { return face.first < value; };
+    const auto last = std::lower_bound(faces_.begin(), faces_.end(), level, below);
     std::vector<int> cut;
-    for (int f = 0; f < mesh.faces.rows(); ++f)
-        if (cutter.is_cut(f)) cut.push_back(f);
-    return detail::all_contours(cutter, adjacency, cut);
+    for (auto face = last; face != faces_.begin() && level - (face - 1)->first <= steepest_ * rounded_up; --face)
+        if (cutter.is_cut((face - 1)->second)) cut.push_back((face - 1)->second);
+    std::sort(cut.begin(), cut.end());
+    return detail::all_contours(cutter, adjacency_, cut);
 }
 
 template <typename Scalar>

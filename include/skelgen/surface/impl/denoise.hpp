@@ -2,11 +2,11 @@
 
 #include <skelgen/surface/denoise.hpp>
 
-#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
 
+#include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/options.hpp>
@@ -19,14 +19,10 @@ using Edges = std::vector<std::array<int, 2>>;
 
 inline Edges edges_of(const Triangles& faces) {
     Edges edges;
-    edges.reserve(static_cast<std::size_t>(faces.rows()) * 3);
-    for (Eigen::Index f = 0; f < faces.rows(); ++f)
-        for (int k = 0; k < 3; ++k) {
-            const int a = faces(f, k), b = faces(f, (k + 1) % 3);
-            edges.push_back({std::min(a, b), std::max(a, b)});
-        }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    edges.reserve(static_cast<std::size_t>(faces.rows()) * 3 / 2 + 1);
+    for (const core::DirectedEdge& edge : core::directed_edges(faces))
+        if (const std::array<int, 2> ends{edge.low, edge.high}; edges.empty() || edges.back() != ends)
+            edges.push_back(ends);
     return edges;
 }
 

@@ -3,10 +3,11 @@
 #include <skelgen/surface/face_tree.hpp>
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include <skelgen/core/geometry.hpp>
@@ -25,7 +26,7 @@ struct PlaneQuery {
     Scalar offset;
     std::vector<int> found;
 
-    [[nodiscard]] bool intersectVolume(const Box<Scalar>& box) const {
+    [[nodiscard]] bool wants(const Box<Scalar>& box) const {
         Scalar middle = -offset, reach = 0;
         for (int k = 0; k < 3; ++k) {
             middle += normal[k] * (box.min()[k] + box.max()[k]) / 2;
@@ -36,7 +37,7 @@ struct PlaneQuery {
         return std::abs(middle) <= reach + rounding * (reach + std::abs(offset));
     }
 
-    bool intersectObject(int face) {
+    bool ends_with(int face) {
         int above = 0;
         for (int k = 0; k < 3; ++k) above += normal.dot(core::point(mesh.vertices, mesh.faces(face, k))) >= offset;
         if (above == 1 || above == 2) found.push_back(face);
@@ -51,11 +52,11 @@ struct NearPlaneQuery {
     Vector3<Scalar> place;
     Scalar reach;
 
-    [[nodiscard]] bool intersectVolume(const Box<Scalar>& box) const {
+    [[nodiscard]] bool wants(const Box<Scalar>& box) const {
         constexpr Scalar rounded_up = 1 + 64 * std::numeric_limits<Scalar>::epsilon();
-        return box.squaredExteriorDistance(place) <= reach * reach * rounded_up && across.intersectVolume(box);
+        return box.squaredExteriorDistance(place) <= reach * reach * rounded_up && across.wants(box);
     }
-    bool intersectObject(int face) { return across.intersectObject(face); }
+    bool ends_with(int face) { return across.ends_with(face); }
 };
 
 /// What a ray meets.
@@ -63,19 +64,25 @@ template <typename Scalar>
 struct Ray {
     const TriangleMesh<Scalar>& mesh;
     Vector3<Scalar> place, direction;
+    Vector3<Scalar> inverse = direction.cwiseInverse(); ///< infinite along axes that the ray is normal to
 
-    [[nodiscard]] bool meets(const Box<Scalar>& box, Scalar farthest) const {
+    /// How far along the ray a box begins; infinite where the ray does not meet it before `farthest`.
+    [[nodiscard]] Scalar way_to(const Box<Scalar>& box, Scalar farthest) const {
+        constexpr Scalar none = std::numeric_limits<Scalar>::infinity();
         Scalar enter = 0, leave = farthest;
         for (int k = 0; k < 3; ++k) {
             if (direction[k] == 0) {
-                if (place[k] < box.min()[k] || place[k] > box.max()[k]) return false;
+                if (place[k] < box.min()[k] || place[k] > box.max()[k]) return none;
                 continue;
             }
-            const Scalar a = (box.min()[k] - place[k]) / direction[k], b = (box.max()[k] - place[k]) / direction[k];
+            const Scalar a = (box.min()[k] - place[k]) * inverse[k], b = (box.max()[k] - place[k]) * inverse[k];
             enter = std::max(enter, std::min(a, b));
             leave = std::min(leave, std::max(a, b));
         }
-        return enter <= leave * (1 + 64 * std::numeric_limits<Scalar>::epsilon());
+        return enter <= leave * (1 + 64 * std::numeric_limits<Scalar>::epsilon()) ? enter : none;
+    }
+    [[nodiscard]] bool meets(const Box<Scalar>& box) const {
+        return way_to(box, std::numeric_limits<Scalar>::max()) < std::numeric_limits<Scalar>::infinity();
     }
 
     /// How the ray's line passes a face.
@@ -106,11 +113,11 @@ struct FirstAlong {
     Ray<Scalar> ray;
     typename FaceTree<Scalar>::Hit first;
 
-    [[nodiscard]] bool intersectVolume(const Box<Scalar>& box) const { return ray.meets(box, first.distance); }
-    bool intersectObject(int face) {
+    [[nodiscard]] Scalar way_to(const Box<Scalar>& box) const { return ray.way_to(box, first.distance); }
+    [[nodiscard]] bool may_be_nearer(Scalar way) const { return way <= first.distance && std::isfinite(way); }
+    void look_at(int face) {
         const Scalar distance = ray.past(face).distance;
         if (distance >= 0 && distance < first.distance) first = {face, distance};
-        return false;
     }
 };
 
@@ -120,10 +127,8 @@ struct AllAlong {
     Ray<Scalar> ray;
     std::vector<int> found;
 
-    [[nodiscard]] bool intersectVolume(const Box<Scalar>& box) const {
-        return ray.meets(box, std::numeric_limits<Scalar>::max());
-    }
-    bool intersectObject(int face) {
+    [[nodiscard]] bool wants(const Box<Scalar>& box) const { return ray.meets(box); }
+    bool ends_with(int face) {
         if (ray.past(face).distance >= 0) found.push_back(face);
         return false;
     }
@@ -136,10 +141,8 @@ struct WindingsAlong {
     int windings = 0;
     bool is_certain = true;
 
-    [[nodiscard]] bool intersectVolume(const Box<Scalar>& box) const {
-        return ray.meets(box, std::numeric_limits<Scalar>::max());
-    }
-    bool intersectObject(int face) {
+    [[nodiscard]] bool wants(const Box<Scalar>& box) const { return ray.meets(box); }
+    bool ends_with(int face) {
         const auto passage = ray.past(face);
         is_certain = is_certain && passage.is_certain;
         if (passage.distance >= 0) windings += passage.leaves ? 1 : -1;
@@ -147,45 +150,66 @@ struct WindingsAlong {
     }
 };
 
-/// Finds the distance from a place to the nearest face. Eigen::BVMinimize keeps a queue of boxes, nearest first; going
-/// down into the nearer box first and leaving out what is farther than the nearest face so far takes a third of its
-/// time.
+/// The distance from a place to the nearest face.
 template <typename Scalar>
-class NearestFace {
-public:
-    using Tree = Eigen::KdBVH<Scalar, 3, int>;
+struct NearestFace {
+    const TriangleMesh<Scalar>& mesh;
+    Vector3<Scalar> place;
+    Scalar least = std::numeric_limits<Scalar>::infinity();
 
-    NearestFace(const TriangleMesh<Scalar>& mesh, const Tree& tree, const Vector3<Scalar>& place)
-        : mesh_(mesh), tree_(tree), place_(place) {}
-
-    Scalar distance() {
-        go_down(tree_.getRootIndex());
-        return least_;
+    [[nodiscard]] Scalar way_to(const Box<Scalar>& box) const { return box.squaredExteriorDistance(place); }
+    [[nodiscard]] bool may_be_nearer(Scalar squared) const { return squared < least * least; }
+    void look_at(int face) {
+        const auto corner = [&](int k) { return core::point(mesh.vertices, mesh.faces(face, k)); };
+        least = std::min(least, distance_to_triangle<Scalar>(place, corner(0), corner(1), corner(2)));
     }
-
-private:
-    void go_down(int box) {
-        typename Tree::VolumeIterator boxes = nullptr, boxes_end = nullptr;
-        typename Tree::ObjectIterator faces = nullptr, faces_end = nullptr;
-        tree_.getChildren(box, boxes, boxes_end, faces, faces_end);
-        for (; faces != faces_end; ++faces) {
-            const auto corner = [&](int k) { return core::point(mesh_.vertices, mesh_.faces(*faces, k)); };
-            least_ = std::min(least_, distance_to_triangle<Scalar>(place_, corner(0), corner(1), corner(2)));
-        }
-        std::array<std::pair<Scalar, int>, 2> children; // a box has no more
-        std::size_t count = 0;
-        for (; boxes != boxes_end; ++boxes)
-            children[count++] = {tree_.getVolume(*boxes).squaredExteriorDistance(place_), *boxes};
-        if (count == 2 && children[1] < children[0]) std::swap(children[0], children[1]);
-        for (std::size_t i = 0; i < count; ++i)
-            if (children[i].first < least_ * least_) go_down(children[i].second);
-    }
-
-    const TriangleMesh<Scalar>& mesh_;
-    const Tree& tree_;
-    Vector3<Scalar> place_;
-    Scalar least_ = std::numeric_limits<Scalar>::infinity();
 };
+
+/// The bits of a number of 21 bits, two zeros between each and the next.
+inline std::uint64_t spread_bits(std::uint64_t x) {
+    x = (x | (x << 32)) & 0x001f00000000ffff;
+    x = (x | (x << 16)) & 0x001f0000ff0000ff;
+    x = (x | (x << 8)) & 0x100f00f00f00f00f;
+    x = (x | (x << 4)) & 0x10c30c30c30c30c3;
+    x = (x | (x << 2)) & 0x1249249249249249;
+    return x;
+}
+
+/// Where a box lies on a curve that fills space, and which one it is.
+using PlaceOnCurve = std::pair<std::uint64_t, int>;
+
+/// Boxes in the order of their middles along such a curve (Mor66): those that follow each other are near each other.
+template <typename Scalar>
+std::vector<PlaceOnCurve> along_filling_curve(const std::vector<Box<Scalar>>& boxes) {
+    constexpr std::uint64_t cells = (std::uint64_t(1) << 21) - 1;
+    Box<Scalar> all;
+    for (const Box<Scalar>& box : boxes) all.extend(box);
+    const Scalar size = all.isEmpty() ? Scalar(0) : all.sizes().maxCoeff();
+    const Scalar scale = size > 0 ? static_cast<Scalar>(cells) / size : Scalar(0);
+    std::vector<PlaceOnCurve> order(boxes.size());
+    for (std::size_t f = 0; f < boxes.size(); ++f) {
+        std::uint64_t code = 0;
+        for (int k = 0; k < 3; ++k) {
+            const Scalar middle = (boxes[f].min()[k] + boxes[f].max()[k]) / 2 - all.min()[k];
+            code |= spread_bits(std::min(cells, static_cast<std::uint64_t>(middle * scale))) << k;
+        }
+        order[f] = {code, static_cast<int>(f)};
+    }
+    std::sort(order.begin(), order.end());
+    return order;
+}
+
+/// Where a run of places on the curve is parted: where it leaves the half of the smallest cell that holds it all.
+inline std::size_t parting(const std::vector<PlaceOnCurve>& order, std::size_t first, std::size_t last) {
+    const std::uint64_t differing = order[first].first ^ order[last - 1].first;
+    if (differing == 0) return first + (last - first) / 2;
+    const std::uint64_t half = std::bit_floor(differing);
+    const auto begin = order.begin() + static_cast<std::ptrdiff_t>(first);
+    return static_cast<std::size_t>(
+        std::partition_point(begin, order.begin() + static_cast<std::ptrdiff_t>(last),
+                             [&](const PlaceOnCurve& place) { return (place.first & half) == 0; }) -
+        order.begin());
+}
 
 } // namespace detail
 
@@ -204,20 +228,83 @@ Scalar distance_to_triangle(const Vector3<Scalar>& place, const Vector3<Scalar>&
 
 template <typename Scalar>
 FaceTree<Scalar>::FaceTree(const TriangleMesh<Scalar>& mesh) {
-    std::vector<int> faces(static_cast<std::size_t>(mesh.faces.rows()));
-    std::iota(faces.begin(), faces.end(), 0);
-    std::vector<detail::Box<Scalar>> boxes(faces.size());
-    for (const int f : faces)
+    std::vector<detail::Box<Scalar>> of_faces(static_cast<std::size_t>(mesh.faces.rows()));
+    for (std::size_t f = 0; f < of_faces.size(); ++f)
         for (int k = 0; k < 3; ++k)
-            boxes[static_cast<std::size_t>(f)].extend(core::point(mesh.vertices, mesh.faces(f, k)));
-    tree_.init(faces.begin(), faces.end(), boxes.begin(), boxes.end());
+            of_faces[f].extend(core::point(mesh.vertices, mesh.faces(static_cast<Eigen::Index>(f), k)));
+    constexpr std::size_t most_in_leaf = 4;
+    const std::vector<detail::PlaceOnCurve> order = detail::along_filling_curve(of_faces);
+    const auto boxes = std::make_shared<Boxes>();
+    for (const auto& [code, face] : order) boxes->faces.push_back(face);
+    boxes->nodes.reserve(order.size());
+    const auto add = [&](const auto& add_part, std::size_t first, std::size_t last) -> int {
+        const std::size_t node = boxes->nodes.size();
+        boxes->nodes.push_back({{}, -1, static_cast<int>(first), static_cast<int>(last - first)});
+        detail::Box<Scalar> box;
+        if (last - first <= most_in_leaf) {
+            for (std::size_t i = first; i < last; ++i) box.extend(of_faces[static_cast<std::size_t>(order[i].second)]);
+        } else {
+            const std::size_t middle = detail::parting(order, first, last);
+            const auto one = static_cast<std::size_t>(add_part(add_part, first, middle));
+            const int other = add_part(add_part, middle, last);
+            boxes->nodes[node].rest = other;
+            box = boxes->nodes[one].box.merged(boxes->nodes[static_cast<std::size_t>(other)].box);
+        }
+        boxes->nodes[node].box = box;
+        return static_cast<int>(node);
+    };
+    if (!order.empty()) add(add, 0, order.size());
+    boxes_ = boxes;
+}
+
+template <typename Scalar>
+template <typename Query>
+bool FaceTree<Scalar>::ask_below(Query& query, int index) const {
+    const Node& node = boxes_->nodes[static_cast<std::size_t>(index)];
+    if (!query.wants(node.box)) return false;
+    if (node.rest >= 0) return ask_below(query, index + 1) || ask_below(query, node.rest);
+    for (int i = node.first; i < node.first + node.count; ++i)
+        if (query.ends_with(boxes_->faces[static_cast<std::size_t>(i)])) return true;
+    return false;
+}
+
+template <typename Scalar>
+template <typename Query>
+void FaceTree<Scalar>::ask(Query& query) const {
+    if (boxes_ && !boxes_->nodes.empty()) ask_below(query, 0);
+}
+
+template <typename Scalar>
+template <typename Query>
+void FaceTree<Scalar>::ask_nearest_first(Query& query, int index) const {
+    const Node& node = boxes_->nodes[static_cast<std::size_t>(index)];
+    if (node.rest < 0) {
+        for (int i = node.first; i < node.first + node.count; ++i)
+            query.look_at(boxes_->faces[static_cast<std::size_t>(i)]);
+        return;
+    }
+    int near = index + 1, far = node.rest;
+    Scalar to_near = query.way_to(boxes_->nodes[static_cast<std::size_t>(near)].box);
+    Scalar to_far = query.way_to(boxes_->nodes[static_cast<std::size_t>(far)].box);
+    if (to_far < to_near) {
+        std::swap(near, far);
+        std::swap(to_near, to_far);
+    }
+    if (query.may_be_nearer(to_near)) ask_nearest_first(query, near);
+    if (query.may_be_nearer(to_far)) ask_nearest_first(query, far);
+}
+
+template <typename Scalar>
+template <typename Query>
+void FaceTree<Scalar>::ask_nearest_first(Query& query) const {
+    if (boxes_ && !boxes_->nodes.empty()) ask_nearest_first(query, 0);
 }
 
 template <typename Scalar>
 std::vector<int> FaceTree<Scalar>::faces_across(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& normal,
                                                 Scalar offset) const {
     detail::PlaneQuery<Scalar> query{mesh, normal, offset, {}};
-    Eigen::BVIntersect(tree_, query);
+    ask(query);
     std::sort(query.found.begin(), query.found.end());
     return std::move(query.found);
 }
@@ -226,15 +313,16 @@ template <typename Scalar>
 std::vector<int> FaceTree<Scalar>::faces_across(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& normal,
                                                 Scalar offset, const Vector3<Scalar>& place, Scalar reach) const {
     detail::NearPlaneQuery<Scalar> query{{mesh, normal, offset, {}}, place, reach};
-    Eigen::BVIntersect(tree_, query);
+    ask(query);
     std::sort(query.across.found.begin(), query.across.found.end());
     return std::move(query.across.found);
 }
 
 template <typename Scalar>
 Scalar FaceTree<Scalar>::distance(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place) const {
-    return mesh.faces.rows() == 0 ? std::numeric_limits<Scalar>::infinity()
-                                  : detail::NearestFace<Scalar>(mesh, tree_, place).distance();
+    detail::NearestFace<Scalar> query{mesh, place};
+    ask_nearest_first(query);
+    return query.least;
 }
 
 template <typename Scalar>
@@ -242,7 +330,7 @@ typename FaceTree<Scalar>::Hit FaceTree<Scalar>::first_along(const TriangleMesh<
                                                              const Vector3<Scalar>& place,
                                                              const Vector3<Scalar>& direction) const {
     detail::FirstAlong<Scalar> query{{mesh, place, direction}, {}};
-    Eigen::BVIntersect(tree_, query);
+    ask_nearest_first(query);
     return query.first;
 }
 
@@ -250,7 +338,7 @@ template <typename Scalar>
 std::vector<int> FaceTree<Scalar>::faces_along(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place,
                                                const Vector3<Scalar>& direction) const {
     detail::AllAlong<Scalar> query{{mesh, place, direction}, {}};
-    Eigen::BVIntersect(tree_, query);
+    ask(query);
     std::sort(query.found.begin(), query.found.end());
     return std::move(query.found);
 }
@@ -259,7 +347,7 @@ template <typename Scalar>
 std::optional<int> FaceTree<Scalar>::windings_along(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place,
                                                     const Vector3<Scalar>& direction) const {
     detail::WindingsAlong<Scalar> query{{mesh, place, direction}};
-    Eigen::BVIntersect(tree_, query);
+    ask(query);
     return query.is_certain ? std::optional<int>(query.windings) : std::nullopt;
 }
 
