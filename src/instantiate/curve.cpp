@@ -26,6 +26,7 @@ namespace skelgen::curve {
 
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
     template Proxy<Scalar> build_proxy(const TriangleMesh<Scalar>&, const ProxyOptions&);                              \
+    template const Eigen::SparseMatrix<core::Accumulator>& CotangentLaplacian::of(const Points<Scalar>&, double);      \
     template Eigen::SparseMatrix<core::Accumulator> cotangent_laplacian(const Points<Scalar>&, const Triangles&,       \
                                                                         double);                                       \
     template MedialBalls<Scalar> medial_balls(const TriangleMesh<Scalar>&, Scalar);                                    \

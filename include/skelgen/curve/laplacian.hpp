@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include <Eigen/SparseCore>
 
 #include <skelgen/core/mesh.hpp>
@@ -22,6 +25,23 @@ namespace skelgen::curve {
 template <typename Scalar>
 [[nodiscard]] Eigen::SparseMatrix<core::Accumulator>
 cotangent_laplacian(const Points<Scalar>& vertices, const Triangles& faces, double largest_cotangent = 1e4);
+
+/// The same for one embedding of the same faces after the other: which entries there are is found out once.
+class CotangentLaplacian {
+public:
+    /// Of `vertices` vertices. O(n log n).
+    CotangentLaplacian(Eigen::Index vertices, const Triangles& faces);
+
+    /// Holds until the next one. O(n).
+    template <typename Scalar>
+    [[nodiscard]] const Eigen::SparseMatrix<core::Accumulator>& of(const Points<Scalar>& vertices,
+                                                                   double largest_cotangent = 1e4);
+
+private:
+    Triangles faces_;
+    Eigen::SparseMatrix<core::Accumulator> matrix_;
+    std::vector<std::array<int, 6>> entries_; ///< of a face: at 2 k and 2 k + 1 those of the edge opposite corner k
+};
 
 } // namespace skelgen::curve
 

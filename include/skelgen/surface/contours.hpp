@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -33,19 +34,24 @@ template <typename Scalar>
 template <typename Scalar = double>
 class LevelSets {
 public:
-    /// `field` is given at the vertices (n entries, finite), linear on each face. O(faces log faces).
+    /// `field` is given at the vertices (n entries, finite), linear on each face. O(faces).
     LevelSets(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency, Eigen::VectorX<Scalar> field);
 
-    /// The contours on which the field has the value `level`. Otherwise as plane_contours. O(log faces) for each face
-    /// whose lowest value is no farther below `level` than the field changes on any face.
+    /// The contours on which the field has the value `level`. Otherwise as plane_contours. O(1) for each face whose
+    /// values are no farther from `level` than twice what the field changes on any face.
     [[nodiscard]] std::vector<Contour<Scalar>> contours(Scalar level) const;
 
 private:
+    [[nodiscard]] std::size_t bin_of(Scalar value) const {
+        return static_cast<std::size_t>((value - lowest_) / steepest_);
+    }
+
     const TriangleMesh<Scalar>& mesh_;
     const Triangles& adjacency_;
     Eigen::VectorX<Scalar> field_;
-    std::vector<std::pair<Scalar, int>> faces_; ///< by their lowest values; without those on which it is constant
-    Scalar steepest_ = 0;                       ///< difference of values on a face
+    std::vector<int> faces_;           ///< by bins of their lowest values; without those on which it is constant
+    std::vector<std::size_t> begin_;   ///< of each bin, and at last the end
+    Scalar lowest_ = 0, steepest_ = 0; ///< value of all, and difference of values on a face: as wide as a bin
 };
 
 /// How a contour lies to a point in its plane.

@@ -54,12 +54,18 @@ ShortestPaths<Scalar> shortest_paths(const SurfaceGraph<Scalar>& graph, int sour
     return detail::paths_from<Scalar>(graph, source, farthest);
 }
 
+namespace detail {
+
+/// Of each node the least distance and the lowest label of the sources at that distance; infinite and -1 where no path
+/// leads. Nodes wait in slots for distances of half a link's length, in any order (Dia69): what a slot's nodes change
+/// in that slot is looked at again, so that the distances are those of the shortest paths all the same.
 template <typename Scalar>
-std::vector<Scalar> distances_from(const SurfaceGraph<Scalar>& graph, const std::vector<int>& sources) {
-    // Nodes wait in slots for distances of half a link's length, in any order (Dia69): what a slot's nodes change in
-    // that slot is looked at again, so that the distances are those of the shortest paths all the same.
+std::vector<std::pair<Scalar, int>> nearest_by_slots(const SurfaceGraph<Scalar>& graph,
+                                                     std::vector<Source<Scalar>> sources) {
     constexpr Scalar most_slots = 4096;
-    std::vector<Scalar> distance(graph.neighbours.size(), std::numeric_limits<Scalar>::infinity());
+    std::vector<std::pair<Scalar, int>> best(graph.neighbours.size(), {std::numeric_limits<Scalar>::infinity(), -1});
+    if (sources.empty()) return best;
+    std::sort(sources.begin(), sources.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });
     Accumulator sum = 0;
     Scalar longest = 0;
     for (const auto& [node, length] : graph.neighbours.entries()) {
@@ -67,36 +73,64 @@ std::vector<Scalar> distances_from(const SurfaceGraph<Scalar>& graph, const std:
         longest = std::max(longest, length);
     }
     const auto mean = static_cast<Scalar>(sum / static_cast<Accumulator>(graph.neighbours.entries().size() + 1));
-    const Scalar width = std::max(mean / 2, longest / most_slots);
-    const auto slots = width > 0 ? static_cast<std::size_t>(longest / width) + 2 : std::size_t(1);
-    std::vector<std::vector<std::pair<Scalar, int>>> waiting(slots);
-    std::size_t pending = sources.size();
-    for (const int source : sources) {
-        distance[static_cast<std::size_t>(source)] = 0;
-        waiting[0].emplace_back(Scalar(0), source);
-    }
-    for (std::size_t slot = 0; pending > 0; slot = (slot + 1) % slots)
-        while (!waiting[slot].empty()) {
-            const auto [from_source, v] = waiting[slot].back();
-            waiting[slot].pop_back();
+    const Scalar width = std::max(mean / 2, longest / most_slots), base = sources.front().distance;
+    const std::size_t slots = width > 0 ? static_cast<std::size_t>(longest / width) + 2 : std::size_t(1);
+    const auto slot_of = [&](Scalar distance) {
+        return width > 0 ? static_cast<std::size_t>((distance - base) / width) : std::size_t(0);
+    };
+    struct Claim {
+        Scalar distance;
+        int label, node;
+    };
+    std::vector<std::vector<Claim>> waiting(slots); // slot k, k + slots, ... in one
+    std::size_t pending = 0;
+    const auto claim = [&](Scalar distance, int label, int node) {
+        std::pair<Scalar, int>& known = best[static_cast<std::size_t>(node)];
+        if (known.second >= 0 && (known.first < distance || (known.first == distance && known.second <= label))) return;
+        known = {distance, label};
+        waiting[slot_of(distance) % slots].push_back({distance, label, node});
+        ++pending;
+    };
+    auto source = sources.begin();
+    for (std::size_t slot = 0; pending > 0 || source != sources.end(); ++slot) {
+        if (pending == 0) slot = slot_of(source->distance);
+        for (; source != sources.end() && slot_of(source->distance) <= slot; ++source)
+            claim(source->distance, source->label, source->node);
+        std::vector<Claim>& here = waiting[slot % slots];
+        while (!here.empty()) {
+            const Claim next = here.back();
+            here.pop_back();
             --pending;
-            if (from_source > distance[static_cast<std::size_t>(v)]) continue;
-            for (const auto& [w, length] : graph.neighbours[static_cast<std::size_t>(v)]) {
-                const Scalar candidate = from_source + length;
-                if (!(candidate < distance[static_cast<std::size_t>(w)])) continue;
-                distance[static_cast<std::size_t>(w)] = candidate;
-                waiting[width > 0 ? static_cast<std::size_t>(candidate / width) % slots : 0].emplace_back(candidate, w);
-                ++pending;
-            }
+            if (best[static_cast<std::size_t>(next.node)] != std::pair(next.distance, next.label)) continue;
+            for (const auto& [w, length] : graph.neighbours[static_cast<std::size_t>(next.node)])
+                claim(next.distance + length, next.label, w);
         }
-    return distance;
+    }
+    return best;
 }
 
-namespace detail {
+} // namespace detail
 
-/// As nearest_source, on either kind of graph.
-template <typename Scalar, typename Graph>
-std::vector<int> labels_by_distance(const Graph& graph, const std::vector<Source<Scalar>>& sources) {
+template <typename Scalar>
+std::vector<Scalar> distances_from(const SurfaceGraph<Scalar>& graph, const std::vector<int>& sources) {
+    std::vector<Source<Scalar>> all;
+    for (const int node : sources) all.push_back({Scalar(0), 0, node});
+    std::vector<Scalar> distances;
+    distances.reserve(graph.neighbours.size());
+    for (const auto& [distance, label] : detail::nearest_by_slots(graph, std::move(all))) distances.push_back(distance);
+    return distances;
+}
+
+template <typename Scalar>
+std::vector<int> nearest_source(const SurfaceGraph<Scalar>& graph, const std::vector<Source<Scalar>>& sources) {
+    std::vector<int> labels;
+    labels.reserve(graph.neighbours.size());
+    for (const auto& [distance, label] : detail::nearest_by_slots(graph, sources)) labels.push_back(label);
+    return labels;
+}
+
+template <typename Scalar>
+std::vector<int> nearest_source(const CurveGraph<Scalar>& graph, const std::vector<Source<Scalar>>& sources) {
     using Claim = std::tuple<Scalar, int, int>; // distance, label, node
     std::vector<std::pair<Scalar, int>> best(graph.neighbours.size(), {std::numeric_limits<Scalar>::infinity(), -1});
     std::priority_queue<Claim, std::vector<Claim>, std::greater<>> queue;
@@ -119,18 +153,6 @@ std::vector<int> labels_by_distance(const Graph& graph, const std::vector<Source
     labels.reserve(best.size());
     for (const auto& [distance, label] : best) labels.push_back(label);
     return labels;
-}
-
-} // namespace detail
-
-template <typename Scalar>
-std::vector<int> nearest_source(const SurfaceGraph<Scalar>& graph, const std::vector<Source<Scalar>>& sources) {
-    return detail::labels_by_distance(graph, sources);
-}
-
-template <typename Scalar>
-std::vector<int> nearest_source(const CurveGraph<Scalar>& graph, const std::vector<Source<Scalar>>& sources) {
-    return detail::labels_by_distance(graph, sources);
 }
 
 namespace detail {

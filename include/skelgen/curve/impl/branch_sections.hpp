@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/polyline.hpp>
@@ -44,8 +46,9 @@ BranchSection<Scalar> measured(surface::Contour<Scalar> contour, const Vector3<S
     BranchSection<Scalar> out;
     out.normal = tangent;
     Scalar length = 0;
+    std::vector<Scalar> lengths(n); // of the segments
     for (std::size_t i = 0; i < n; ++i) {
-        const Scalar l = (next(i) - contour.points[i]).norm();
+        const Scalar l = lengths[i] = (next(i) - contour.points[i]).norm();
         out.centre += l / 2 * (contour.points[i] + next(i));
         length += l;
     }
@@ -54,9 +57,10 @@ BranchSection<Scalar> measured(surface::Contour<Scalar> contour, const Vector3<S
     Scalar from_centre = std::numeric_limits<Scalar>::infinity();
     for (std::size_t i = 0; i < n; ++i) {
         const Vector3<Scalar> middle = (contour.points[i] + next(i)) / 2;
-        out.thickness += (next(i) - contour.points[i]).norm() / length * (middle - out.centre).norm();
-        from_centre = std::min(from_centre, (contour.points[i] - out.centre).norm());
+        out.thickness += lengths[i] / length * (middle - out.centre).norm();
+        from_centre = std::min(from_centre, (contour.points[i] - out.centre).squaredNorm());
     }
+    from_centre = std::sqrt(from_centre);
     const surface::PlanarRelation<Scalar> relation = surface::relate(contour, place, tangent);
     out.encloses = relation.encloses;
     // Outside, being near the surface says nothing.

@@ -97,10 +97,11 @@ Contraction<Scalar> contract(const TriangleMesh<Scalar>& mesh, const Contraction
     Contraction<Scalar> out;
     double laplacian_weight = options.laplacian_weight;
     detail::Weights attraction = detail::Weights::Constant(mesh.vertices.rows(), options.attraction_weight);
+    CotangentLaplacian laplacian(mesh.vertices.rows(), mesh.faces);
     Eigen::SimplicialLLT<System> solver;
     while (out.iterations < options.iterations && !out.converged) {
-        const System system = detail::contraction_system(cotangent_laplacian(contracted.vertices, mesh.faces),
-                                                         laplacian_weight, attraction, options.medial_weight);
+        const System system = detail::contraction_system(laplacian.of(contracted.vertices), laplacian_weight,
+                                                         attraction, options.medial_weight);
         if (out.iterations == 0) solver.analyzePattern(system);
         solver.factorize(system);
         if (solver.info() == Eigen::Success)

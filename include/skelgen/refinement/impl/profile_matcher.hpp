@@ -131,12 +131,15 @@ StretchRatios<Scalar> search_ratios(const std::vector<StretchCost<Scalar>>& cost
     const int steps = static_cast<int>(std::lround(reach / step));
     StretchRatios<Scalar> best = centre;
     best.cost = std::numeric_limits<Scalar>::infinity();
-    for (int i = -steps; i <= steps; ++i) {
+    // From the middle outwards: what is farther than the best so far by its lengths alone needs no look at thickness.
+    const auto outwards = [](int i) { return i % 2 == 0 ? i / 2 : -(i + 1) / 2; };
+    for (int row = 0; row <= 2 * steps; ++row) {
+        const int i = outwards(row);
         StretchRatios<Scalar> next{centre.bone + static_cast<Scalar>(i) * step, centre.outer, 0};
-        for (std::size_t k = 0; k < costs.size(); ++k) {
+        for (std::size_t k = 0; k < costs.size() && next.cost < best.cost; ++k) {
             Scalar least = std::numeric_limits<Scalar>::infinity();
-            for (int j = -steps; j <= steps; ++j) {
-                const Scalar outer = centre.outer[k] + static_cast<Scalar>(j) * step;
+            for (int column = 0; column <= 2 * steps; ++column) {
+                const Scalar outer = centre.outer[k] + static_cast<Scalar>(outwards(column)) * step;
                 if (costs[k].of_lengths(outer, next.bone) >= least) continue;
                 const Scalar cost = costs[k](outer, next.bone);
                 if (cost < least) {

@@ -66,16 +66,21 @@ Vector3<Scalar> mean_of(const Points<Scalar>& points) {
     return (sum / static_cast<Accumulator>(points.rows())).template cast<Scalar>();
 }
 
-/// Third moment of the surface along a direction, over the faces' centres.
+/// Third moments of the surface along three directions, over the faces' centres.
 template <typename Scalar>
-Accumulator skewness(const TriangleMesh<Scalar>& mesh, const Vector3<Accumulator>& centroid,
-                     const Vector3<Accumulator>& axis) {
-    Accumulator sum = 0;
+std::array<Accumulator, 3> skewness(const TriangleMesh<Scalar>& mesh, const Vector3<Accumulator>& centroid,
+                                    const std::array<Vector3<Accumulator>, 3>& axes) {
+    std::array<Accumulator, 3> sum{};
     for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
-        Accumulator along = 0;
-        for (int c = 0; c < 3; ++c) along += axis.dot(corner(mesh, f, c) - centroid);
-        along /= 3;
-        sum += core::face_area_vector(mesh, f).norm() * (along * along * along);
+        const Accumulator area = core::face_area_vector(mesh, f).norm();
+        const Vector3<Accumulator> from_centroid[3] = {corner(mesh, f, 0) - centroid, corner(mesh, f, 1) - centroid,
+                                                       corner(mesh, f, 2) - centroid};
+        for (std::size_t k = 0; k < 3; ++k) {
+            Accumulator along = 0;
+            for (const Vector3<Accumulator>& place : from_centroid) along += axes[k].dot(place);
+            along /= 3;
+            sum[k] += area * (along * along * along);
+        }
     }
     return sum;
 }
@@ -86,13 +91,12 @@ template <typename Scalar>
 Eigen::Matrix<Accumulator, 3, 3> principal_rotation(const TriangleMesh<Scalar>& mesh, const SurfaceMoments& moments) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Accumulator, 3, 3>> solver(moments.covariance);
     std::array<Vector3<Accumulator>, 3> axes;
-    std::array<Accumulator, 3> skew{};
-    for (int k = 0; k < 3; ++k) {
-        Vector3<Accumulator>& axis = axes[static_cast<std::size_t>(k)];
-        for (int i = 0; i < 3; ++i) axis[i] = solver.eigenvectors()(i, 2 - k);
-        const Accumulator third_moment = skewness(mesh, moments.centroid, axis);
-        if (third_moment < 0) axis = -axis;
-        skew[static_cast<std::size_t>(k)] = std::abs(third_moment);
+    for (int k = 0; k < 3; ++k)
+        for (int i = 0; i < 3; ++i) axes[static_cast<std::size_t>(k)][i] = solver.eigenvectors()(i, 2 - k);
+    std::array<Accumulator, 3> skew = skewness(mesh, moments.centroid, axes);
+    for (std::size_t k = 0; k < 3; ++k) {
+        if (skew[k] < 0) axes[k] = -axes[k];
+        skew[k] = std::abs(skew[k]);
     }
     const auto least = static_cast<std::size_t>(std::min_element(skew.begin(), skew.end()) - skew.begin());
     axes[least] = axes[(least + 1) % 3].cross(axes[(least + 2) % 3]);

@@ -187,7 +187,7 @@ std::optional<Contour<Scalar>> closed_contour(const FaceCutter<Scalar, Height>& 
 
 /// Whether the segment from a to b crosses the positive first axis: upwards 1, downwards -1.
 template <typename Scalar>
-int crossing_of_axis(const Eigen::Matrix<Scalar, 2, 1>& a, const Eigen::Matrix<Scalar, 2, 1>& b) {
+int crossing_of_axis(const std::array<Scalar, 2>& a, const std::array<Scalar, 2>& b) {
     const bool a_below = a[1] < 0, b_below = b[1] < 0;
     if (a_below == b_below) return 0;
     const Scalar twice = a[0] * b[1] - a[1] * b[0];
@@ -209,26 +209,42 @@ std::vector<Contour<Scalar>> plane_contours(const TriangleMesh<Scalar>& mesh, co
 template <typename Scalar>
 LevelSets<Scalar>::LevelSets(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency, Eigen::VectorX<Scalar> field)
     : mesh_(mesh), adjacency_(adjacency), field_(std::move(field)) {
-    for (int f = 0; f < static_cast<int>(mesh.faces.rows()); ++f) {
-        const Scalar a = field_[mesh.faces(f, 0)], b = field_[mesh.faces(f, 1)], c = field_[mesh.faces(f, 2)];
-        const Scalar lowest = std::min({a, b, c}), highest = std::max({a, b, c});
-        if (lowest == highest) continue; // on no contour
-        faces_.emplace_back(lowest, f);
-        steepest_ = std::max(steepest_, highest - lowest);
+    const auto range_on = [&](int f) {
+        const auto [low, high] =
+            std::minmax({field_[mesh.faces(f, 0)], field_[mesh.faces(f, 1)], field_[mesh.faces(f, 2)]});
+        return std::pair(low, high);
+    };
+    const auto count = static_cast<int>(mesh.faces.rows());
+    Scalar highest = lowest_ = field_.size() > 0 ? field_[0] : Scalar(0);
+    for (int f = 0; f < count; ++f) {
+        const auto [low, high] = range_on(f);
+        lowest_ = std::min(lowest_, low);
+        if (low < high) highest = std::max(highest, low);
+        steepest_ = std::max(steepest_, high - low);
     }
-    std::sort(faces_.begin(), faces_.end());
+    if (!(steepest_ > 0)) return;
+    begin_.assign(bin_of(highest) + 2, 0);
+    for (int f = 0; f < count; ++f)
+        if (const auto [low, high] = range_on(f); low < high) ++begin_[bin_of(low) + 1];
+    for (std::size_t bin = 1; bin < begin_.size(); ++bin) begin_[bin] += begin_[bin - 1];
+    faces_.resize(begin_.back());
+    std::vector<std::size_t> next = begin_;
+    for (int f = 0; f < count; ++f)
+        if (const auto [low, high] = range_on(f); low < high) faces_[next[bin_of(low)]++] = f;
 }
 
 template <typename Scalar>
 std::vector<Contour<Scalar>> LevelSets<Scalar>::contours(Scalar level) const {
+    if (begin_.empty() || level < lowest_) return {};
     const auto height = [&](int v) { return field_[v] - level; };
     const detail::FaceCutter<Scalar, decltype(height)> cutter(mesh_, height);
-    constexpr Scalar rounded_up = 1 + 4 * std::numeric_limits<Scalar>::epsilon();
-    const auto below = [](const std::pair<Scalar, int>& face, Scalar value) { return face.first < value; };
-    const auto last = std::lower_bound(faces_.begin(), faces_.end(), level, below);
+    constexpr std::size_t bins = 3; // with two, rounding might leave a face out
+    const std::size_t bin_count = begin_.size() - 1;
+    const std::size_t end =
+        (level - lowest_) / steepest_ < static_cast<Scalar>(bin_count) ? bin_of(level) + 1 : bin_count;
     std::vector<int> cut;
-    for (auto face = last; face != faces_.begin() && level - (face - 1)->first <= steepest_ * rounded_up; --face)
-        if (cutter.is_cut((face - 1)->second)) cut.push_back((face - 1)->second);
+    for (std::size_t i = begin_[end > bins ? end - bins : 0]; i < begin_[end]; ++i)
+        if (cutter.is_cut(faces_[i])) cut.push_back(faces_[i]);
     std::sort(cut.begin(), cut.end());
     return detail::all_contours(cutter, adjacency_, cut);
 }
@@ -236,18 +252,20 @@ std::vector<Contour<Scalar>> LevelSets<Scalar>::contours(Scalar level) const {
 template <typename Scalar>
 PlanarRelation<Scalar> relate(const Contour<Scalar>& contour, const Vector3<Scalar>& point,
                               const Vector3<Scalar>& normal) {
-    using Planar = Eigen::Matrix<Scalar, 2, 1>;
     const Vector3<Scalar> u = normal.unitOrthogonal(), v = normal.cross(u);
-    const auto planar = [&](const Vector3<Scalar>& p) { return Planar(u.dot(p - point), v.dot(p - point)); };
+    const auto planar = [&](const Vector3<Scalar>& p) {
+        const Scalar x = p[0] - point[0], y = p[1] - point[1], z = p[2] - point[2];
+        return std::array<Scalar, 2>{u[0] * x + (u[1] * y + u[2] * z), v[0] * x + (v[1] * y + v[2] * z)};
+    };
     PlanarRelation<Scalar> out;
     int windings = 0;
     Scalar squared = std::numeric_limits<Scalar>::infinity();
-    Planar a = planar(contour.points.back());
+    std::array<Scalar, 2> a = planar(contour.points.back());
     for (const Vector3<Scalar>& p : contour.points) {
-        const Planar b = planar(p);
+        const std::array<Scalar, 2> b = planar(p);
         out.area += (a[0] * b[1] - a[1] * b[0]) / 2;
         windings += detail::crossing_of_axis<Scalar>(a, b);
-        squared = std::min(squared, b.squaredNorm());
+        squared = std::min(squared, b[0] * b[0] + b[1] * b[1]);
         a = b;
     }
     out.distance = std::sqrt(squared);

@@ -300,6 +300,10 @@ BodyFaces faces_of_body(const TriangleMesh<Scalar>& mesh, int component) {
         pieces.erase(first_plate, pieces.end());
     }
     const auto all_pieces = static_cast<int>(pieces.size());
+    if (all_pieces == 1 && plates == 0) {
+        out.faces = std::move(rest.faces);
+        return out;
+    }
     detail::FaceSet<Scalar> chosen = pieces.front();
     if (pieces.size() > 1) {
         const std::vector<detail::FaceSet<Scalar>> things = detail::things_apart(rest, pieces);
