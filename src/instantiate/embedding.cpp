@@ -25,6 +25,7 @@ namespace skelgen::embedding {
                                         const MatchingOptions&);                                                       \
     template Outcome<Embedding> embed(const CurveSkeleton<Scalar>&, const SkeletonTemplate&, const MatchingOptions&);  \
     template Scalar unmatched_reach(const CurveSkeleton<Scalar>&, const Embedding&);                                   \
+    template Scalar matched_diameter(const CurveSkeleton<Scalar>&, const Embedding&);                                  \
     template Scalar unmatched_share(const CurveSkeleton<Scalar>&, const Embedding&);                                   \
     template int contact_count(const CurveSkeleton<Scalar>&);                                                          \
     template std::vector<LoopCuts> find_loop_cuts(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,               \

@@ -4,6 +4,7 @@
 #include <set>
 
 #include <skelgen/core/builtin_templates.hpp>
+#include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/embedding/embed.hpp>
 
@@ -159,6 +160,7 @@ TEST_CASE("what goes on beyond the embedded template is measured") {
     const Embedding bare = embedded(curve);
     CHECK(unmatched_reach(curve, bare) == 0);
     CHECK(unmatched_share(curve, bare) == 0);
+    const double diameter = matched_diameter(curve, bare);
     double matched = 0;
     for (const Chain& chain : bare.chains)
         for (std::size_t i = 1; i < chain.nodes.size(); ++i)
@@ -179,6 +181,21 @@ TEST_CASE("what goes on beyond the embedded template is measured") {
     curve.edges.push_back({calf, n + 2});
     CHECK(unmatched_reach(curve, bare) == Approx(0.05 / matched));
     CHECK(unmatched_share(curve, bare) == Approx(0.09 / matched));
+    CHECK(matched_diameter(curve, bare) == diameter);
+}
+
+TEST_CASE("the longest way between the ends of the embedded template is one from foot to hand") {
+    const CurveSkeleton<double> curve = human_curve();
+    const Embedding found = embedded(curve);
+    const core::CurveGraph<double> graph = core::curve_graph(curve);
+    double longest = 0;
+    for (const char* foot : {"left_foot", "right_foot"})
+        for (const char* hand : {"left_hand", "right_hand"}) {
+            const auto distance = core::shortest_paths(graph, index(foot)).distance;
+            longest = std::max(longest, distance[static_cast<std::size_t>(index(hand))]);
+        }
+    CHECK(longest > 0);
+    CHECK(matched_diameter(curve, found) == Approx(longest));
 }
 
 TEST_CASE("a curve with too few ends and junctions is no skeleton") {

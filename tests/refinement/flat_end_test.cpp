@@ -1,5 +1,9 @@
 #include <skelgen/refinement/flat_end.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "catch.hpp"
 #include "refinement/limb_shapes.hpp"
 #include "shapes.hpp"
@@ -20,7 +24,46 @@ Scalar flatness(const Mesh& mesh, double top) {
     return flat_end(body.mesh, limb, end_point_near(body, Vec3(0, 0, top)), Scalar(0.2));
 }
 
+/// How much of its section the hole encloses that a limb along z ends in; `rim` is around it.
+double openness(const Mesh& mesh, const std::vector<int>& rim) {
+    const Body<double> body = body_of<double>(mesh);
+    const Limb<double> limb = limb_along<double>({Vec3::Zero(), Vec3(0, 0, length)}, {0}, {0.5}, radius);
+    EndPoint<double> end = end_point_near(body, Vec3(radius, 0, length));
+    end.rim = rim;
+    return open_end(body.mesh, limb, end, 0.2);
+}
+
+/// The vertices of a cylinder along z at that height, in order around it.
+std::vector<int> ring_at(const Mesh& mesh, double height) {
+    std::vector<int> ring;
+    for (int v = 0; v < mesh.vertices.rows(); ++v) {
+        const double from_axis = mesh.vertices.row(v).head<2>().norm();
+        if (std::abs(mesh.vertices(v, 2) - height) < 1e-9 && from_axis > radius / 2) ring.push_back(v);
+    }
+    const auto angle = [&](int v) { return std::atan2(mesh.vertices(v, 1), mesh.vertices(v, 0)); };
+    std::sort(ring.begin(), ring.end(), [&](int a, int b) { return angle(a) < angle(b); });
+    return ring;
+}
+
 } // namespace
+
+TEST_CASE("the hole of a limb that was cut off encloses its section, however oblique it is") {
+    const Mesh tube = cylinder(radius, length);
+    const std::vector<int> rim = ring_at(tube, length);
+    REQUIRE(rim.size() == 32);
+    CHECK(openness(tube, rim) == Approx(1).epsilon(0.02));
+    CHECK(openness(tube, {rim.rbegin(), rim.rend()}) == Approx(1).epsilon(0.02));
+    CHECK(openness(tube, {}) == 0);
+    CHECK(openness(tube, {rim[0], rim[1], rim[2]}) < 0.1);
+    CHECK(openness(tube, ring_at(tube, 0)) == 0); // at its other end
+    Mesh oblique = tube, along = tube;
+    for (const int v : rim) {
+        oblique.vertices(v, 2) += tube.vertices(v, 0);     // 45 degrees
+        along.vertices(v, 2) += 2.5 * tube.vertices(v, 0); // 68 degrees, as little as a sole
+    }
+    CHECK(openness(oblique, rim) == Approx(1).epsilon(0.02));
+    CHECK(openness(along, rim) == Approx(0.6));
+}
 
 TEMPLATE_TEST_CASE("the lid of a limb that is cut off covers its section, a round end does not", "", float, double) {
     CHECK(flatness<TestType>(cylinder(radius, length), length) == Approx(1).epsilon(0.05));

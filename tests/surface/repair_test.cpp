@@ -4,6 +4,7 @@
 #include <array>
 #include <numeric>
 #include <random>
+#include <set>
 #include <vector>
 
 #include <skelgen/core/disjoint_sets.hpp>
@@ -322,6 +323,9 @@ TEST_CASE("small holes are closed, large ones stay") {
     CHECK(whole.open == 0);
     CHECK(is_closed(whole.mesh.faces));
     CHECK(enclosed_volume(whole.mesh) == Approx(enclosed_volume(ball)).epsilon(1e-12));
+    REQUIRE(whole.rims.size() == 1);
+    CHECK(std::set<int>(whole.rims[0].begin(), whole.rims[0].end()) ==
+          std::set<int>{ball.faces(7, 0), ball.faces(7, 1), ball.faces(7, 2)});
 
     const Mesh tube = cylinder(0.3, 3);
     std::vector<bool> lid(static_cast<std::size_t>(tube.faces.rows()), false);
@@ -337,8 +341,22 @@ TEST_CASE("small holes are closed, large ones stay") {
     CHECK(is_closed(fill_holes(open, 1.1 * lid_share).mesh.faces));
     const FilledSurface<double> left = fill_holes(open, 0.9 * lid_share);
     CHECK(left.filled == 0);
+    CHECK(left.rims.empty());
     CHECK(left.open == 1);
     CHECK(left.open_area == Approx(lid_share).epsilon(0.02));
+}
+
+TEST_CASE("a body knows where holes were, whatever becomes of its vertices") {
+    const Mesh ball = sphere(1, 4);
+    const Body<double> body = prepare(without_faces(ball, 7, 1));
+    REQUIRE(body.rims.size() == 1);
+    REQUIRE(body.rims[0].size() == 3);
+    std::set<int> around;
+    for (const int v : body.rims[0]) around.insert(body.source[static_cast<std::size_t>(v)]);
+    CHECK(around == std::set<int>{ball.faces(7, 0), ball.faces(7, 1), ball.faces(7, 2)});
+
+    CHECK(carried_rims({{0, 1, 2}, {2, 3, 4}}, {5, -1, 2, 1, 0, 0}) == std::vector<std::vector<int>>{{4, 3, 2}});
+    CHECK(carried_rims({}, {0, 1}).empty());
 }
 
 TEST_CASE("what is done to a mesh is said, and its vertices keep their places") {

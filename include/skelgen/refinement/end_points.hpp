@@ -17,6 +17,7 @@ struct EndPoint {
     int joint = -1;                  ///< template joint that ends the limb
     int vertex = -1;                 ///< mesh vertex
     Eigen::VectorX<Scalar> distance; ///< per mesh vertex the geodesic distance to it; infinite where no path leads
+    std::vector<int> rim = {};       ///< vertices around the closed hole (Body::rims) nearest to it; empty without any
 };
 
 /// The ends of all limbs, in the order of the embedding's chains: near the curve's leaves, the vertices farthest over

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <skelgen/core/curve_graph.hpp>
@@ -26,6 +29,7 @@ struct Body {
                                       ///< empty where `source` says it all: no two of the input share one
     int dropped_pieces = 0;           ///< connected pieces smaller than this one, left out
     std::vector<std::string> repairs; ///< what was done to the input and how much, one sentence each
+    std::vector<std::vector<int>> rims; ///< per hole of the input that was closed the vertices around it, in order
 };
 
 namespace surface {
@@ -58,6 +62,26 @@ template <typename Scalar>
     for (int& v : nearest)
         v = v >= 0 && static_cast<std::size_t>(v) < now.size() ? now[static_cast<std::size_t>(v)] : -1;
     return nearest;
+}
+
+/// The rims (`Body::rims`) of a surface on another one, whose vertices come from those of the first: `source` per
+/// vertex, -1 for new ones. Rims of which a vertex is gone are left out. O(n).
+[[nodiscard]] inline std::vector<std::vector<int>> carried_rims(const std::vector<std::vector<int>>& rims,
+                                                                const std::vector<int>& source) {
+    std::vector<std::vector<int>> out;
+    if (rims.empty()) return out;
+    std::vector<int> now; // per old vertex
+    for (std::size_t v = source.size(); v-- > 0;) {
+        if (source[v] < 0) continue;
+        const auto old = static_cast<std::size_t>(source[v]);
+        if (old >= now.size()) now.resize(old + 1, -1);
+        now[old] = static_cast<int>(v);
+    }
+    for (std::vector<int> rim : rims) {
+        for (int& v : rim) v = static_cast<std::size_t>(v) < now.size() ? now[static_cast<std::size_t>(v)] : -1;
+        if (std::find(rim.begin(), rim.end(), -1) == rim.end()) out.push_back(std::move(rim));
+    }
+    return out;
 }
 
 /// The body with another surface, whose vertices come from those of the old one: `source` per vertex, -1 for new ones.

@@ -9,10 +9,11 @@ namespace skelgen::surface {
 /// A surface whose small holes are closed.
 template <typename Scalar = double>
 struct FilledSurface {
-    TriangleMesh<Scalar> mesh; ///< the old vertices and faces first, as they were
-    int filled = 0;            ///< holes closed
-    int open = 0;              ///< holes left
-    double open_area = 0;      ///< of the lids that would close the holes left, part of the surface's area
+    TriangleMesh<Scalar> mesh;          ///< the old vertices and faces first, as they were
+    int filled = 0;                     ///< holes closed
+    int open = 0;                       ///< holes left
+    double open_area = 0;               ///< of the lids that would close the holes left, part of the surface's area
+    std::vector<std::vector<int>> rims; ///< per hole closed the vertices around it, in order
 };
 
 /// Closes the holes of a manifold surface but for those whose lids have more than `largest` of the surface's area. A

@@ -158,4 +158,17 @@ Scalar unmatched_share(const CurveSkeleton<Scalar>& curve, const Embedding& embe
     return matched > 0 ? unmatched / matched : Scalar(0);
 }
 
+template <typename Scalar>
+Scalar matched_diameter(const CurveSkeleton<Scalar>& curve, const Embedding& embedding) {
+    const core::CurveGraph<Scalar> graph = core::curve_graph(curve);
+    Scalar diameter = 0;
+    for (const Chain& from : embedding.chains) {
+        const std::vector<Scalar> distance = core::shortest_paths(graph, from.nodes.back()).distance;
+        for (const Chain& to : embedding.chains)
+            if (const Scalar d = distance[detail::at(to.nodes.back())]; std::isfinite(d))
+                diameter = std::max(diameter, d);
+    }
+    return diameter;
+}
+
 } // namespace skelgen::embedding

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/geometry.hpp>
@@ -36,6 +37,19 @@ Eigen::VectorX<Scalar> remoteness(const EndPoint<Scalar>& end, const std::vector
     return sum;
 }
 
+/// The rim that comes nearest to where the distances are from; empty where there is none.
+template <typename Scalar>
+std::vector<int> nearest_rim(const std::vector<std::vector<int>>& rims, const Eigen::VectorX<Scalar>& distance) {
+    const auto nearness = [&](const std::vector<int>& rim) {
+        Scalar least = std::numeric_limits<Scalar>::infinity();
+        for (const int v : rim) least = std::min(least, distance[v]);
+        return least;
+    };
+    const auto nearest = std::min_element(rims.begin(), rims.end(),
+                                          [&](const auto& a, const auto& b) { return nearness(a) < nearness(b); });
+    return nearest == rims.end() ? std::vector<int>() : *nearest;
+}
+
 } // namespace detail
 
 template <typename Scalar>
@@ -57,6 +71,7 @@ std::vector<EndPoint<Scalar>> find_end_points(const Body<Scalar>& body, const Cu
             if (leaf.distance[v] <= radius && std::isfinite(far[v]) && far[v] > far[best]) best = static_cast<int>(v);
         ends.push_back(
             {leaf.joint, best, best == leaf.vertex ? leaf.distance : detail::distances_from(body.graph, best)});
+        ends.back().rim = detail::nearest_rim(body.rims, ends.back().distance);
     }
     return ends;
 }

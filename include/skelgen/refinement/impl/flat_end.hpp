@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include <skelgen/core/geometry.hpp>
@@ -13,13 +14,22 @@ namespace skelgen::refinement {
 namespace detail {
 
 /// Cosine of the angle up to which normals are those of one flat piece: 15 degrees, as a scan's or a coarse lid's
-/// waviness has it. A working value, as are the next three.
+/// waviness has it. A working value, as are the next five.
 template <typename Scalar>
 inline constexpr Scalar flat = Scalar(0.966);
 
 /// Cosine of the angle up to which a lid may face away from the limb's direction: people do not cut at right angles.
 template <typename Scalar>
 inline constexpr Scalar outwards = Scalar(0.64);
+
+/// The same of the rim of a hole, which no noise turns: 60 degrees.
+template <typename Scalar>
+inline constexpr Scalar across = Scalar(0.5);
+
+/// Most that a hole shows which faces further away, as that of a missing sole does: as much as whole feet and cut
+/// calves have in common.
+template <typename Scalar>
+inline constexpr Scalar aside = Scalar(0.6);
 
 /// The end's surface reaches so many times the limb's thickness over the surface: across a lid.
 template <typename Scalar>
@@ -78,23 +88,86 @@ Scalar flat_area(const std::vector<EndFace<Scalar>>& faces, const Vector3<Scalar
     return area;
 }
 
+/// How thick a limb is near its end, and where it goes there.
+template <typename Scalar>
+struct LimbEnd {
+    Scalar thickness;
+    Vector3<Scalar> along; ///< unit, outwards
+};
+
+/// None without sections within `length` of the end, or with edges too long to tell anything.
+template <typename Scalar>
+std::optional<LimbEnd<Scalar>> limb_end(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, Scalar length) {
+    std::vector<Scalar> thickness;
+    const Scalar all = limb.line.arc[limb.line.arc.size() - 1];
+    for (Eigen::Index i = 0; i < limb.line.arc.size(); ++i)
+        if (all - limb.line.arc[i] <= length && limb.line.thickness[i] > 0) thickness.push_back(limb.line.thickness[i]);
+    if (thickness.empty()) return std::nullopt;
+    const auto middle = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 2);
+    std::nth_element(thickness.begin(), middle, thickness.end());
+    if (typical_edge(mesh) > coarse<Scalar> * *middle) return std::nullopt;
+    const Vector3<Scalar> along =
+        (point_on(limb, all - *middle) - point_on(limb, all - std::max(length, 3 * *middle))).normalized();
+    return LimbEnd<Scalar>{*middle, along};
+}
+
+/// Area of the limb's cross-section near its end, one to four times its thickness away: the median; 0 without sections.
+template <typename Scalar>
+Scalar section_area(const Limb<Scalar>& limb, Scalar thickness) {
+    std::vector<Scalar> areas;
+    const Scalar all = limb.line.arc[limb.line.arc.size() - 1];
+    for (Eigen::Index i = 0; i < limb.line.arc.size(); ++i)
+        if (const Scalar from_end = all - limb.line.arc[i];
+            limb.line.area[i] > 0 && from_end >= thickness && from_end <= 4 * thickness)
+            areas.push_back(limb.line.area[i]);
+    if (areas.empty()) return 0;
+    const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
+    std::nth_element(areas.begin(), middle, areas.end());
+    return *middle;
+}
+
+/// Mean distance of a rim's vertices from the end.
+template <typename Scalar>
+Scalar distance_to_rim(const EndPoint<Scalar>& end) {
+    Scalar sum = 0;
+    for (const int v : end.rim) sum += end.distance[v];
+    return sum / static_cast<Scalar>(end.rim.size());
+}
+
+/// The area that a closed polygon of vertices encloses, times its normal.
+template <typename Scalar>
+Vector3<Scalar> area_within(const Points<Scalar>& vertices, const std::vector<int>& rim) {
+    const Vector3<Scalar> origin = core::point(vertices, rim.front());
+    Vector3<Scalar> twice = Vector3<Scalar>::Zero();
+    for (std::size_t i = 0; i < rim.size(); ++i)
+        twice +=
+            (core::point(vertices, rim[i]) - origin).cross(core::point(vertices, rim[(i + 1) % rim.size()]) - origin);
+    return twice / 2;
+}
+
 } // namespace detail
 
 template <typename Scalar>
 Scalar flat_end(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, const EndPoint<Scalar>& end,
                 Scalar length) {
-    std::vector<Scalar> thickness;
-    const Scalar all = limb.line.arc[limb.line.arc.size() - 1];
-    for (Eigen::Index i = 0; i < limb.line.arc.size(); ++i)
-        if (all - limb.line.arc[i] <= length && limb.line.thickness[i] > 0) thickness.push_back(limb.line.thickness[i]);
-    if (thickness.empty()) return 0;
-    const auto middle = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 2);
-    std::nth_element(thickness.begin(), middle, thickness.end());
-    if (detail::typical_edge(mesh) > detail::coarse<Scalar> * *middle) return 0;
-    const Vector3<Scalar> along =
-        (point_on(limb, all - *middle) - point_on(limb, all - std::max(length, 3 * *middle))).normalized();
-    const auto faces = detail::end_faces(mesh, end, detail::end_size<Scalar> * *middle, along);
-    return detail::flat_area(faces, along) / (std::numbers::pi_v<Scalar> * *middle * *middle);
+    const auto own = detail::limb_end(mesh, limb, length);
+    if (!own) return 0;
+    const auto faces = detail::end_faces(mesh, end, detail::end_size<Scalar> * own->thickness, own->along);
+    return detail::flat_area(faces, own->along) / (std::numbers::pi_v<Scalar> * own->thickness * own->thickness);
+}
+
+template <typename Scalar>
+Scalar open_end(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, const EndPoint<Scalar>& end,
+                Scalar length) {
+    const auto own = detail::limb_end(mesh, limb, length);
+    if (!own || end.rim.empty()) return 0;
+    if (detail::distance_to_rim(end) > detail::end_size<Scalar> * own->thickness) return 0;
+    const Vector3<Scalar> area = detail::area_within(mesh.vertices, end.rim);
+    const Scalar seen = std::abs(area.dot(own->along));
+    const Scalar section = detail::section_area(limb, own->thickness);
+    if (!(section > 0)) return 0;
+    const Scalar share = seen / section;
+    return seen > detail::across<Scalar> * area.norm() ? share : std::min(share, detail::aside<Scalar>);
 }
 
 } // namespace skelgen::refinement

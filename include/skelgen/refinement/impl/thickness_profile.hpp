@@ -204,24 +204,37 @@ inline constexpr Scalar least_gain = Scalar(2);
 
 /// The end of a limb that was cut off and closed is flat (flat_end), and its thickness may then be this unlike a
 /// forearm's or calf's, which a cut beside the joint changes. Calibrated on registered bodies, 96 whole and 24 cut, as
-/// the next one is: the ends of cut calves are 0.5 flat and more, those of whole hands and feet as a rule far less.
+/// the next two are: a plane lid is about 1 flat, whole hands and feet as a rule far less, boots up to 0.45.
 template <typename Scalar>
-inline constexpr Scalar flat_lid = Scalar(0.45);
+inline constexpr Scalar flat_lid = Scalar(0.6);
 template <typename Scalar>
 inline constexpr Scalar worst_lidded_cost = Scalar(20);
+
+/// An end that was open shows at least so much of the section of a limb that was cut off (open_end).
+template <typename Scalar>
+inline constexpr Scalar open_lid = Scalar(0.45);
 
 /// With so flat an end the thickness decides alone, by what costs less; each half as much again outvotes costs that
 /// differ by a factor of e: in the midst between fists and feet that are whole and calves that were cut.
 template <typename Scalar>
 inline constexpr Scalar balanced = Scalar(0.6);
 
-/// Does a limb end at wrist or ankle? By what its thickness costs as a whole limb's and as a cut one's, and by how flat
-/// its end is: of these two witnesses each may outvote the other.
+/// What a limb's end looks like: see flat_end and open_end.
 template <typename Scalar>
-bool is_cut(Scalar whole_cost, Scalar cut_cost, Scalar flat) {
+struct EndShape {
+    Scalar flat, open;
+};
+
+/// Does a limb end at wrist or ankle? By what its thickness costs as a whole limb's and as a cut one's, and by what its
+/// end looks like: of these two witnesses each may outvote the other. Of an end that was open, however its hole was
+/// closed, the thickness need not be a forearm's or calf's to the last: it is a limb's that lacks something.
+template <typename Scalar>
+bool is_cut(Scalar whole_cost, Scalar cut_cost, const EndShape<Scalar>& end) {
     if (cut_cost < worst_cut_cost<Scalar> && least_gain<Scalar> * cut_cost < whole_cost) return true;
-    return flat > flat_lid<Scalar> && cut_cost < worst_lidded_cost<Scalar> &&
-           std::log(whole_cost / cut_cost) + 2 * (flat - balanced<Scalar>) > 0;
+    const bool is_flat = end.flat > flat_lid<Scalar> && cut_cost < worst_lidded_cost<Scalar>;
+    if (!is_flat && !(end.open > open_lid<Scalar>)) return false;
+    const Scalar lid = std::max(end.flat, std::min(end.open, Scalar(1)));
+    return std::log(whole_cost / cut_cost) + 2 * (lid - balanced<Scalar>) > 0;
 }
 
 /// The limb as it were if it ended at wrist or ankle.
@@ -254,8 +267,10 @@ shorten_cut_limbs(std::vector<Limb<Scalar>> limbs, const Slicer<Scalar>& slicer,
         Limb<Scalar> cut = detail::ending_at(limbs[i], profiled->outer, slicer, ends[i], centreline);
         const Scalar whole_cost = detail::cost_of(limbs[i], skeleton_template, options);
         const Scalar cut_cost = detail::cost_of(cut, skeleton_template, options);
-        const Scalar flat = flat_end(slicer.mesh(), limbs[i], ends[i], limbs[i].from_tip[profiled->outer]);
-        if (detail::is_cut(whole_cost, cut_cost, flat)) limbs[i] = std::move(cut);
+        const Scalar beyond = limbs[i].from_tip[profiled->outer];
+        const detail::EndShape<Scalar> shape{flat_end(slicer.mesh(), limbs[i], ends[i], beyond),
+                                             open_end(slicer.mesh(), limbs[i], ends[i], beyond)};
+        if (detail::is_cut(whole_cost, cut_cost, shape)) limbs[i] = std::move(cut);
     }
     return limbs;
 }

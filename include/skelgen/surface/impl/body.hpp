@@ -25,6 +25,7 @@ Body<Scalar> make_body(TriangleMesh<Scalar> mesh, const Similarity<Scalar>& simi
             std::move(source),
             {},
             dropped_pieces,
+            {},
             {}};
 }
 
@@ -44,10 +45,12 @@ bool is_inside(const Body<Scalar>& body, const Vector3<Scalar>& place) {
 template <typename Scalar>
 Body<Scalar> resurfaced(Body<Scalar> body, TriangleMesh<Scalar> mesh, std::vector<int> source) {
     std::vector<int> nearest = carried_over(std::move(body.nearest), source);
+    std::vector<std::vector<int>> rims = carried_rims(body.rims, source);
     Body<Scalar> out =
         make_body(std::move(mesh), body.similarity, composed(std::move(source), body.source), body.dropped_pieces);
     out.nearest = std::move(nearest);
     out.repairs = std::move(body.repairs);
+    out.rims = std::move(rims);
     return out;
 }
 

@@ -143,6 +143,7 @@ FilledSurface<Scalar> fill_holes(const TriangleMesh<Scalar>& mesh, double larges
             continue;
         }
         ++out.filled;
+        out.rims.push_back(rim.vertices);
         if (lid->middle) added.push_back(*lid->middle);
         faces.insert(faces.end(), lid->faces.begin(), lid->faces.end());
     }

@@ -53,6 +53,7 @@ struct ChosenPiece {
     std::vector<int> source; ///< per vertex that of the clean mesh, -1 for those added; empty where all stayed
     int dropped_pieces = 0;
     std::vector<std::string> notes;
+    std::vector<std::vector<int>> rims = {}; ///< as in Body, of this mesh
 };
 
 inline constexpr double small_hole = 0.04; // of the surface: the skin of an upper arm (LB44)
@@ -67,6 +68,7 @@ ChosenPiece<Scalar> choose_piece(const CleanMesh<Scalar>& clean) {
     if (part.dropped_pieces == 0 && filled.filled == 0) return {mesh, {}, 0, {}};
     ChosenPiece<Scalar> out{std::move(filled.mesh), std::move(part.source), part.dropped_pieces, {}};
     out.source.resize(static_cast<std::size_t>(out.mesh.vertices.rows()), -1);
+    out.rims = std::move(filled.rims);
     if (filled.filled > 0) out.notes.push_back("holes closed: " + std::to_string(filled.filled));
     return out;
 }
@@ -133,6 +135,7 @@ Body<Scalar> body_of(ChosenPiece<Scalar> piece, const std::vector<int>& placed, 
     const CanonicalMesh<Scalar> canonical = canonical_form(smooth.mesh);
     ManifoldParts<Scalar> part = largest_manifold_part(canonical.mesh);
     std::vector<int> source = composed(std::move(part.source), canonical.input_vertex);
+    std::vector<std::vector<int>> rims = carried_rims(piece.rims, source);
     if (!piece.source.empty()) source = composed(std::move(source), piece.source);
     Body<Scalar> body =
         make_body(std::move(part.mesh), canonical.similarity, source, piece.dropped_pieces + part.dropped_pieces);
@@ -144,6 +147,7 @@ Body<Scalar> body_of(ChosenPiece<Scalar> piece, const std::vector<int>& placed, 
         body.source = composed(std::move(source), first);
     }
     body.repairs = std::move(piece.notes);
+    body.rims = std::move(rims);
     return body;
 }
 
