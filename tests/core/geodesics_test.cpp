@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/geodesics.hpp>
@@ -55,6 +58,30 @@ TEST_CASE("no path is shorter than the straight line", "[slow]") {
     for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v)
         farthest = std::max(farthest, (mesh.vertices.rowwise() - mesh.vertices.row(v)).rowwise().norm().maxCoeff());
     CHECK(diameter(mesh) >= farthest);
+}
+
+TEST_CASE("distances by slots are those of the shortest paths, to the last bit") {
+    for (const Mesh& mesh : {three_tubes(), torus(1, 0.3, 400, 8), shuffled(capsule(0.2, 4), 2)}) {
+        const SurfaceGraph<double> graph = graph_of(mesh);
+        const int other = graph.size() / 2;
+        const std::vector<double> one = shortest_paths(graph, 0).distance, two = shortest_paths(graph, other).distance;
+        CHECK(distances_from(graph, {0}) == one);
+        const std::vector<double> nearest = distances_from(graph, {0, other});
+        for (std::size_t v = 0; v < nearest.size(); ++v) CHECK(nearest[v] == std::min(one[v], two[v]));
+    }
+}
+
+TEST_CASE(
+    "the nearest source on a surface: its own distance counts, of equals the lowest label, none where none leads") {
+    const Mesh mesh =
+        side_by_side(capsule(0.2, 4), moved(sphere(0.3, 2), {Eigen::Matrix3d::Identity(), 1, Vec3(3, 0, 0)}));
+    const SurfaceGraph<double> graph = graph_of(mesh);
+    const int last = static_cast<int>(capsule(0.2, 4).vertices.rows()) - 1;
+    const std::vector<double> one = shortest_paths(graph, 0).distance, two = shortest_paths(graph, last).distance;
+    const std::vector<int> found = nearest_source<double>(graph, {{-0.5, 7, 0}, {1.5, 2, last}, {1.5, 4, last}});
+    for (std::size_t v = 0; v < found.size(); ++v)
+        CHECK(found[v] == (std::isinf(one[v]) ? -1 : 1.5 + two[v] <= one[v] - 0.5 ? 2 : 7));
+    CHECK(distances_from(graph, {}) == std::vector<double>(found.size(), std::numeric_limits<double>::infinity()));
 }
 
 TEST_CASE("on a square grid the surface's graph leads along eight directions: at worst 8 % too far") {

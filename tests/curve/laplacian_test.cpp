@@ -90,6 +90,16 @@ TEST_CASE("between equilateral triangles the weight is two cotangents of 60 degr
     CHECK(laplacian.coeff(2, 3) == 0);
 }
 
+TEST_CASE("one embedding after the other has the Laplacian that it has alone") {
+    const Mesh first = torus(1, 0.3, 20, 10), second = torus(2, 0.1, 20, 10);
+    REQUIRE(first.faces == second.faces);
+    CotangentLaplacian laplacian(first.vertices.rows(), first.faces);
+    for (const Mesh& mesh : {first, second, first}) {
+        const Eigen::MatrixXd expected = cotangent_laplacian(mesh.vertices, mesh.faces);
+        CHECK(Eigen::MatrixXd(laplacian.of(mesh.vertices)) == expected);
+    }
+}
+
 TEST_CASE("the Laplacian knows no size") {
     const Mesh mesh = torus(1, 0.3, 20, 10);
     const Eigen::MatrixXd expected = cotangent_laplacian(mesh.vertices, mesh.faces);

@@ -60,9 +60,9 @@ SurfaceGraph<Scalar> surface_graph(const TriangleMesh<Scalar>& mesh, const Trian
     for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
     std::vector<std::size_t> next(first.begin(), first.end() - 1);
     std::vector<std::pair<int, Scalar>> entries(2 * links.size());
-    for (const Link& link : links) {
-        entries[next[static_cast<std::size_t>(link.u)]++] = {link.v, link.length};
-        entries[next[static_cast<std::size_t>(link.v)]++] = {link.u, link.length};
+    for (const Link& each : links) {
+        entries[next[static_cast<std::size_t>(each.u)]++] = {each.v, each.length};
+        entries[next[static_cast<std::size_t>(each.v)]++] = {each.u, each.length};
     }
     return {{std::move(first), std::move(entries)}};
 }
