@@ -92,11 +92,14 @@ bool is_folded_body(const CurveSkeleton<Scalar>& curve, const embedding::Embeddi
            !not_slender(embedding::matched_diameter(curve, embedding) / longer);
 }
 
-/// What goes on as far as a person's arm (a sixth of the curve) and belongs to no limb is another body's.
+/// A person's arm, as a part of the curve: a sixth.
+template <typename Scalar>
+inline constexpr Scalar arm_of_curve = Scalar(0.17);
+
+/// What goes on as far as a person's arm and belongs to no limb is another body's.
 template <typename Scalar>
 std::optional<Failure> not_single(const CurveSkeleton<Scalar>& curve, const embedding::Embedding& embedding) {
-    constexpr Scalar arm = Scalar(0.17);
-    if (embedding::unmatched_reach(curve, embedding) > arm)
+    if (embedding::unmatched_reach(curve, embedding) > arm_of_curve<Scalar>)
         return Failure{FailureReason::no_body,
                        "no single human body: a limb is left over; separate bodies that are joined to others"};
     return std::nullopt;
@@ -360,22 +363,31 @@ struct PartialAttempt {
     double least_distortion; ///< per pair, of all templates without a limb: see embedding::distortion_per_pair
 };
 
+/// How badly a template without a limb fits: its distortion, twice that where an arm's length of the curve is left
+/// over. What is left of a limb is its stump, and the longer, the more of the limb is there.
+template <typename Scalar>
+double misfit_of_part(const CurveSkeleton<Scalar>& curve, const embedding::Embedding& part) {
+    const Scalar left_over = embedding::unmatched_reach(curve, part) / arm_of_curve<Scalar>;
+    return embedding::distortion_per_pair(part) * (1 + static_cast<double>(left_over));
+}
+
 /// The template without a limb that fits the curve best, if it fits well.
 template <typename Scalar>
 PartialAttempt<Scalar> fit_part_to_curve(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found,
                                          const SkeletonTemplate& wanted, const ExtractOptions& options) {
     Attempt<Scalar> best{Failure{FailureReason::no_match, "no human body, nor one that lacks a limb"}, {}};
-    double least = well_fitted, least_of_all = std::numeric_limits<double>::infinity();
+    double least = std::numeric_limits<double>::infinity(), least_of_all = least;
     for (const embedding::PartialTemplate& part : embedding::partial_templates(wanted)) {
         const auto embedding = embedding::embed(found.curve, part.skeleton_template, options.matching);
         if (!embedding) continue;
         const double distortion = embedding::distortion_per_pair(*embedding);
         least_of_all = std::min(least_of_all, distortion);
-        if (!(distortion < least)) continue;
+        const double misfit = misfit_of_part(found.curve, *embedding);
+        if (!(distortion < well_fitted && misfit < least)) continue;
         Attempt<Scalar> attempt = fit_to_curve(body, found, part.skeleton_template, options);
         attempt.timings = attempt.timings + best.timings;
         if (!attempt.outcome || attempt.outcome->misplaced >= suspicious) continue;
-        least = distortion;
+        least = misfit;
         best = std::move(attempt);
         const JointRole end = wanted.joint(part.end).role;
         best.outcome->skeleton = less_certain(std::move(best.outcome->skeleton), trust_without(end));

@@ -14,9 +14,10 @@ template <typename Scalar>
 [[nodiscard]] Scalar flat_end(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, const EndPoint<Scalar>& end,
                               Scalar length);
 
-/// How much of the limb's cross-section a hole that was closed around its end encloses, seen along the limb: about 1
-/// where the limb is cut off and was left open. Parameters as above. 0 where there is no such hole, and where the
-/// mesh is too coarse; 0.6 at most where it faces aside, as that of a missing sole does. O(n) for n sections and faces.
+/// How much of the limb's cross-section a hole that was closed around its end encloses, seen along the limb: 1 where
+/// that is half or more, the limb being cut off and left open, and 0.6 at most where the hole faces aside, as that of a
+/// missing sole does. Parameters as above. 0 without such a hole and where the mesh is too coarse. O(n) for n sections
+/// and faces.
 template <typename Scalar>
 [[nodiscard]] Scalar open_end(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, const EndPoint<Scalar>& end,
                               Scalar length);

@@ -14,7 +14,7 @@ namespace skelgen::refinement {
 namespace detail {
 
 /// Cosine of the angle up to which normals are those of one flat piece: 15 degrees, as a scan's or a coarse lid's
-/// waviness has it. A working value, as are the next five.
+/// waviness has it. A working value, as are the next six.
 template <typename Scalar>
 inline constexpr Scalar flat = Scalar(0.966);
 
@@ -30,6 +30,10 @@ inline constexpr Scalar across = Scalar(0.5);
 /// calves have in common.
 template <typename Scalar>
 inline constexpr Scalar aside = Scalar(0.6);
+
+/// A hole of this part of a limb's section is all of it: limbs thin towards wrist and ankle.
+template <typename Scalar>
+inline constexpr Scalar whole_hole = Scalar(0.5);
 
 /// The end's surface reaches so many times the limb's thickness over the surface: across a lid.
 template <typename Scalar>
@@ -111,14 +115,15 @@ std::optional<LimbEnd<Scalar>> limb_end(const TriangleMesh<Scalar>& mesh, const 
     return LimbEnd<Scalar>{*middle, along};
 }
 
-/// Area of the limb's cross-section near its end, one to four times its thickness away: the median; 0 without sections.
+/// Area of the limb's cross-section near its end, half its thickness to twice that away: the median; 0 without
+/// sections.
 template <typename Scalar>
 Scalar section_area(const Limb<Scalar>& limb, Scalar thickness) {
     std::vector<Scalar> areas;
     const Scalar all = limb.line.arc[limb.line.arc.size() - 1];
     for (Eigen::Index i = 0; i < limb.line.arc.size(); ++i)
         if (const Scalar from_end = all - limb.line.arc[i];
-            limb.line.area[i] > 0 && from_end >= thickness && from_end <= 4 * thickness)
+            limb.line.area[i] > 0 && from_end >= thickness / 2 && from_end <= 2 * thickness)
             areas.push_back(limb.line.area[i]);
     if (areas.empty()) return 0;
     const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
@@ -166,7 +171,7 @@ Scalar open_end(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, cons
     const Scalar seen = std::abs(area.dot(own->along));
     const Scalar section = detail::section_area(limb, own->thickness);
     if (!(section > 0)) return 0;
-    const Scalar share = seen / section;
+    const Scalar share = std::min(seen / (detail::whole_hole<Scalar> * section), Scalar(1));
     return seen > detail::across<Scalar> * area.norm() ? share : std::min(share, detail::aside<Scalar>);
 }
 

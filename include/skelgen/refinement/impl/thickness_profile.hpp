@@ -233,7 +233,7 @@ bool is_cut(Scalar whole_cost, Scalar cut_cost, const EndShape<Scalar>& end) {
     if (cut_cost < worst_cut_cost<Scalar> && least_gain<Scalar> * cut_cost < whole_cost) return true;
     const bool is_flat = end.flat > flat_lid<Scalar> && cut_cost < worst_lidded_cost<Scalar>;
     if (!is_flat && !(end.open > open_lid<Scalar>)) return false;
-    const Scalar lid = std::max(end.flat, std::min(end.open, Scalar(1)));
+    const Scalar lid = std::max(end.flat, end.open);
     return std::log(whole_cost / cut_cost) + 2 * (lid - balanced<Scalar>) > 0;
 }
 
