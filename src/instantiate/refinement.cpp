@@ -83,7 +83,8 @@ namespace skelgen::refinement {
     template std::optional<Placement<Scalar>> place_pelvis(Placement<Scalar>, const std::vector<Limb<Scalar>>&,        \
                                                            const TrunkAxis<Scalar>&, const PelvisOptions&);            \
     template Placement<Scalar> place_trunk(Placement<Scalar>, const std::vector<Limb<Scalar>>&, const Slicer<Scalar>&, \
-                                           const Vector3<Scalar>&, bool, const TrunkOptions&);                         \
+                                           const Vector3<Scalar>&, const std::optional<TrunkAxis<Scalar>>&,            \
+                                           const TrunkOptions&);                                                       \
     template Placement<Scalar> raise_crotch(Placement<Scalar>, const std::vector<Limb<Scalar>>&,                       \
                                             const TriangleMesh<Scalar>&, const CrotchOptions&);                        \
     template RefinedJoints<Scalar> refine(const Body<Scalar>&, const std::vector<EndPoint<Scalar>>&,                   \

@@ -78,8 +78,9 @@ TEMPLATE_TEST_CASE("a neck goes part of the way to its height below the throat",
 TEMPLATE_TEST_CASE("a wrist is where the arm is thinnest near its place, and no farther off", "", float, double) {
     auto limb = limb_along<TestType>({Vec3::Zero(), Vec3::UnitX()}, arm_joints(), {0.8, 0.5, 0.2, 0.1});
     const int joint = joint_of(wrist, Side::left);
+    double stiffness = 0;
     const auto wrist_at = [&] {
-        return place_wrist(place_by_ratio(nowhere<TestType>(), limb), limb, {0.1}).at(joint).x();
+        return place_wrist(place_by_ratio(nowhere<TestType>(), limb), limb, {0.1, stiffness}).at(joint).x();
     };
     limb.line.thickness[82] = TestType(0.04); // at x = 0.82, two hundredths from x = 0.8; the window is three
     CHECK(wrist_at() == Approx(0.82));
@@ -89,6 +90,10 @@ TEMPLATE_TEST_CASE("a wrist is where the arm is thinnest near its place, and no 
     CHECK(wrist_at() == Approx(0.79));
     limb.line.area[79] = limb.line.thickness[79] = 0; // no section there
     CHECK(wrist_at() == Approx(0.82));
+    limb.line.thickness[83] = limb.line.thickness[82];
+    CHECK(wrist_at() == Approx(0.825)); // between two that are equally thin
+    stiffness = 1000;
+    CHECK(wrist_at() == Approx(0.8).margin(0.005));
 
     auto leg = limb;
     leg.joints = leg_joints();
@@ -185,6 +190,7 @@ TEST_CASE("options of the limbs' joints that make no sense are refused") {
     CHECK_THROWS_AS(validate(NeckOptions{0.07, 1.5}), Error);
     CHECK_NOTHROW(validate(WristOptions{}));
     CHECK_THROWS_AS(validate(WristOptions{-0.1}), Error);
+    CHECK_THROWS_AS(validate(WristOptions{0.1, -1}), Error);
     CHECK_NOTHROW(validate(GirdleOptions{}));
     CHECK_THROWS_AS(validate(GirdleOptions{std::nan("")}), Error);
     CHECK_THROWS_AS(validate(BoneLineOptions{-0.1}), Error);

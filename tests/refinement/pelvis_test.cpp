@@ -17,15 +17,17 @@ using enum JointRole;
 const int left_hip = joint_of(hip, Side::left), right_hip = joint_of(hip, Side::right);
 constexpr double thigh = 0.87 - 0.481; // of human21 at rest
 
-/// Hips 0.142 apart beside the axis and off its middle; thighs of `length` hang from (+-0.071, 0, hips) downwards, the
-/// feet point along y.
+/// Thighs of `length` hang from (+-0.071, 0, hips) downwards, the feet point along y; what the thighs' lines say the
+/// hips are, 0.142 apart, is `off` from there.
 template <typename Scalar>
 struct Standing {
     Placement<Scalar> placement{builtin_template("human21"), 1};
     std::vector<Limb<Scalar>> limbs;
 
+    static inline const Vec3 far = Vec3(0.02, 0.03, 1); ///< too far to be believed
+
     /// Thighs raised forward by these angles, radians.
-    Standing(double hips, double length, double left_flexion = 0, double right_flexion = 0) {
+    Standing(double hips, double length, double left_flexion = 0, double right_flexion = 0, const Vec3& off = far) {
         for (const Side side : {Side::left, Side::right}) {
             const double x = side == Side::left ? 0.071 : -0.071;
             const double flexion = side == Side::left ? left_flexion : right_flexion;
@@ -34,7 +36,7 @@ struct Standing {
             limbs.push_back(limb_along<Scalar>({Vec3(x, 0, hips), ankle_at, ankle_at + 0.2 * Vec3::UnitY()},
                                                {joint_of(hip, side), joint_of(knee, side), joint_of(ankle, side)},
                                                {0.6 + length, 0.6, 0.2}));
-            placement.put(joint_of(hip, side), Vec3(x + 0.02, 0.03, hips + 0.05).cast<Scalar>());
+            placement.put(joint_of(hip, side), (Vec3(x, 0, hips) + off).cast<Scalar>());
             placement.put(joint_of(knee, side), knee_at.cast<Scalar>());
             placement.put(joint_of(ankle, side), ankle_at.cast<Scalar>());
         }
@@ -47,7 +49,7 @@ TEMPLATE_TEST_CASE("hips go level to the axis, to the height that fork and thigh
                    float, double) {
     const TestType tolerance = 64 * std::numeric_limits<TestType>::epsilon();
     const double hips = 0.7 + PelvisOptions{}.hips_above_fork * thigh;
-    const Standing<TestType> body(hips, 0.4);
+    const Standing<TestType> body(hips, 0.4, 0, 0, Vec3(0, 0, 0.05));
     const TrunkAxis<TestType> axis{Vector3<TestType>(0, 0, 1), Vector3<TestType>::UnitZ(),
                                    Vec3(0.1, -0.1, 0.7).cast<TestType>()};
     PelvisOptions upright;
@@ -116,8 +118,7 @@ TEST_CASE(
     TrunkAxis<double> axis{Vec3(0, 0, 1), Vec3::UnitZ(), Vec3(0, 0, 0.7),
                            0.4 * Vec3(std::cos(turn), std::sin(turn), 0)};
     const auto direction = [&](const Vec3& off) {
-        Standing<double> body(0.76, thigh);
-        for (const int joint : {left_hip, right_hip}) body.placement.put(joint, body.placement.at(joint) + off);
+        const Standing<double> body(0.76, thigh, 0, 0, off);
         const auto placed = place_pelvis(body.placement, body.limbs, axis);
         REQUIRE(placed);
         const Vec3 line = placed->at(left_hip) - placed->at(right_hip);
@@ -126,14 +127,43 @@ TEST_CASE(
         return std::atan2(line.y(), line.x());
     };
     const double near = direction(Vec3::Zero()), far = direction(Vec3(0, 0.5, 0));
-    CHECK(near > 0.4 * turn);
-    CHECK(near < 0.75 * turn);
+    CHECK(near > 0.2 * turn);
+    CHECK(near < 0.6 * turn);
     CHECK(far > 0.9 * turn);
     CHECK(far < turn);
     axis.across = -axis.across; // of either sense
     CHECK(direction(Vec3::Zero()) == Approx(near).margin(1e-9));
     axis.across = Vec3::Zero();
     CHECK(direction(Vec3::Zero()) == Approx(0).margin(1e-9));
+}
+
+TEST_CASE(
+    "the pelvis follows the middle between the thighs' hips off the trunk's line, the more the farther, not too far") {
+    const TrunkAxis<double> axis{Vec3(0, 0, 1), Vec3::UnitZ(), Vec3(0, 0, 0.7)};
+    PelvisOptions options;
+    options.tilt = 0;
+    struct Found {
+        double share, slope, lean; // of the way to the thighs' hips; of the hips' line and of the pelvis, tangents
+    };
+    const auto found_at = [&](double aside) {
+        const Standing<double> body(0.7 + options.hips_above_fork * thigh, thigh, 0, 0, Vec3(aside, 0, 0));
+        const auto placed = place_pelvis(body.placement, body.limbs, axis, options);
+        REQUIRE(placed);
+        const Vec3 middle = 0.5 * (placed->at(left_hip) + placed->at(right_hip));
+        const Vec3 line = placed->at(left_hip) - placed->at(right_hip), up = placed->at(joint_of(pelvis)) - middle;
+        CHECK(std::abs(line.normalized().dot(up.normalized())) < 1e-6);
+        return Found{middle.x() / aside, line.z() / line.x(), -up.x() / up.z()};
+    };
+    const Found little = found_at(0.005), plainly = found_at(0.06), wrongly = found_at(0.5);
+    CHECK(little.share > 0.25);
+    CHECK(little.share < 0.45);
+    CHECK(plainly.share > 0.6);
+    CHECK(plainly.share < 1);
+    CHECK(std::abs(wrongly.share) < 0.02);
+    CHECK(little.slope < 0.01);
+    CHECK(plainly.slope > 0.03); // to the left the hips are off, so the trunk leans to the right
+    CHECK(plainly.lean == Approx(plainly.slope).epsilon(0.01));
+    CHECK(std::abs(wrongly.slope) < 0.01);
 }
 
 TEST_CASE("one leg, or hips along the axis, make no pelvis") {

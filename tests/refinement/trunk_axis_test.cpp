@@ -49,6 +49,8 @@ TEMPLATE_TEST_CASE("the lower trunk's axis runs through its middle, and legs hel
         CHECK(axis->up.z() > std::cos(0.1 + ahead));
         CHECK(axis->place.z() > figure.fork.z() + 0.4 * thigh);
         CHECK(std::abs(axis->across.dot(axis->up)) < 1e-5);
+        CHECK(axis->largest_section > 1.2 * pi * 0.12 * 0.12);
+        CHECK(axis->largest_section < 2.5 * pi * 0.12 * 0.12);
         CHECK(axis->fork == figure.fork.template cast<TestType>());
     }
 }

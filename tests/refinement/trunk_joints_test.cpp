@@ -1,5 +1,6 @@
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/refinement/trunk_joints.hpp>
@@ -81,8 +82,9 @@ TEMPLATE_TEST_CASE("the trunk's joints lie between hips and neck as at rest, the
                                    leg<TestType>(Side::right, Vec3(-0.04, 0, 0.5), direction)};
             auto placement = with_legs(human, static_cast<TestType>(1 / unit), legs);
             placement.put(joint_of(neck), Vec3(0.03, 0, 1.5).cast<TestType>());
-            const auto placed = place_trunk(std::move(placement), legs, slicer,
-                                            Vector3<TestType>(Vector3<TestType>::Zero()), false, {0.06});
+            const auto placed =
+                place_trunk(std::move(placement), legs, slicer, Vector3<TestType>(Vector3<TestType>::Zero()),
+                            std::optional<TrunkAxis<TestType>>(), {0.06});
             const auto at_rest = [](double height) { return (height - 0.87) / (1.492 - 0.87); };
             INFO("unit " << unit << ", flexed by " << degrees);
             CHECK((placed.at(joint_of(pelvis)) - Vec3(0.03, 0, 0.5 + at_rest(0.953)).cast<TestType>()).norm() <
@@ -110,6 +112,37 @@ TEST_CASE("a waist's section is looked for within a part of the trunk's length, 
             const Vec3 found = place_trunk(placement, legs, slicer, Vec3(0, 0, 0)).at(joint_of(waist));
             CHECK(found.x() == Approx(x)); // its centre is farther off than it is thick: not the trunk's
         }
+}
+
+TEMPLATE_TEST_CASE("a waist whose section holds a thigh is on the trunk's axis, and a root that was placed stays", "",
+                   float, double) {
+    const Body<TestType> body = body_of<TestType>(capsule(0.15, 2, 32, 40));
+    const Slicer<TestType> slicer(body.mesh, body.adjacency);
+    const std::vector legs{leg<TestType>(Side::left, Vec3(0.1, 0, 0.5), -Vec3::UnitZ()),
+                           leg<TestType>(Side::right, Vec3(-0.04, 0, 0.5), -Vec3::UnitZ())};
+    auto placement = with_legs(builtin_template("human21"), TestType(1), legs);
+    placement.put(joint_of(neck), Vec3(0.03, 0, 1.5).cast<TestType>());
+    const Vector3<TestType> root = Vec3(0.01, 0.02, 0.6).cast<TestType>();
+    placement.put(joint_of(pelvis), root);
+    const auto placed_with = [&](const Vec3& up, double largest_section) {
+        TrunkAxis<TestType> axis;
+        axis.place = Vec3(0.05, 0, 0.7).cast<TestType>();
+        axis.up = up.normalized().cast<TestType>();
+        axis.largest_section = static_cast<TestType>(largest_section);
+        const auto placed =
+            place_trunk(placement, legs, slicer, Vector3<TestType>(Vector3<TestType>::Zero()), std::optional(axis));
+        CHECK(placed.at(joint_of(pelvis)) == root);
+        return Vec3(placed.at(joint_of(waist)).template cast<double>());
+    };
+    const double larger = 0.1, smaller = 0.05; // than the section, a disk of radius 0.15
+    const Vec3 own = placed_with(Vec3::UnitZ(), larger), beside = placed_with(Vec3::UnitZ(), smaller);
+    CHECK(std::abs(own.x()) < 1e-5);
+    CHECK(beside.x() == Approx(0.05));
+    CHECK(beside.z() == Approx(own.z()).epsilon(1e-5));
+    const Vec3 leaning = placed_with(Vec3(0.2, 0, 1), smaller);
+    CHECK(leaning.x() == Approx(0.05 + 0.2 * (own.z() - 0.7)));
+    CHECK(leaning.z() == Approx(own.z()).epsilon(1e-5));
+    CHECK(placed_with(Vec3::UnitX(), smaller).x() == Approx(0.03)); // across: tells no height
 }
 
 TEST_CASE("without a neck the trunk ends between the shoulders, without these where the arms branch off") {

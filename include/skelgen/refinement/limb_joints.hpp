@@ -16,7 +16,9 @@ struct NeckOptions {
 
 /// Where the wrist may be.
 struct WristOptions {
-    double window = 0.03; ///< of the forearm: how far from its place the thinnest section is looked for
+    double window = 0.2;   ///< of the forearm: how far from its place the thinnest section is looked for
+    double stiffness = 14; ///< what a section so many forearms off costs, squared, against the logarithm of thickness:
+                           ///< a tenth of the forearm off it must be thinner by 14 %. Calibrated on registered bodies
 };
 
 /// When an elbow or a knee shows where it is.
@@ -41,6 +43,7 @@ inline void validate(const NeckOptions& options) {
 /// \throws Error usage when an option is out of its range.
 inline void validate(const WristOptions& options) {
     core::require_in_range("refinement.wrist.window", options.window, 0.0, 0.5);
+    core::require_in_range("refinement.wrist.stiffness", options.stiffness, 0.0, 1e4);
 }
 
 /// \throws Error usage when an option is out of its range.
@@ -66,7 +69,8 @@ template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_neck(Placement<Scalar> placement, const Limb<Scalar>& limb,
                                            const HeadShape<Scalar>& head, const NeckOptions& options = {});
 
-/// Wrist: the thinnest section near it (LF20 section 3.2.2).
+/// Wrist: the thinnest section near it (LF20 section 3.2.2), the thinner the farther off; between sections where
+/// a parabola through the thinnest one and its neighbours says. Fists and bent elbows spoil its place by ratio.
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_wrist(Placement<Scalar> placement, const Limb<Scalar>& limb,
                                             const WristOptions& options = {});

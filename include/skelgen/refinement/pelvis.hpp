@@ -38,8 +38,9 @@ inline void validate(const PelvisOptions& options) {
 /// Hips and root brought to the pelvis, as trunk and thighs together tell it. Its hips point along the line between the
 /// thighs' and across the trunk, where these agree; it is turned against the trunk as the spine bends between them: by
 /// so much as the hips' line is, and by its part of the flexion of both thighs. From the trunk's place it lies along
-/// the chord of that bend, as far below as the fork and the lengths of the thighs together tell. Hips and knees must
-/// have been placed. None where there are no two legs, or the hips lie along the axis. O(limbs).
+/// the chord of that bend, as far below as the fork and the lengths of the thighs together tell; off the chord, and
+/// turned with it, as the middle between the thighs' hips does, where that is not far off. Hips and knees must have
+/// been placed. None where there are no two legs, or the hips lie along the axis. O(limbs).
 template <typename Scalar>
 [[nodiscard]] std::optional<Placement<Scalar>>
 place_pelvis(Placement<Scalar> placement, const std::vector<Limb<Scalar>>& limbs, const TrunkAxis<Scalar>& axis,

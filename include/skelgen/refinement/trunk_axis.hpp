@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include <skelgen/core/mesh.hpp>
@@ -16,6 +17,8 @@ struct TrunkAxis {
     /// Along which the sections are widest, of either sense: from side to side. As long as they are narrower the other
     /// way, 0 (round) to 1.
     Vector3<Scalar> across = Vector3<Scalar>::Zero();
+    Scalar largest_section =
+        std::numeric_limits<Scalar>::infinity(); ///< area from which on a section holds a thigh, too
 };
 
 /// Finds the axis of the lower trunk by its sections a third to two thirds of a thigh above its fork, or higher where

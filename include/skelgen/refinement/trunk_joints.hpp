@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <skelgen/core/mesh.hpp>
@@ -7,6 +8,7 @@
 #include <skelgen/refinement/cross_section.hpp>
 #include <skelgen/refinement/limbs.hpp>
 #include <skelgen/refinement/placement.hpp>
+#include <skelgen/refinement/trunk_axis.hpp>
 
 namespace skelgen::refinement {
 
@@ -38,12 +40,14 @@ template <typename Scalar>
 
 /// Trunk: from the middle of the hips to the neck (or else to the middle of the shoulders, or else to `junction`, where
 /// the curve's arms branch off), joints at their rest-pose heights; the waist in the centre of its section, and the
-/// nearer to the hips the more they are flexed. Hips must have been placed, and neck and shoulders if there are any;
-/// with `has_root` the root, too, which then stays where it is.
+/// nearer to the hips the more they are flexed. Hips must have been placed, and neck and shoulders if there are any.
+/// With `lower_trunk` the root must have been placed, too, and stays where it is; and where the waist's section holds a
+/// raised thigh, the waist is on that axis at its height.
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_trunk(Placement<Scalar> placement, const std::vector<Limb<Scalar>>& limbs,
                                             const Slicer<Scalar>& slicer, const Vector3<Scalar>& junction,
-                                            bool has_root = false, const TrunkOptions& options = {});
+                                            const std::optional<TrunkAxis<Scalar>>& lower_trunk = std::nullopt,
+                                            const TrunkOptions& options = {});
 
 /// Crotch: nearer to the surface than a thigh is thick, it lies too low and moves towards the waist (LF20 section
 /// 3.2.2), no farther than to the middle of that bone. O(n).

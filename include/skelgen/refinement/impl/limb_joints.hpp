@@ -69,14 +69,29 @@ template <typename Scalar>
 Placement<Scalar> place_wrist(Placement<Scalar> placement, const Limb<Scalar>& limb, const WristOptions& options) {
     const auto found = find_in_limb(limb, placement.skeleton_template(), JointRole::wrist);
     if (!found || *found == 0) return placement;
-    const Scalar window = static_cast<Scalar>(options.window) * (limb.from_tip[*found - 1] - limb.from_tip[*found]);
-    const Scalar centre = arc_of(limb, *found);
+    const Scalar forearm = limb.from_tip[*found - 1] - limb.from_tip[*found];
+    const Scalar window = static_cast<Scalar>(options.window) * forearm, centre = arc_of(limb, *found);
+    const auto cost = [&](Eigen::Index i) {
+        const Scalar off = (limb.line.arc[i] - centre) / forearm;
+        return std::log(limb.line.thickness[i]) + static_cast<Scalar>(options.stiffness) * off * off;
+    };
     Eigen::Index thinnest = -1;
     for (Eigen::Index i = 0; i < limb.line.arc.size(); ++i) {
-        if (std::abs(limb.line.arc[i] - centre) > window || limb.line.area[i] <= 0) continue;
-        if (thinnest < 0 || limb.line.thickness[i] < limb.line.thickness[thinnest]) thinnest = i;
+        if (std::abs(limb.line.arc[i] - centre) > window || !(limb.line.thickness[i] > 0)) continue;
+        if (thinnest < 0 || cost(i) < cost(thinnest)) thinnest = i;
     }
-    if (thinnest >= 0) placement.put(limb.joints[*found], core::point(limb.line.points, thinnest));
+    if (thinnest < 0) return placement;
+    Scalar at = limb.line.arc[thinnest];
+    const bool has_neighbours = thinnest > 0 && thinnest + 1 < limb.line.arc.size() &&
+                                limb.line.thickness[thinnest - 1] > 0 && limb.line.thickness[thinnest + 1] > 0;
+    if (has_neighbours) {
+        const Scalar before = cost(thinnest - 1), here = cost(thinnest), after = cost(thinnest + 1);
+        const Scalar curvature = before - 2 * here + after, most = Scalar(0.5); // of a step
+        if (curvature > 0)
+            at += std::clamp(Scalar(0.5) * (before - after) / curvature, -most, most) *
+                  (limb.line.arc[thinnest + 1] - limb.line.arc[thinnest]);
+    }
+    placement.put(limb.joints[*found], point_on(limb, at));
     return placement;
 }
 

@@ -186,7 +186,7 @@ RefinedJoints<Scalar> refine(const Body<Scalar>& body, const std::vector<EndPoin
     if (with_pelvis) placement = *with_pelvis;
     const int junction = embedding.node_of_joint[static_cast<std::size_t>(placement.find(JointRole::chest))];
     placement = place_trunk(std::move(placement), limbs, slicer, core::point(curve.nodes, junction),
-                            with_pelvis.has_value(), options.trunk);
+                            with_pelvis ? axis : std::nullopt, options.trunk);
     placement = raise_crotch(std::move(placement), limbs, body.mesh, options.crotch);
 
     out.positions = placement.positions();

@@ -108,6 +108,7 @@ std::optional<TrunkAxis<Scalar>> find_trunk_axis(const Slicer<Scalar>& slicer, c
         longer += Scalar(0.5) * (middle + lift - (axis.place - axis.fork).dot(axis.up));
     }
     axis.across = across_sections(slicer, axis, thigh, waist);
+    axis.largest_section = thigh_in_section<Scalar> * waist;
     return axis;
 }
 

@@ -19,6 +19,11 @@ inline constexpr Scalar least_hip_distance = Scalar(0.3);
 template <typename Scalar>
 inline constexpr Scalar waist_section_reach = Scalar(0.16);
 
+/// Cosine of the angle from which on the lower trunk's line runs too much across the way from hips to neck to tell a
+/// height on it. A working value: 60 degrees.
+template <typename Scalar>
+inline constexpr Scalar least_trunk_rise = Scalar(0.5);
+
 /// The crotch is raised in so many steps up to this part of the bone from it to the waist or chest: any higher, it
 /// would no longer be between the hips.
 inline constexpr int crotch_steps = 10;
@@ -68,6 +73,14 @@ Scalar hip_flexion(const Placement<Scalar>& placement, const std::vector<Limb<Sc
     return count > 0 ? sum / count : 0;
 }
 
+/// The place on the trunk's axis at the height of `place` on the way from hips to neck, along the unit vector `up`.
+template <typename Scalar>
+Vector3<Scalar> beside(const Vector3<Scalar>& place, const Vector3<Scalar>& up, const TrunkAxis<Scalar>& trunk) {
+    const Scalar rise = trunk.up.dot(up);
+    if (!(rise > least_trunk_rise<Scalar>)) return place;
+    return trunk.place + (place - trunk.place).dot(up) / rise * trunk.up;
+}
+
 } // namespace detail
 
 template <typename Scalar>
@@ -89,8 +102,8 @@ Placement<Scalar> narrow_hips(Placement<Scalar> placement, const std::vector<Lim
 
 template <typename Scalar>
 Placement<Scalar> place_trunk(Placement<Scalar> placement, const std::vector<Limb<Scalar>>& limbs,
-                              const Slicer<Scalar>& slicer, const Vector3<Scalar>& junction, bool has_root,
-                              const TrunkOptions& options) {
+                              const Slicer<Scalar>& slicer, const Vector3<Scalar>& junction,
+                              const std::optional<TrunkAxis<Scalar>>& lower_trunk, const TrunkOptions& options) {
     using enum JointRole;
     const std::vector<TemplateJoint>& joints = placement.skeleton_template().joints;
     const Vector3<Scalar> low = *placement.middle(hip);
@@ -103,15 +116,19 @@ Placement<Scalar> place_trunk(Placement<Scalar> placement, const std::vector<Lim
     const double rest_high = placement.skeleton_template().joint(top).position.y();
     for (int j = 0; j < static_cast<int>(joints.size()); ++j) {
         const JointRole role = placement.role(j);
-        if (j == top || (role != pelvis && role != waist && role != chest) || (role == pelvis && has_root)) continue;
+        if (j == top || (role != pelvis && role != waist && role != chest) || (role == pelvis && lower_trunk)) continue;
         const double rest = placement.skeleton_template().joint(j).position.y();
         auto height = static_cast<Scalar>((rest - rest_low) / (rest_high - rest_low));
         if (role == waist) height -= static_cast<Scalar>(options.waist_lowering) * flexion;
         const Vector3<Scalar> p = low + height * axis;
         placement.put(j, p);
         if (role != waist) continue;
-        const auto section = slicer.around(p, axis.normalized(), detail::waist_section_reach<Scalar> * axis.norm());
-        if (section && (section->centroid - p).norm() < section->thickness) placement.put(j, section->centroid);
+        const Vector3<Scalar> up = axis.normalized();
+        const auto section = slicer.around(p, up, detail::waist_section_reach<Scalar> * axis.norm());
+        if (lower_trunk && section && section->area > lower_trunk->largest_section)
+            placement.put(j, detail::beside(p, up, *lower_trunk));
+        else if (section && (section->centroid - p).norm() < section->thickness)
+            placement.put(j, section->centroid);
     }
     return placement;
 }
