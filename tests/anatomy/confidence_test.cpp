@@ -119,3 +119,12 @@ TEST_CASE("no joint is surer than the sides, nor than the joints are on average"
     CHECK(by_sides.joints[1].confidence == 0.3);
     CHECK(by_sides.quality.sides_confidence == 0.3);
 }
+
+TEST_CASE("where most joints are unlikely, the sides are not sure either") {
+    KinematicSkeleton<double> skeleton = rest_skeleton<double>();
+    for (Joint<double>& joint : skeleton.joints) joint.confidence = 0.2;
+    skeleton.quality.sides_confidence = 0.9;
+    CHECK(no_surer_than_the_whole(skeleton).quality.sides_confidence == Approx(0.36)); // 0.9 of 0.2 / 0.5
+    for (Joint<double>& joint : skeleton.joints) joint.confidence = 0.5;
+    CHECK(no_surer_than_the_whole(skeleton).quality.sides_confidence == 0.9);
+}

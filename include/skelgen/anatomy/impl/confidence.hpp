@@ -102,7 +102,10 @@ JudgedSkeleton<Scalar> estimate_confidence(KinematicSkeleton<Scalar> skeleton,
 
 template <typename Scalar>
 KinematicSkeleton<Scalar> no_surer_than_the_whole(KinematicSkeleton<Scalar> skeleton) {
-    const double whole = std::min(mean_confidence(skeleton), skeleton.quality.sides_confidence);
+    constexpr double likely = 0.5;
+    const double mean = mean_confidence(skeleton);
+    skeleton.quality.sides_confidence *= std::min(1.0, mean / likely);
+    const double whole = std::min(mean, skeleton.quality.sides_confidence);
     for (Joint<Scalar>& joint : skeleton.joints) joint.confidence = std::min(joint.confidence, whole);
     return skeleton;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <vector>
 
@@ -95,6 +96,26 @@ Scalar flat_end(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, cons
         (point_on(limb, all - *middle) - point_on(limb, all - std::max(length, 3 * *middle))).normalized();
     const auto faces = detail::end_faces(mesh, end, detail::end_size<Scalar> * *middle, along);
     return detail::flat_area(faces, along) / (std::numbers::pi_v<Scalar> * *middle * *middle);
+}
+
+template <typename Scalar>
+Scalar four_sidedness(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, const EndPoint<Scalar>& end,
+                      Scalar length) {
+    constexpr Scalar sideways = Scalar(0.5); // cosine, against the limb's direction
+    const Scalar all = limb.line.arc[limb.line.arc.size() - 1];
+    const Vector3<Scalar> along = (point_on(limb, all) - point_on(limb, all - length)).normalized();
+    const Vector3<Scalar> u = along.unitOrthogonal(), v = along.cross(u);
+    Scalar area = 0;
+    std::complex<Scalar> sum = 0;
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+        if (end.distance[mesh.faces(f, 0)] > length) continue;
+        const Vector3<Scalar> normal = core::face_area_vector(mesh, f);
+        const Scalar size = normal.norm();
+        if (!(std::abs(normal.dot(along)) < sideways * size)) continue;
+        area += size;
+        sum += std::polar(size, 4 * std::atan2(normal.dot(v), normal.dot(u)));
+    }
+    return area > 0 ? std::abs(sum) / area : Scalar(0);
 }
 
 } // namespace skelgen::refinement

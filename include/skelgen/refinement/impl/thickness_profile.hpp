@@ -215,6 +215,10 @@ inline constexpr Scalar worst_lidded_cost = Scalar(20);
 template <typename Scalar>
 inline constexpr Scalar balanced = Scalar(0.6);
 
+/// The limbs of block figures are more four-sided than this: in the midst between boxes and flat wrists.
+template <typename Scalar>
+inline constexpr Scalar box = Scalar(0.6);
+
 /// Does a limb end at wrist or ankle? By what its thickness costs as a whole limb's and as a cut one's, and by how flat
 /// its end is: of these two witnesses each may outvote the other.
 template <typename Scalar>
@@ -251,6 +255,8 @@ shorten_cut_limbs(std::vector<Limb<Scalar>> limbs, const Slicer<Scalar>& slicer,
     for (std::size_t i = 0; i < limbs.size(); ++i) {
         const auto profiled = detail::as_profiled(limbs[i], skeleton_template);
         if (!profiled || profiled->outer + 1 >= limbs[i].joints.size()) continue;
+        if (four_sidedness(slicer.mesh(), limbs[i], ends[i], limbs[i].from_tip[profiled->outer]) > detail::box<Scalar>)
+            continue;
         Limb<Scalar> cut = detail::ending_at(limbs[i], profiled->outer, slicer, ends[i], centreline);
         const Scalar whole_cost = detail::cost_of(limbs[i], skeleton_template, options);
         const Scalar cut_cost = detail::cost_of(cut, skeleton_template, options);
