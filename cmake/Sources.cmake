@@ -79,6 +79,7 @@ set(skelgen_core_headers
     include/skelgen/embedding/loop_cuts.hpp
     include/skelgen/embedding/missing_limbs.hpp
     include/skelgen/embedding/part_contacts.hpp
+    include/skelgen/embedding/proportions.hpp
     include/skelgen/embedding/reduced_graph.hpp
     include/skelgen/embedding/spectral_matching.hpp
     include/skelgen/extract.hpp
@@ -192,6 +193,7 @@ set(skelgen_core_definitions
     include/skelgen/embedding/impl/loop_cuts.hpp
     include/skelgen/embedding/impl/missing_limbs.hpp
     include/skelgen/embedding/impl/part_contacts.hpp
+    include/skelgen/embedding/impl/proportions.hpp
     include/skelgen/embedding/impl/reduced_graph.hpp
     include/skelgen/embedding/impl/spectral_matching.hpp
     include/skelgen/impl/extract.hpp

@@ -4,6 +4,7 @@
 #include <skelgen/embedding/impl/loop_cuts.hpp>
 #include <skelgen/embedding/impl/missing_limbs.hpp>
 #include <skelgen/embedding/impl/part_contacts.hpp>
+#include <skelgen/embedding/impl/proportions.hpp>
 #include <skelgen/embedding/impl/reduced_graph.hpp>
 #include <skelgen/embedding/impl/spectral_matching.hpp>
 
@@ -32,7 +33,9 @@ namespace skelgen::embedding {
                                                   const MatchingOptions&);                                             \
     template std::vector<PartedBody<Scalar>> part_contacts(const Body<Scalar>&, const CurveSkeleton<Scalar>&,          \
                                                            const SkeletonTemplate&, const MatchingOptions&,            \
-                                                           const curve::CurveOptions&);
+                                                           const curve::CurveOptions&);                                \
+    template FittingTemplate fitting_proportions(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,                \
+                                                 const MatchingOptions&);
 
 SKELGEN_INSTANTIATE(float)
 SKELGEN_INSTANTIATE(double)

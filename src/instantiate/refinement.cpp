@@ -36,6 +36,7 @@ namespace skelgen::refinement {
     template Scalar geodesic_diameter(const std::vector<EndPoint<Scalar>>&);                                           \
     template Scalar flat_end(const TriangleMesh<Scalar>&, const Limb<Scalar>&, const EndPoint<Scalar>&, Scalar);       \
     template Scalar open_end(const TriangleMesh<Scalar>&, const Limb<Scalar>&, const EndPoint<Scalar>&, Scalar);       \
+    template Scalar four_sidedness(const TriangleMesh<Scalar>&, const Limb<Scalar>&, const EndPoint<Scalar>&, Scalar); \
     template std::optional<Vector3<Scalar>> fork_between(const TriangleMesh<Scalar>&, const EndPoint<Scalar>&,         \
                                                          const EndPoint<Scalar>&);                                     \
     template Points<Scalar> way_between(const TriangleMesh<Scalar>&, const EndPoint<Scalar>&, const EndPoint<Scalar>&, \

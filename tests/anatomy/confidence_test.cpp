@@ -118,7 +118,13 @@ TEST_CASE("no joint is surer than the sides, nor than the joints are on average"
     CHECK(by_sides.joints[0].confidence == 0.3);
     CHECK(by_sides.joints[1].confidence == 0.3);
     CHECK(by_sides.quality.sides_confidence == 0.3);
-    for (Joint<double>& joint : skeleton.joints) joint.confidence = 0.4;
-    skeleton.quality.sides_confidence = 0.9; // of a skeleton whose joints are doubtful
-    CHECK(no_surer_than_the_whole(skeleton).quality.sides_confidence == Approx(0.68));
+}
+
+TEST_CASE("where most joints are unlikely, the sides are not sure either") {
+    KinematicSkeleton<double> skeleton = rest_skeleton<double>();
+    for (Joint<double>& joint : skeleton.joints) joint.confidence = 0.2;
+    skeleton.quality.sides_confidence = 0.9;
+    CHECK(no_surer_than_the_whole(skeleton).quality.sides_confidence == Approx(0.9 * 0.2 / 0.55));
+    for (Joint<double>& joint : skeleton.joints) joint.confidence = 0.6;
+    CHECK(no_surer_than_the_whole(skeleton).quality.sides_confidence == 0.9);
 }

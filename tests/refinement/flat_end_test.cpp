@@ -94,3 +94,22 @@ TEST_CASE("a mesh with edges as long as its limb is thick says nothing") {
     CHECK(flatness<double>(coarse, length) == 0);
     CHECK(flatness<double>(cylinder(radius, length), length) > 0.9);
 }
+
+TEMPLATE_TEST_CASE("a block's arm looks to four sides, a round one does not", "", float, double) {
+    const auto measured = [](const Mesh& mesh, double top) {
+        const Body<TestType> body = body_of<TestType>(mesh);
+        const Limb<TestType> limb = limb_along<TestType>({Vec3::Zero(), Vec3(0, 0, top)}, {0}, {0.5}, radius);
+        return four_sidedness(body.mesh, limb, end_point_near(body, Vec3(0, 0, top)), TestType(0.4));
+    };
+    Mesh arm = box(Vec3(0.08, 0.1, length), 3);
+    const Vec3 low = arm.vertices.colwise().minCoeff().transpose();
+    arm.vertices.rowwise() -= low.transpose();
+    CHECK(measured(arm, length) > 0.95);
+    for (Eigen::Index v = 0; v < arm.vertices.rows(); ++v) { // turned about its length
+        const double x = arm.vertices(v, 0), y = arm.vertices(v, 1);
+        arm.vertices(v, 0) = 0.8 * x - 0.6 * y;
+        arm.vertices(v, 1) = 0.6 * x + 0.8 * y;
+    }
+    CHECK(measured(arm, length) > 0.95);
+    CHECK(measured(capsule(radius, length), length + radius) < 0.2);
+}

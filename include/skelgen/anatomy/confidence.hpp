@@ -30,8 +30,9 @@ estimate_confidence(KinematicSkeleton<Scalar> skeleton, const SkeletonTemplate& 
 
 /// No joint is surer than the whole skeleton: where the sides may be exchanged its limbs are elsewhere, and its front
 /// is its back; where many bones are of unlikely lengths, those that are not are so by chance. Confidences come down to
-/// `sides_confidence`, and to their own mean over the joints that are there. Nor are the sides of a skeleton sure whose
-/// joints are not: `sides_confidence` comes down to 1.7 times that mean. O(joints).
+/// `sides_confidence`, and to their own mean over the joints that are there. Where that mean is below 0.55, limbs may
+/// have been mistaken, or it is no person's skeleton, and `sides_confidence` falls as far below: horses have a mean of
+/// 0.2. O(joints).
 template <typename Scalar>
 [[nodiscard]] KinematicSkeleton<Scalar> no_surer_than_the_whole(KinematicSkeleton<Scalar> skeleton);
 

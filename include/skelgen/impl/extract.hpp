@@ -22,6 +22,7 @@
 #include <skelgen/embedding/loop_cuts.hpp>
 #include <skelgen/embedding/missing_limbs.hpp>
 #include <skelgen/embedding/part_contacts.hpp>
+#include <skelgen/embedding/proportions.hpp>
 #include <skelgen/refinement/end_points.hpp>
 #include <skelgen/surface/canonical_form.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
@@ -53,16 +54,27 @@ inline Failure too_compact_a_shape() {
     return {FailureReason::no_body, "no human body: too compact a shape for one with arms and legs"};
 }
 
+inline Failure too_long_a_shape() {
+    return {FailureReason::no_body, "no single human body: too thin and long a shape for one"};
+}
+
 /// A body reaches far for its surface: toe to fingertip takes 1.34 (very heavy, or in a coat) to 1.85 times (thin) the
-/// square root of its area; a ball 0.9, a dog 1.2, two people hand in hand 2.2: measured on registered and generated
-/// bodies and objects. `diameter` is geodesic, for unit area.
+/// square root of its area, drawn figures with large heads and short limbs 1.2; a ball 0.9, a toy koala 1, a dog 1.2,
+/// two people hand in hand 2.2: measured on registered and generated bodies, figures and objects. `diameter` is
+/// geodesic, for unit area.
 template <typename Scalar>
 std::optional<Failure> not_slender(Scalar diameter) {
-    constexpr Scalar least = Scalar(1.26), most = Scalar(2.1);
+    constexpr Scalar least = Scalar(1.15), most = Scalar(2.1);
     if (diameter < least) return too_compact_a_shape();
-    if (diameter > most)
-        return Failure{FailureReason::no_body, "no single human body: too thin and long a shape for one"};
+    if (diameter > most) return too_long_a_shape();
     return std::nullopt;
+}
+
+/// Is a body so compact, `diameter` as above, that it may as well be an animal's?
+template <typename Scalar>
+bool is_stout(Scalar diameter) {
+    constexpr Scalar least = Scalar(1.26);
+    return diameter < least;
 }
 
 /// A heavy body whose hands lie on it still reaches from head to toe, 1.05 times the square root of its area: what does
@@ -200,13 +212,16 @@ struct Attempt {
 
 template <typename Scalar>
 Attempt<Scalar> fit_to_curve(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found,
-                             const SkeletonTemplate& wanted, const ExtractOptions& options) {
+                             const SkeletonTemplate& given, const ExtractOptions& options) {
+    constexpr double trust_in_odd = 0.7, trust_in_stout = 0.5;
     const CurveSkeleton<Scalar>& curve = found.curve;
     Stopwatch stage;
     StageTimings timings;
     const auto failed = [&](const Failure& failure) { return Attempt<Scalar>{failure, timings}; };
     if (found.is_point) return failed(too_compact_a_shape());
 
+    const embedding::FittingTemplate fitting = embedding::fitting_proportions(curve, given, options.matching);
+    const SkeletonTemplate& wanted = fitting.skeleton_template;
     const Outcome<embedding::Embedding> embedding = embedding::embed(curve, wanted, options.matching);
     if (!embedding) return failed(embedding.failure());
     if (const auto failure = not_single(curve, *embedding)) return failed(*failure);
@@ -237,6 +252,11 @@ Attempt<Scalar> fit_to_curve(const Body<Scalar>& body, const curve::CurveResult<
     const double fitted = distortion > well_fitted ? well_fitted / distortion : 1;
     completed->skeleton =
         less_certain(std::move(completed->skeleton), all_matched * fitted * (is_folded ? trust_in_grown_together : 1));
+    if (fitting.is_odd || is_stout(diameter)) {
+        completed->skeleton =
+            less_certain(std::move(completed->skeleton), is_stout(diameter) ? trust_in_stout : trust_in_odd);
+        completed->skeleton.quality.warnings.push_back("unusual proportions: it may be none of a human body");
+    }
     if (!embedding->is_least)
         completed->skeleton.quality.warnings.push_back(
             "the curve skeleton has too many branches to try all matches: limbs may be mistaken");
@@ -254,12 +274,33 @@ inline constexpr int most_attempts = 3;
 /// So many misplaced joints make a skeleton doubtful.
 inline constexpr int suspicious = 3;
 
+/// Where stout arms hang beside the trunk their own sections are few, and centring may draw their junctions down the
+/// trunk: what the template does not fit well then is left as it was after few rounds of that, if it fits well so.
+template <typename Scalar>
+std::optional<curve::CurveResult<Scalar>> less_centred(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve,
+                                                       const SkeletonTemplate& wanted, const ExtractOptions& options) {
+    constexpr int few = 3; // one coarse round, and two of those that join branches
+    if (options.curve.centring.rounds <= few) return std::nullopt;
+    if (!embedding::fitting_proportions(curve, wanted, options.matching).fits_badly) return std::nullopt;
+    curve::CurveOptions less = options.curve;
+    less.centring.rounds = few;
+    curve::CurveResult<Scalar> found = find_curve(body, less);
+    const bool fits = embedding::embed(found.curve, wanted, options.matching) &&
+                      !embedding::fitting_proportions(found.curve, wanted, options.matching).fits_badly;
+    return fits ? std::optional(std::move(found)) : std::nullopt;
+}
+
 /// The best of some attempts with curves of ever finer proxies, each half as fine again as the last one; the first
 /// where little looks wrong ends it.
 template <typename Scalar>
-Attempt<Scalar> fit_to_finer_curves(const Body<Scalar>& body, const curve::CurveResult<Scalar>& curve,
+Attempt<Scalar> fit_to_finer_curves(const Body<Scalar>& body, const curve::CurveResult<Scalar>& given,
                                     const SkeletonTemplate& wanted, const ExtractOptions& options, int attempts) {
+    Stopwatch first;
+    const auto less = less_centred(body, given.curve, wanted, options);
+    const curve::CurveResult<Scalar>& curve = less ? *less : given;
+    const double more_curves = first.lap();
     Attempt<Scalar> best = fit_to_curve(body, curve, wanted, options);
+    best.timings.curve += more_curves;
     curve::CurveOptions finer = options.curve;
     for (int attempt = 1; attempt < attempts; ++attempt) {
         const bool good = best.outcome && best.outcome->misplaced < suspicious && best.outcome->curve.converged;
@@ -584,13 +625,15 @@ Outcome<FittedBody<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh
         Outcome<Fit<Scalar>> found = fit_opened(*body, wanted, options, attempts, is_envelope);
         if (found) timings = timings + found->timings;
         found = judged_by_surface(std::move(found), *body, remedy, mesh);
+        // What is thin where gaps are open is no body where they are closed: that takes long on boards and bars.
+        const bool is_too_long = is_envelope && !found && found.failure().what == too_long_a_shape().what;
         if (!found && !first) first = std::pair(*body, remedy);
         const bool better = found && (!best || !*best || sureness(found->skeleton) > sureness((*best)->skeleton));
         if (better || !best) {
             best = std::move(found);
             best_body = *std::move(body);
         }
-        if (*best && sureness((*best)->skeleton) >= sure) break;
+        if (is_too_long || (*best && sureness((*best)->skeleton) >= sure)) break;
     }
     if (!*best && best->failure().reason == FailureReason::no_match && first) {
         auto& [body, remedy] = *first;

@@ -22,6 +22,13 @@ template <typename Scalar>
 [[nodiscard]] Scalar open_end(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, const EndPoint<Scalar>& end,
                               Scalar length);
 
+/// How much a limb's surface, over `length` from its end, looks to four sides at right angles: 0 where it is round, 0.2
+/// where it is twice as wide as thick, 1 on a box, as the arms of block figures are: their ends are flat, and no
+/// thinner than the rest. `end` is the limb's. O(n).
+template <typename Scalar>
+[[nodiscard]] Scalar four_sidedness(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb,
+                                    const EndPoint<Scalar>& end, Scalar length);
+
 } // namespace skelgen::refinement
 
 #ifdef SKELGEN_HEADER_ONLY

@@ -102,13 +102,12 @@ JudgedSkeleton<Scalar> estimate_confidence(KinematicSkeleton<Scalar> skeleton,
 
 template <typename Scalar>
 KinematicSkeleton<Scalar> no_surer_than_the_whole(KinematicSkeleton<Scalar> skeleton) {
-    // A working value: among 400 registered bodies, sound and damaged, those whose joints are likely by less than a
-    // half are a few in a hundred, and some of these are mistaken.
-    constexpr double sides_beside_joints = 1.7;
-    const double joints = mean_confidence(skeleton);
-    double& sides = skeleton.quality.sides_confidence;
-    sides = std::min(sides, sides_beside_joints * joints);
-    const double whole = std::min(joints, sides);
+    // A working value: among 400 registered bodies, sound and damaged, those whose joints are less likely are a few in
+    // a hundred, and some of these are mistaken.
+    constexpr double likely = 0.55;
+    const double mean = mean_confidence(skeleton);
+    skeleton.quality.sides_confidence *= std::min(1.0, mean / likely);
+    const double whole = std::min(mean, skeleton.quality.sides_confidence);
     for (Joint<Scalar>& joint : skeleton.joints) joint.confidence = std::min(joint.confidence, whole);
     return skeleton;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -173,6 +174,26 @@ Scalar open_end(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, cons
     if (!(section > 0)) return 0;
     const Scalar share = std::min(seen / (detail::whole_hole<Scalar> * section), Scalar(1));
     return seen > detail::across<Scalar> * area.norm() ? share : std::min(share, detail::aside<Scalar>);
+}
+
+template <typename Scalar>
+Scalar four_sidedness(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, const EndPoint<Scalar>& end,
+                      Scalar length) {
+    constexpr Scalar sideways = Scalar(0.5); // cosine, against the limb's direction
+    const Scalar all = limb.line.arc[limb.line.arc.size() - 1];
+    const Vector3<Scalar> along = (point_on(limb, all) - point_on(limb, all - length)).normalized();
+    const Vector3<Scalar> u = along.unitOrthogonal(), v = along.cross(u);
+    Scalar area = 0;
+    std::complex<Scalar> sum = 0;
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+        if (end.distance[mesh.faces(f, 0)] > length) continue;
+        const Vector3<Scalar> normal = core::face_area_vector(mesh, f);
+        const Scalar size = normal.norm();
+        if (!(std::abs(normal.dot(along)) < sideways * size)) continue;
+        area += size;
+        sum += std::polar(size, 4 * std::atan2(normal.dot(v), normal.dot(u)));
+    }
+    return area > 0 ? std::abs(sum) / area : Scalar(0);
 }
 
 } // namespace skelgen::refinement

@@ -219,6 +219,10 @@ inline constexpr Scalar open_lid = Scalar(0.45);
 template <typename Scalar>
 inline constexpr Scalar balanced = Scalar(0.6);
 
+/// The limbs of block figures are more four-sided than this: in the midst between boxes and flat wrists.
+template <typename Scalar>
+inline constexpr Scalar box = Scalar(0.6);
+
 /// What a limb's end looks like: see flat_end and open_end.
 template <typename Scalar>
 struct EndShape {
@@ -264,6 +268,8 @@ shorten_cut_limbs(std::vector<Limb<Scalar>> limbs, const Slicer<Scalar>& slicer,
     for (std::size_t i = 0; i < limbs.size(); ++i) {
         const auto profiled = detail::as_profiled(limbs[i], skeleton_template);
         if (!profiled || profiled->outer + 1 >= limbs[i].joints.size()) continue;
+        if (four_sidedness(slicer.mesh(), limbs[i], ends[i], limbs[i].from_tip[profiled->outer]) > detail::box<Scalar>)
+            continue;
         Limb<Scalar> cut = detail::ending_at(limbs[i], profiled->outer, slicer, ends[i], centreline);
         const Scalar whole_cost = detail::cost_of(limbs[i], skeleton_template, options);
         const Scalar cut_cost = detail::cost_of(cut, skeleton_template, options);

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include <skelgen/core/curve_skeleton.hpp>
+#include <skelgen/core/header_only.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/embedding/spectral_matching.hpp>
+
+namespace skelgen::embedding {
+
+/// How large head and limbs are beside the trunk, as multiples of the template's: the head from its joint on, arms
+/// below the shoulders, legs below the hips, with their thickness; and how far apart the hips are.
+struct Proportions {
+    double head = 1, arms = 1, legs = 1, hips = 1;
+};
+
+/// The template with these proportions, its trunk else as it was. O(joints).
+[[nodiscard]] SkeletonTemplate with_proportions(const SkeletonTemplate& skeleton_template,
+                                                const Proportions& proportions);
+
+/// A template as it fits a curve.
+struct FittingTemplate {
+    SkeletonTemplate skeleton_template;
+    bool is_odd = false;     ///< its proportions are other than those that were given
+    bool fits_badly = false; ///< it can be laid into the curve, but much distorted, as all of the like
+};
+
+/// Of the template and its like with the proportions of children and of drawn figures the one that is least distorted
+/// by being laid into the curve. Another than the given one only where that is much distorted, and it less than half as
+/// much and hardly: animals are, with any proportions. A template that lacks a limb stays as it is. As embed, for each
+/// of them, but for curves that fit the given one well, which most bodies' do: these take no time.
+template <typename Scalar>
+[[nodiscard]] FittingTemplate fitting_proportions(const CurveSkeleton<Scalar>& curve,
+                                                  const SkeletonTemplate& skeleton_template,
+                                                  const MatchingOptions& options = {});
+
+} // namespace skelgen::embedding
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/embedding/impl/proportions.hpp>
+#endif
