@@ -188,11 +188,12 @@ TEST_CASE("the longest way between the ends of the embedded template is one from
     const CurveSkeleton<double> curve = human_curve();
     const Embedding found = embedded(curve);
     const core::CurveGraph<double> graph = core::curve_graph(curve);
+    const auto node = [](JointRole role, Side side) { return find_joint(builtin_template("human21"), role, side); };
     double longest = 0;
-    for (const char* foot : {"left_foot", "right_foot"})
-        for (const char* hand : {"left_hand", "right_hand"}) {
-            const auto distance = core::shortest_paths(graph, index(foot)).distance;
-            longest = std::max(longest, distance[static_cast<std::size_t>(index(hand))]);
+    for (const Side leg : {Side::left, Side::right})
+        for (const Side arm : {Side::left, Side::right}) {
+            const auto distance = core::shortest_paths(graph, node(JointRole::foot, leg)).distance;
+            longest = std::max(longest, distance[static_cast<std::size_t>(node(JointRole::hand, arm))]);
         }
     CHECK(longest > 0);
     CHECK(matched_diameter(curve, found) == Approx(longest));
