@@ -188,7 +188,9 @@ TEST_CASE("the longest way between the ends of the embedded template is one from
     const CurveSkeleton<double> curve = human_curve();
     const Embedding found = embedded(curve);
     const core::CurveGraph<double> graph = core::curve_graph(curve);
-    const auto node = [](JointRole role, Side side) { return find_joint(builtin_template("human21"), role, side); };
+    const auto node = [&](JointRole role, Side side) {
+        return found.node_of_joint[static_cast<std::size_t>(find_joint(builtin_template("human21"), role, side))];
+    };
     const auto way = [&](int from, int to) {
         return core::shortest_paths(graph, from).distance[static_cast<std::size_t>(to)];
     };
