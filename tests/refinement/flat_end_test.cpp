@@ -38,7 +38,7 @@ std::vector<int> ring_at(const Mesh& mesh, double height) {
     std::vector<int> ring;
     for (int v = 0; v < mesh.vertices.rows(); ++v) {
         const double from_axis = mesh.vertices.row(v).head<2>().norm();
-        if (std::abs(mesh.vertices(v, 2) - height) < 1e-9 && from_axis > radius / 2) ring.push_back(v);
+        if (std::abs(mesh.vertices(v, 2) - height) < 1e-9 && from_axis > 0.99 * radius) ring.push_back(v);
     }
     const auto angle = [&](int v) { return std::atan2(mesh.vertices(v, 1), mesh.vertices(v, 0)); };
     std::sort(ring.begin(), ring.end(), [&](int a, int b) { return angle(a) < angle(b); });

@@ -47,7 +47,7 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] Scalar unmatched_share(const CurveSkeleton<Scalar>& curve, const Embedding& embedding);
 
-/// The longest way along the curve between two ends of the chains: about toe to fingertip. O(k log k).
+/// The longest way along the curve between two ends of the chains. O(k log k).
 template <typename Scalar>
 [[nodiscard]] Scalar matched_diameter(const CurveSkeleton<Scalar>& curve, const Embedding& embedding);
 

@@ -94,9 +94,9 @@ inline constexpr double well_fitted = 0.006;
 /// the skeleton be trusted: a working value, that of bodies which were cut.
 inline constexpr double trust_in_grown_together = 0.75;
 
-/// What folds up and has grown together with itself reaches less far over its surface, while its curve, toe to
-/// fingertip, stays as long as a body's: 1.04 to 1.22 times its reach over the surface on registered bodies, 1.08 on
-/// average. Only what the template fits well is taken for such a one.
+/// What folds up and has grown together with itself reaches less far over its surface, while the longest
+/// way along its curve stays as long as a body's: 1.04 to 1.22 times its reach over the surface on registered
+/// bodies, 1.08 on average. Only what the template fits well is taken for such a one.
 template <typename Scalar>
 bool is_folded_body(const CurveSkeleton<Scalar>& curve, const embedding::Embedding& embedding, Scalar unmatched) {
     constexpr Scalar longer = Scalar(1.08), most_unmatched = Scalar(0.1);
