@@ -28,8 +28,9 @@ struct FittingTemplate {
 
 /// Of the template and its like with the proportions of children and of drawn figures the one that is least distorted
 /// by being laid into the curve. Another than the given one only where that is much distorted, and it less than half as
-/// much and hardly: animals are, with any proportions. A template that lacks a limb stays as it is. As embed, for each
-/// of them, but for curves that fit the given one well, which most bodies' do: these take no time.
+/// much and hardly, with next to nothing left over: animals do not fit so, with any proportions. A template that lacks
+/// a limb stays as it is. As embed, for each of them, but for curves that fit the given one well, which most bodies'
+/// do: these take no time.
 template <typename Scalar>
 [[nodiscard]] FittingTemplate fitting_proportions(const CurveSkeleton<Scalar>& curve,
                                                   const SkeletonTemplate& skeleton_template,

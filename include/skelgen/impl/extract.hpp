@@ -13,6 +13,7 @@
 
 #include <skelgen/anatomy/complete.hpp>
 #include <skelgen/anatomy/confidence.hpp>
+#include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geodesics.hpp>
 #include <skelgen/core/geometry.hpp>
@@ -61,20 +62,13 @@ inline Failure too_long_a_shape() {
 /// A body reaches far for its surface: toe to fingertip takes 1.34 (very heavy, or in a coat) to 1.85 times (thin) the
 /// square root of its area, drawn figures with large heads and short limbs 1.2; a ball 0.9, a toy koala 1, a dog 1.2,
 /// two people hand in hand 2.2: measured on registered and generated bodies, figures and objects. `diameter` is
-/// geodesic, for unit area.
+/// geodesic, for unit area; `is_figure`: a drawn figure's proportions fit, and an adult's do not.
 template <typename Scalar>
-std::optional<Failure> not_slender(Scalar diameter) {
-    constexpr Scalar least = Scalar(1.15), most = Scalar(2.1);
-    if (diameter < least) return too_compact_a_shape();
+std::optional<Failure> not_slender(Scalar diameter, bool is_figure) {
+    constexpr Scalar least = Scalar(1.26), least_of_figures = Scalar(1.15), most = Scalar(2.1);
+    if (diameter < (is_figure ? least_of_figures : least)) return too_compact_a_shape();
     if (diameter > most) return too_long_a_shape();
     return std::nullopt;
-}
-
-/// Is a body so compact, `diameter` as above, that it may as well be an animal's?
-template <typename Scalar>
-bool is_stout(Scalar diameter) {
-    constexpr Scalar least = Scalar(1.26);
-    return diameter < least;
 }
 
 /// A heavy body whose hands lie on it still reaches from head to toe, 1.05 times the square root of its area: what does
@@ -83,7 +77,7 @@ template <typename Scalar>
 std::optional<Failure> too_compact(const Body<Scalar>& body) {
     constexpr Scalar least = Scalar(1.05), estimated = Scalar(0.95); // the latter of the diameter, at least
     const Scalar most = core::geodesic_diameter(body.graph) / estimated;
-    return most < least ? not_slender(most) : std::nullopt;
+    return most < least ? std::optional(too_compact_a_shape()) : std::nullopt;
 }
 
 /// So little distorted, per pair, the template is in whole bodies, and is to be without a limb in others: see
@@ -101,7 +95,7 @@ template <typename Scalar>
 bool is_folded_body(const CurveSkeleton<Scalar>& curve, const embedding::Embedding& embedding, Scalar unmatched) {
     constexpr Scalar longer = Scalar(1.08), most_unmatched = Scalar(0.1);
     return embedding::distortion_per_pair(embedding) < well_fitted && unmatched < most_unmatched &&
-           !not_slender(embedding::matched_diameter(curve, embedding) / longer);
+           !not_slender(embedding::matched_diameter(curve, embedding) / longer, false);
 }
 
 /// A person's arm, as a part of the curve: a sixth.
@@ -213,7 +207,7 @@ struct Attempt {
 template <typename Scalar>
 Attempt<Scalar> fit_to_curve(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found,
                              const SkeletonTemplate& given, const ExtractOptions& options) {
-    constexpr double trust_in_odd = 0.7, trust_in_stout = 0.5;
+    constexpr double trust_in_odd = 0.5; // as animals may have such proportions, too: a working value
     const CurveSkeleton<Scalar>& curve = found.curve;
     Stopwatch stage;
     StageTimings timings;
@@ -234,7 +228,7 @@ Attempt<Scalar> fit_to_curve(const Body<Scalar>& body, const curve::CurveResult<
 
     const auto ends = refinement::find_end_points(body, curve, *embedding, wanted);
     const Scalar diameter = refinement::geodesic_diameter(ends);
-    const auto failure_of_shape = not_slender(diameter);
+    const auto failure_of_shape = not_slender(diameter, fitting.is_odd);
     const bool is_folded = failure_of_shape && is_folded_body(curve, *embedding, unmatched);
     if (failure_of_shape && !is_folded) return failed(*failure_of_shape);
     const auto joints = refinement::refine(body, ends, curve, *embedding, wanted, options.refinement);
@@ -252,9 +246,8 @@ Attempt<Scalar> fit_to_curve(const Body<Scalar>& body, const curve::CurveResult<
     const double fitted = distortion > well_fitted ? well_fitted / distortion : 1;
     completed->skeleton =
         less_certain(std::move(completed->skeleton), all_matched * fitted * (is_folded ? trust_in_grown_together : 1));
-    if (fitting.is_odd || is_stout(diameter)) {
-        completed->skeleton =
-            less_certain(std::move(completed->skeleton), is_stout(diameter) ? trust_in_stout : trust_in_odd);
+    if (fitting.is_odd) {
+        completed->skeleton = less_certain(std::move(completed->skeleton), trust_in_odd);
         completed->skeleton.quality.warnings.push_back("unusual proportions: it may be none of a human body");
     }
     if (!embedding->is_least)
@@ -275,12 +268,16 @@ inline constexpr int most_attempts = 3;
 inline constexpr int suspicious = 3;
 
 /// Where stout arms hang beside the trunk their own sections are few, and centring may draw their junctions down the
-/// trunk: what the template does not fit well then is left as it was after few rounds of that, if it fits well so.
+/// trunk: what the template does not fit well then, although nearly all of the curve is matched, is left as it was
+/// after few rounds of that, if it fits well so.
 template <typename Scalar>
 std::optional<curve::CurveResult<Scalar>> less_centred(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve,
                                                        const SkeletonTemplate& wanted, const ExtractOptions& options) {
-    constexpr int few = 3; // one coarse round, and two of those that join branches
-    if (options.curve.centring.rounds <= few) return std::nullopt;
+    constexpr int few = 3;                 // one coarse round, and two of those that join branches
+    constexpr Scalar hardly = Scalar(0.1); // of the chains' length
+    const auto embedding = embedding::embed(curve, wanted, options.matching);
+    if (options.curve.centring.rounds <= few || !embedding || core::cycle_count(curve) > 0) return std::nullopt;
+    if (embedding::unmatched_share(curve, *embedding) > hardly) return std::nullopt;
     if (!embedding::fitting_proportions(curve, wanted, options.matching).fits_badly) return std::nullopt;
     curve::CurveOptions less = options.curve;
     less.centring.rounds = few;

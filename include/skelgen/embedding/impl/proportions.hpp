@@ -26,6 +26,10 @@ inline constexpr double well_fitted_body = 0.006;
 /// and toy animals 0.004 to 0.008.
 inline constexpr double well_fitted_figure = 0.004;
 
+/// And so little of the curve is to be left over, as a part of the chains: a dog's tail and ears are 0.4, figures have
+/// less than 0.1.
+inline constexpr double left_over = 0.15;
+
 } // namespace detail
 
 SKELGEN_INLINE SkeletonTemplate with_proportions(const SkeletonTemplate& skeleton_template,
@@ -66,6 +70,7 @@ FittingTemplate fitting_proportions(const CurveSkeleton<Scalar>& curve, const Sk
         SkeletonTemplate other = with_proportions(skeleton_template, proportions);
         const auto found = embed(curve, other, options);
         if (!found || !(distortion_per_pair(*found) < least)) continue;
+        if (static_cast<double>(unmatched_share(curve, *found)) > detail::left_over) continue;
         least = distortion_per_pair(*found);
         out = {std::move(other), true, false};
     }
