@@ -29,7 +29,7 @@ struct Body {
                                       ///< empty where `source` says it all: no two of the input share one
     int dropped_pieces = 0;           ///< connected pieces smaller than this one, left out
     std::vector<std::string> repairs; ///< what was done to the input and how much, one sentence each
-    std::vector<std::vector<int>> rims; ///< per hole of the input that was closed the vertices around it, in order
+    std::vector<std::vector<int>> rims = {}; ///< per hole of the input that was closed the vertices around it, in order
 };
 
 namespace surface {
