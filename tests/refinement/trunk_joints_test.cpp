@@ -125,9 +125,8 @@ TEMPLATE_TEST_CASE("a waist whose section holds a thigh is on the trunk's axis, 
     const Vector3<TestType> root = Vec3(0.01, 0.02, 0.6).cast<TestType>();
     placement.put(joint_of(pelvis), root);
     const auto placed_with = [&](const Vec3& up, double largest_section) {
-        TrunkAxis<TestType> axis;
-        axis.place = Vec3(0.05, 0, 0.7).cast<TestType>();
-        axis.up = up.normalized().cast<TestType>();
+        TrunkAxis<TestType> axis{Vec3(0.05, 0, 0.7).cast<TestType>(), up.normalized().cast<TestType>(),
+                                 Vec3(0.05, 0, 0.55).cast<TestType>()};
         axis.largest_section = static_cast<TestType>(largest_section);
         const auto placed =
             place_trunk(placement, legs, slicer, Vector3<TestType>(Vector3<TestType>::Zero()), std::optional(axis));

@@ -151,7 +151,8 @@ template <typename Scalar>
 int drop_grown_plates(const TriangleMesh<Scalar>& mesh, std::vector<bool>& keep) {
     constexpr double least_side = 0.05;                               // of the area: soles have 1.5 % each (LB44)
     constexpr Scalar thickness = Scalar(0.06), slack = Scalar(0.003); // of the size
-    constexpr Scalar sunk = Scalar(0.03);                             // of the size: an ankle's height is 0.04 (LB44)
+    constexpr Scalar sunk = Scalar(0.03); // of the size: how far soles may have gone through; ankles are 0.04 high
+    constexpr double most_sunk = 0.03;    // of the area: both soles (LB44)
     const std::vector<FlatSide<Scalar>> sides =
         flat_sides(mesh, least_side * static_cast<core::Accumulator>(core::surface_area(mesh)));
     const Scalar size = core::bounding_diagonal(mesh.vertices);
@@ -161,6 +162,10 @@ int drop_grown_plates(const TriangleMesh<Scalar>& mesh, std::vector<bool>& keep)
         bool is_outermost = true;
         for (int v = 0; v < static_cast<int>(mesh.vertices.rows()) && is_outermost; ++v)
             is_outermost = depth(v) > -sunk * size;
+        core::Accumulator beyond = 0;
+        for (Eigen::Index f = 0; f < mesh.faces.rows() && is_outermost; ++f)
+            if (depth(mesh.faces(f, 0)) < -slack * size) beyond += core::face_area_vector(mesh, f).norm();
+        is_outermost = is_outermost && beyond <= most_sunk * static_cast<core::Accumulator>(core::surface_area(mesh));
         if (!is_outermost) continue;
         Scalar deepest = -1;
         for (const FlatSide<Scalar>& inner : sides) {
