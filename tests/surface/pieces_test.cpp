@@ -51,7 +51,7 @@ TEST_CASE("a plate grown to a body is left out where the body has sunk through i
         Mesh both = side_by_side(tube, moved_by(plate, way));
         const auto corner = static_cast<int>(tube.vertices.rows()); // a face from one to the other makes them one piece
         both.faces.conservativeResize(both.faces.rows() + 1, 3);
-        both.faces.row(both.faces.rows() - 1) << 0, corner, corner + 1;
+        both.faces.row(both.faces.rows() - 1) << corner, corner + 1, 0;
         return faces_of_body(both);
     };
     const BodyFaces body = kept(0.1);
