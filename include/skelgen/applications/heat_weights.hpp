@@ -28,7 +28,7 @@ template <typename Scalar>
 /// The weights with narrower bends: squared, with rows that sum to 1 again. Where vertices follow two joints alike,
 /// linear skinning draws them towards the joint: the narrower that is, the less volume a bent limb loses, and the more
 /// its edges stretch. With squares a forearm or calf bent by 90 degrees loses 5 % instead of 13 %, and edges stretch to
-/// twice and a half instead of nearly twice their length (generated and registered bodies). O(n joints).
+/// twice and a half instead of nearly twice their length (six registered bodies). O(n joints).
 [[nodiscard]] JointWeights concentrated(const JointWeights& weights);
 
 /// The weights with no vertex that follows two limbs: of the limbs that move a vertex the strongest does, by as much as
