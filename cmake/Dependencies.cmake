@@ -4,12 +4,12 @@
 # The targets must be known wherever skelgen is linked, also outside this folder when it is part of another project.
 set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
 
-# The core's: headers all of them, but for OpenMesh's core.
+# The core's: headers all of them, and the system's threads.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(OpenMesh REQUIRED CONFIG)
 find_package(nanoflann 1.4 REQUIRED CONFIG)
 find_package(Spectra 1.0 REQUIRED CONFIG)
-set(skelgen_core_libraries nanoflann::nanoflann Spectra::Spectra OpenMeshCore)
+find_package(Threads REQUIRED)
+set(skelgen_core_libraries nanoflann::nanoflann Spectra::Spectra Threads::Threads)
 
 # Files'. Header-only, used in our sources alone: an installed skelgen does not ask for them, nor for the core's headers.
 find_package(nlohmann_json 3.11 REQUIRED)
@@ -36,6 +36,11 @@ skelgen_find_codec(ASSIMP assimp assimp::assimp "FBX and DAE")
 skelgen_find_codec(ZLIB ZLIB ZLIB::ZLIB "and write files compressed by gzip")
 skelgen_find_codec(DRACO draco draco::draco "glTF compressed with Draco")
 skelgen_find_codec(MESHOPTIMIZER meshoptimizer meshoptimizer::meshoptimizer "glTF compressed with meshopt")
+
+# For the tests of the adaptor, and an example.
+if(SKELGEN_BUILD_TESTS)
+  find_package(OpenMesh REQUIRED CONFIG)
+endif()
 
 if(SKELGEN_BUILD_RENDER)
   find_package(PNG REQUIRED)

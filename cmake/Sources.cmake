@@ -16,13 +16,16 @@ set(skelgen_core_headers
     include/skelgen/applications/bone_orientations.hpp
     include/skelgen/applications/bone_sections.hpp
     include/skelgen/applications/bones.hpp
+    include/skelgen/applications/bounded_stretch.hpp
     include/skelgen/applications/canonical_frame.hpp
     include/skelgen/applications/clip_body.hpp
     include/skelgen/applications/correspondence.hpp
     include/skelgen/applications/curve_skin.hpp
     include/skelgen/applications/heat_weights.hpp
     include/skelgen/applications/laplace_basis.hpp
+    include/skelgen/applications/limb_regions.hpp
     include/skelgen/applications/measurement.hpp
+    include/skelgen/applications/mirror_plane.hpp
     include/skelgen/applications/motion_clip.hpp
     include/skelgen/applications/part_axes.hpp
     include/skelgen/applications/part_shares.hpp
@@ -31,6 +34,7 @@ set(skelgen_core_headers
     include/skelgen/applications/retarget.hpp
     include/skelgen/applications/rig.hpp
     include/skelgen/applications/segmentation.hpp
+    include/skelgen/applications/short_borders.hpp
     include/skelgen/applications/skinning.hpp
     include/skelgen/applications/surface_labels.hpp
     include/skelgen/applications/surface_laplacian.hpp
@@ -47,12 +51,16 @@ set(skelgen_core_headers
     include/skelgen/core/line.hpp
     include/skelgen/core/kinematic_skeleton.hpp
     include/skelgen/core/mesh.hpp
+    include/skelgen/core/min_cut.hpp
     include/skelgen/core/options.hpp
     include/skelgen/core/outcome.hpp
+    include/skelgen/core/parallel.hpp
     include/skelgen/core/polyline.hpp
     include/skelgen/core/precision.hpp
     include/skelgen/core/skeleton_template.hpp
+    include/skelgen/core/sort_by_number.hpp
     include/skelgen/core/stage_timings.hpp
+    include/skelgen/core/stopwatch.hpp
     include/skelgen/core/template_rules.hpp
     include/skelgen/curve/attachment.hpp
     include/skelgen/curve/axis_ends.hpp
@@ -83,6 +91,17 @@ set(skelgen_core_headers
     include/skelgen/embedding/reduced_graph.hpp
     include/skelgen/embedding/spectral_matching.hpp
     include/skelgen/extract.hpp
+    include/skelgen/fitting/attempt.hpp
+    include/skelgen/fitting/best_surface.hpp
+    include/skelgen/fitting/extract_options.hpp
+    include/skelgen/fitting/finer_curves.hpp
+    include/skelgen/fitting/fit.hpp
+    include/skelgen/fitting/fitted_body.hpp
+    include/skelgen/fitting/held_things.hpp
+    include/skelgen/fitting/partial_body.hpp
+    include/skelgen/fitting/shape_gates.hpp
+    include/skelgen/fitting/touching_body.hpp
+    include/skelgen/fitting/trust.hpp
     include/skelgen/refinement/bare_joints.hpp
     include/skelgen/refinement/bone_line.hpp
     include/skelgen/refinement/centreline.hpp
@@ -119,15 +138,18 @@ set(skelgen_core_headers
     include/skelgen/surface/open_handles.hpp
     include/skelgen/surface/orientation.hpp
     include/skelgen/surface/pieces.hpp
+    include/skelgen/surface/pockets.hpp
     include/skelgen/surface/prepare.hpp
     include/skelgen/surface/rounded.hpp
     include/skelgen/surface/similarity.hpp
     include/skelgen/surface/small_parts.hpp
     include/skelgen/surface/sound_faces.hpp
     include/skelgen/surface/triangulate_rim.hpp
+    include/skelgen/surface/vertex_clusters.hpp
     include/skelgen/surface/visibility.hpp
     include/skelgen/surface/weld.hpp
     include/skelgen/surface/winding_tree.hpp
+    include/skelgen/surface/without_faces.hpp
     include/skelgen/symmetry/sides.hpp
     include/skelgen/symmetry/standing_pose.hpp
     include/skelgen/version.hpp
@@ -146,12 +168,15 @@ set(skelgen_core_definitions
     include/skelgen/applications/impl/bone_orientations.hpp
     include/skelgen/applications/impl/bone_sections.hpp
     include/skelgen/applications/impl/bones.hpp
+    include/skelgen/applications/impl/bounded_stretch.hpp
     include/skelgen/applications/impl/clip_body.hpp
     include/skelgen/applications/impl/correspondence.hpp
     include/skelgen/applications/impl/curve_skin.hpp
     include/skelgen/applications/impl/heat_weights.hpp
     include/skelgen/applications/impl/laplace_basis.hpp
+    include/skelgen/applications/impl/limb_regions.hpp
     include/skelgen/applications/impl/measurement.hpp
+    include/skelgen/applications/impl/mirror_plane.hpp
     include/skelgen/applications/impl/motion_clip.hpp
     include/skelgen/applications/impl/part_axes.hpp
     include/skelgen/applications/impl/part_shares.hpp
@@ -160,6 +185,7 @@ set(skelgen_core_definitions
     include/skelgen/applications/impl/retarget.hpp
     include/skelgen/applications/impl/rig.hpp
     include/skelgen/applications/impl/segmentation.hpp
+    include/skelgen/applications/impl/short_borders.hpp
     include/skelgen/applications/impl/skinning.hpp
     include/skelgen/applications/impl/surface_labels.hpp
     include/skelgen/core/impl/builtin_templates.hpp
@@ -196,6 +222,15 @@ set(skelgen_core_definitions
     include/skelgen/embedding/impl/proportions.hpp
     include/skelgen/embedding/impl/reduced_graph.hpp
     include/skelgen/embedding/impl/spectral_matching.hpp
+    include/skelgen/fitting/impl/attempt.hpp
+    include/skelgen/fitting/impl/best_surface.hpp
+    include/skelgen/fitting/impl/extract_options.hpp
+    include/skelgen/fitting/impl/finer_curves.hpp
+    include/skelgen/fitting/impl/fit.hpp
+    include/skelgen/fitting/impl/held_things.hpp
+    include/skelgen/fitting/impl/partial_body.hpp
+    include/skelgen/fitting/impl/shape_gates.hpp
+    include/skelgen/fitting/impl/touching_body.hpp
     include/skelgen/impl/extract.hpp
     include/skelgen/refinement/impl/bare_joints.hpp
     include/skelgen/refinement/impl/bone_line.hpp
@@ -232,13 +267,16 @@ set(skelgen_core_definitions
     include/skelgen/surface/impl/open_handles.hpp
     include/skelgen/surface/impl/orientation.hpp
     include/skelgen/surface/impl/pieces.hpp
+    include/skelgen/surface/impl/pockets.hpp
     include/skelgen/surface/impl/prepare.hpp
     include/skelgen/surface/impl/rounded.hpp
     include/skelgen/surface/impl/sound_faces.hpp
     include/skelgen/surface/impl/triangulate_rim.hpp
+    include/skelgen/surface/impl/vertex_clusters.hpp
     include/skelgen/surface/impl/visibility.hpp
     include/skelgen/surface/impl/weld.hpp
     include/skelgen/surface/impl/winding_tree.hpp
+    include/skelgen/surface/impl/without_faces.hpp
     include/skelgen/symmetry/impl/sides.hpp
     include/skelgen/symmetry/impl/standing_pose.hpp
 )
@@ -298,6 +336,7 @@ set(skelgen_synth_headers
     include/skelgen/synth/scan_faults.hpp
     include/skelgen/synth/sets.hpp
     include/skelgen/synth/shape.hpp
+    include/skelgen/synth/skin_places.hpp
     include/skelgen/synth/tubes.hpp
 )
 
@@ -310,6 +349,7 @@ set(skelgen_sources
     src/instantiate/curve.cpp
     src/instantiate/embedding.cpp
     src/instantiate/extract.cpp
+    src/instantiate/fitting.cpp
     src/instantiate/refinement.cpp
     src/instantiate/rigging.cpp
     src/instantiate/surface.cpp
@@ -427,6 +467,7 @@ set(skelgen_synth_sources
     src/synth/proportions.cpp
     src/synth/scan_faults.cpp
     src/synth/sets.cpp
+    src/synth/skin_places.cpp
     src/synth/spine.cpp
     src/synth/stroke_field.cpp
     src/synth/surface_mesher.cpp

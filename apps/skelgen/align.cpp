@@ -35,7 +35,7 @@ void align(const AlignCommand& command, const FittedInput& input) {
     applications::AlignmentOptions options;
     if (command.origin == "floor") options.origin = applications::AlignedOrigin::floor;
     if (command.to_unit_height) options.scale = 1 / applications::standing_height(input.found.body, skeleton);
-    const Eigen::Matrix4d transform = applications::alignment(skeleton, input.mesh.vertices, options);
+    const Eigen::Matrix4d transform = applications::alignment(input.found.body, skeleton, input.mesh.vertices, options);
     const fs::path mesh_file = aligned_file(input.item);
     require_different_files(input.item.mesh, mesh_file.string());
     make_folder(mesh_file.parent_path());

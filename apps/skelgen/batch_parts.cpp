@@ -51,7 +51,7 @@ std::string measurements_text(const BatchItem& item, const FittedFile& body, con
 }
 
 std::string transform_text(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
-    return io::transform_to_json(applications::alignment(body.skeleton(), body.mesh.vertices, {}));
+    return io::transform_to_json(applications::alignment(body.found.body, body.skeleton(), body.mesh.vertices));
 }
 
 std::string curve_text(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {

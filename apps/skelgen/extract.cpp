@@ -20,7 +20,7 @@ struct ExtractCommand {
     std::string skeleton_template = "human21";
     std::string curve;
     int component = 0; ///< 0: the only one
-    int threads = 1;   ///< taken and not used: an extraction runs in one thread
+    int threads = 1;
     bool verbose = false;
     bool quiet = false;
 };
@@ -47,6 +47,7 @@ void run(const ExtractCommand& command) {
     ExtractOptions options;
     options.skeleton_template = in_file("--template", [&] { return load_template(command.skeleton_template); });
     options.prepare.component = command.component;
+    options.threads = command.threads;
     const auto result = in_file(command.mesh.file, [&] {
         try {
             const WaitingLine waiting(command.mesh.file.string(), !command.quiet);
@@ -78,7 +79,8 @@ void add_extract_command(CLI::App& app) {
         ->capture_default_str();
     sub->add_option("--curve", command->curve, "Also write the curve skeleton: .json, .obj, .ply or .swc");
     add_component_option(*sub, command->component);
-    sub->add_option("--threads", command->threads, "Threads to use (not in use yet); the result does not depend on it")
+    sub->add_option("--threads", command->threads,
+                    "Threads that work on it; the result does not depend on their number")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
     CLI::Option* verbose = sub->add_flag("-v,--verbose", command->verbose,

@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include <skelgen/core/parallel.hpp>
+
 namespace skelgen::cli {
 
 FileExtraction extract_file(const MeshInput& input, const ExtractOptions& options) {
@@ -10,6 +12,7 @@ FileExtraction extract_file(const MeshInput& input, const ExtractOptions& option
     const auto ms_since_start = [&] { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); };
 
     FileExtraction result;
+    const core::ThreadScope threads(options.threads);
     result.mesh = load_mesh(input);
     const double read_ms = ms_since_start();
 

@@ -2,10 +2,15 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <limits>
 #include <new>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <skelgen/version.hpp>
 
@@ -106,8 +111,19 @@ void make_signals_errors() {
     std::signal(SIGXFSZ, SIG_IGN);
 }
 
+/// What is freed is kept for the next large list: handed back and asked for again, its pages would have to be cleared
+/// each time, which takes a fifth of the time on large meshes. Memory at the peak stays the same but for a few per
+/// cent.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+    mallopt(M_MMAP_MAX, 0);
+    mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+#endif
+}
+
 int run(int argc, char** argv) {
     make_signals_errors();
+    keep_freed_memory();
     CLI::App app("The kinematic skeleton of a human body, found in its triangle mesh by geometry alone.", "skelgen");
     app.set_version_flag("-V,--version", "skelgen " + std::string(version));
     app.require_subcommand(1);

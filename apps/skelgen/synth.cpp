@@ -150,6 +150,8 @@ void add_shape_options(CLI::App& sub, SynthCommand& command) {
         ->capture_default_str();
     sub.add_option("--shoulder-width", shape.shoulder_width, "Factor, 0.6 to 1.6")->capture_default_str();
     sub.add_option("--hip-width", shape.hip_width, "Factor, 0.6 to 1.6")->capture_default_str();
+    sub.add_option("--mouth", shape.mouth, "0 closed to 1 open, with a cavity as far as the throat")
+        ->capture_default_str();
 }
 
 } // namespace

@@ -30,6 +30,9 @@ namespace skelgen::curve {
     template Eigen::SparseMatrix<core::Accumulator> cotangent_laplacian(const Points<Scalar>&, const Triangles&,       \
                                                                         double);                                       \
     template MedialBalls<Scalar> medial_balls(const TriangleMesh<Scalar>&, Scalar);                                    \
+    template MedialBalls<Scalar> contraction_balls(const TriangleMesh<Scalar>&, const ContractionOptions&);            \
+    template Contraction<Scalar> contract(const TriangleMesh<Scalar>&, const MedialBalls<Scalar>&,                     \
+                                          const ContractionOptions&);                                                  \
     template Contraction<Scalar> contract(const TriangleMesh<Scalar>&, const ContractionOptions&);                     \
     template SplitCurve<Scalar> split_branches(const CurveSkeleton<Scalar>&);                                          \
     template BranchedCurve<Scalar> resampled(BranchedCurve<Scalar>, Scalar);                                           \
@@ -46,7 +49,7 @@ namespace skelgen::curve {
                                                 const std::vector<std::vector<BranchSection<Scalar>>>&,                \
                                                 const Body<Scalar>&, double);                                          \
     template BranchedCurve<Scalar> led_inside(                                                                         \
-        BranchedCurve<Scalar>, const std::vector<std::vector<BranchSection<Scalar>>>&, const TriangleMesh<Scalar>&);   \
+        BranchedCurve<Scalar>, const std::vector<std::vector<BranchSection<Scalar>>>&, const MedialBalls<Scalar>&);    \
     template BranchedCurve<Scalar> reattach_branches(BranchedCurve<Scalar>, const PlacesOfKnots<Scalar>&,              \
                                                      const Body<Scalar>&, Scalar);                                     \
     template BranchedCurve<Scalar> merge_parallel_branches(BranchedCurve<Scalar>, const Body<Scalar>&);                \
@@ -54,7 +57,7 @@ namespace skelgen::curve {
         BranchedCurve<Scalar>, const std::vector<std::vector<BranchSection<Scalar>>>&,                                 \
         const std::vector<Vector3<Scalar>>&, const PlacesOfKnots<Scalar>&, double);                                    \
     template CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar>, const Body<Scalar>&,                       \
-                                                     const TriangleMesh<Scalar>&, const BranchCentringOptions&);       \
+                                                     const MedialBalls<Scalar>&, const BranchCentringOptions&);        \
     template CurveSkeleton<Scalar> curve_with_regions(const CentredBranches<Scalar>&, const Body<Scalar>&,             \
                                                       const std::vector<int>&);                                        \
     template CurveSkeleton<Scalar> connectivity_surgery(const Points<Scalar>&, const Triangles&,                       \

@@ -34,6 +34,8 @@ namespace skelgen::embedding {
     template std::vector<PartedBody<Scalar>> part_contacts(const Body<Scalar>&, const CurveSkeleton<Scalar>&,          \
                                                            const SkeletonTemplate&, const MatchingOptions&,            \
                                                            const curve::CurveOptions&);                                \
+    template Proportions proportions_of(const CurveSkeleton<Scalar>&, const Embedding&, const SkeletonTemplate&);      \
+    template bool legs_go_on(const CurveSkeleton<Scalar>&, const Embedding&, const SkeletonTemplate&);                 \
     template FittingTemplate fitting_proportions(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,                \
                                                  const MatchingOptions&);
 

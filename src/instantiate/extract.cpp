@@ -5,8 +5,6 @@
 namespace skelgen {
 
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
-    template Outcome<Fit<Scalar>> fit(const Body<Scalar>&, const curve::CurveResult<Scalar>&, const SkeletonTemplate&, \
-                                      const ExtractOptions&);                                                          \
     template Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>&, const ExtractOptions&);                  \
     template FittedBody<Scalar> extract_body(const TriangleMesh<Scalar>&, const ExtractOptions&);                      \
     template std::vector<curve::CurveResult<Scalar>> find_curves(const TriangleMesh<Scalar>&, const ExtractOptions&);  \

@@ -39,10 +39,13 @@ namespace skelgen::refinement {
     template Scalar four_sidedness(const TriangleMesh<Scalar>&, const Limb<Scalar>&, const EndPoint<Scalar>&, Scalar); \
     template std::optional<Vector3<Scalar>> fork_between(const TriangleMesh<Scalar>&, const EndPoint<Scalar>&,         \
                                                          const EndPoint<Scalar>&);                                     \
-    template Points<Scalar> way_between(const TriangleMesh<Scalar>&, const EndPoint<Scalar>&, const EndPoint<Scalar>&, \
-                                        Scalar, Scalar);                                                               \
-    template Vector3<Scalar> highest_on(const Points<Scalar>&, const Vector3<Scalar>&, const Vector3<Scalar>&);        \
+    template std::vector<Crossing<Scalar>> crossings_between(const TriangleMesh<Scalar>&, const EndPoint<Scalar>&,     \
+                                                             const EndPoint<Scalar>&, Scalar, Scalar);                 \
+    template Vector3<Scalar> fork_along(const std::vector<Crossing<Scalar>>&, const Vector3<Scalar>&,                  \
+                                        const Vector3<Scalar>&);                                                       \
     template Scalar template_scale(const SkeletonTemplate&, Scalar);                                                   \
+    template Limb<Scalar> shorten_line(Limb<Scalar>);                                                                  \
+    template Points<Scalar> ring_centres(const Slicer<Scalar>&, const EndPoint<Scalar>&, Scalar, Scalar);              \
     template Limb<Scalar> draw_limb(Limb<Scalar>, const Slicer<Scalar>&, const EndPoint<Scalar>&,                      \
                                     const CentrelineOptions&);                                                         \
     template std::vector<Limb<Scalar>> trace_limbs(const Slicer<Scalar>&, const std::vector<EndPoint<Scalar>>&,        \
@@ -77,6 +80,8 @@ namespace skelgen::refinement {
                                           const BoneLineOptions&);                                                     \
     template Placement<Scalar> place_girdle(Placement<Scalar>, const Limb<Scalar>&, const GirdleOptions&,              \
                                             const BoneLineOptions&);                                                   \
+    template Placement<Scalar> place_shoulder_by_trunk(Placement<Scalar>, const Limb<Scalar>&, const Vector3<Scalar>&, \
+                                                       const BendOptions&, const BoneLineOptions&);                    \
     template Placement<Scalar> place_bare_joints(Placement<Scalar>, const CurveSkeleton<Scalar>&,                      \
                                                  const embedding::Embedding&);                                         \
     template Placement<Scalar> narrow_hips(Placement<Scalar>, const std::vector<Limb<Scalar>>&);                       \

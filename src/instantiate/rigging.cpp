@@ -4,8 +4,10 @@
 #include <skelgen/applications/impl/bone_orientations.hpp>
 #include <skelgen/applications/impl/bone_sections.hpp>
 #include <skelgen/applications/impl/bones.hpp>
+#include <skelgen/applications/impl/bounded_stretch.hpp>
 #include <skelgen/applications/impl/curve_skin.hpp>
 #include <skelgen/applications/impl/heat_weights.hpp>
+#include <skelgen/applications/impl/limb_regions.hpp>
 #include <skelgen/applications/impl/pose_transfer.hpp>
 #include <skelgen/applications/impl/posing.hpp>
 #include <skelgen/applications/impl/rig.hpp>
@@ -33,7 +35,10 @@ namespace skelgen::applications {
                                     const std::vector<RigidMotion<Scalar>>&);                                          \
     template Points<Scalar> skinned_linearly(const Points<Scalar>&, const Skin<Scalar>&,                               \
                                              const std::vector<RigidMotion<Scalar>>&);                                 \
-    template Outcome<JointWeights> heat_weights(const Body<Scalar>&, const std::vector<Bone<Scalar>>&, int);           \
+    template Outcome<JointWeights> heat_weights(const std::vector<HeatedPose<Scalar>>&, int, const LimbRegions&);      \
+    template JointWeights with_bounded_stretch(JointWeights, const std::vector<HeldSurface<Scalar>>&,                  \
+                                               const Triangles&, const SkeletonTemplate&, const std::vector<int>&);    \
+    template LimbRegions limb_regions(const Body<Scalar>&, const KinematicSkeleton<Scalar>&, const SkeletonTemplate&); \
     template std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>&, const TriangleMesh<Scalar>&);            \
     template Skin<Scalar> bind(const TriangleMesh<Scalar>&, const Body<Scalar>&, const KinematicSkeleton<Scalar>&,     \
                                const SkeletonTemplate&);                                                               \

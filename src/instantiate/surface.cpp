@@ -16,13 +16,16 @@
 #include <skelgen/surface/impl/open_handles.hpp>
 #include <skelgen/surface/impl/orientation.hpp>
 #include <skelgen/surface/impl/pieces.hpp>
+#include <skelgen/surface/impl/pockets.hpp>
 #include <skelgen/surface/impl/prepare.hpp>
 #include <skelgen/surface/impl/rounded.hpp>
 #include <skelgen/surface/impl/sound_faces.hpp>
 #include <skelgen/surface/impl/triangulate_rim.hpp>
+#include <skelgen/surface/impl/vertex_clusters.hpp>
 #include <skelgen/surface/impl/visibility.hpp>
 #include <skelgen/surface/impl/weld.hpp>
 #include <skelgen/surface/impl/winding_tree.hpp>
+#include <skelgen/surface/impl/without_faces.hpp>
 
 namespace skelgen::surface {
 
@@ -34,11 +37,13 @@ namespace skelgen::surface {
                                                          const FaceTree<Scalar>&, const Vector3<Scalar>&, Scalar);     \
     template class LevelSets<Scalar>;                                                                                  \
     template PlanarRelation<Scalar> relate(const Contour<Scalar>&, const Vector3<Scalar>&, const Vector3<Scalar>&);    \
-    template std::optional<Contour<Scalar>> contour_around(const TriangleMesh<Scalar>&, const Triangles&,              \
-                                                           const FaceTree<Scalar>&, const Vector3<Scalar>&,            \
-                                                           const Vector3<Scalar>&, Scalar);                            \
+    template std::optional<ContourAround<Scalar>> contour_around(const TriangleMesh<Scalar>&, const Triangles&,        \
+                                                                 const FaceTree<Scalar>&, const Vector3<Scalar>&,      \
+                                                                 const Vector3<Scalar>&, Scalar);                      \
     template Eigen::AlignedBox<Scalar, 3> robust_box(const TriangleMesh<Scalar>&);                                     \
     template Triangles faces_within_reach(const TriangleMesh<Scalar>&);                                                \
+    template Welding find_welds(const TriangleMesh<Scalar>&, Scalar, const std::vector<bool>&);                        \
+    template WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>&, Welding);                                            \
     template WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>&, Scalar, const std::vector<bool>&);                   \
     template std::vector<bool> in_closed_pieces(const TriangleMesh<Scalar>&, const std::vector<int>&);                 \
     template Visibility look_out(const TriangleMesh<Scalar>&, const FaceTree<Scalar>&, const std::vector<int>&, int);  \
@@ -47,9 +52,10 @@ namespace skelgen::surface {
     template TriangleMesh<Scalar> rounded(const TriangleMesh<Scalar>&);                                                \
     template bool is_sound(const TriangleMesh<Scalar>&);                                                               \
     template CleanMesh<Scalar> clean(const TriangleMesh<Scalar>&);                                                     \
+    template CleanMesh<Scalar> clean_in_own_axes(const TriangleMesh<Scalar>&);                                         \
     template std::optional<std::vector<std::array<int, 3>>> triangulate_rim(const TriangleMesh<Scalar>&, const Rim&,   \
                                                                             const std::function<bool(int, int)>&);     \
-    template FilledSurface<Scalar> fill_holes(const TriangleMesh<Scalar>&, double);                                    \
+    template FilledSurface<Scalar> fill_holes(const TriangleMesh<Scalar>&, double, const std::vector<bool>&);          \
     template Lattice<Scalar> lattice_around(const TriangleMesh<Scalar>&, Scalar, int);                                 \
     template SparseGrid<Scalar> distance_band(const TriangleMesh<Scalar>&, const Lattice<Scalar>&, Scalar);            \
     template class WindingTree<Scalar>;                                                                                \
@@ -60,16 +66,21 @@ namespace skelgen::surface {
     template TriangleMesh<Scalar> smoothed(TriangleMesh<Scalar>, int, const DenoiseOptions&);                          \
     template Scalar bulge_coherence(const TriangleMesh<Scalar>&);                                                      \
     template DenoisedMesh<Scalar> remove_noise(TriangleMesh<Scalar>, const DenoiseOptions&);                           \
+    template CanonicalPlaces<Scalar> canonical_places(const TriangleMesh<Scalar>&);                                    \
+    template ClusteredMesh<Scalar> cluster_vertices(const TriangleMesh<Scalar>&, Eigen::Index);                        \
     template CanonicalMesh<Scalar> canonical_form(const TriangleMesh<Scalar>&);                                        \
     template std::vector<ManifoldParts<Scalar>> manifold_parts(const TriangleMesh<Scalar>&, double);                   \
     template ManifoldParts<Scalar> largest_manifold_part(const TriangleMesh<Scalar>&);                                 \
+    template ManifoldParts<Scalar> manifold_part_of_sound(const TriangleMesh<Scalar>&);                                \
     template CutSurface<Scalar> cut_surface(const TriangleMesh<Scalar>&, const std::vector<int>&,                      \
                                             const std::vector<int>&);                                                  \
     template CutSurface<Scalar> cut_along(const TriangleMesh<Scalar>&, const Triangles&,                               \
                                           const std::vector<std::vector<int>>&);                                       \
     template CreaseGraph<Scalar> crease_graph(const TriangleMesh<Scalar>&, const Triangles&);                          \
     template std::vector<HandleLoop<Scalar>> handle_loops(const CreaseGraph<Scalar>&, int, Scalar);                    \
-    template std::optional<Body<Scalar>> open_handles(const Body<Scalar>&);                                            \
+    template Body<Scalar> without_faces(const Body<Scalar>&, const std::vector<bool>&);                                \
+    template std::optional<Body<Scalar>> open_handles(const Body<Scalar>&, Contacts);                                  \
+    template std::optional<Body<Scalar>> close_pockets(const Body<Scalar>&);                                           \
     template Body<Scalar> make_body(TriangleMesh<Scalar>, const Similarity<Scalar>&, std::vector<int>, int);           \
     template bool is_inside(const Body<Scalar>&, const Vector3<Scalar>&);                                              \
     template Body<Scalar> resurfaced(Body<Scalar>, TriangleMesh<Scalar>, std::vector<int>);                            \
@@ -77,7 +88,7 @@ namespace skelgen::surface {
     template KinematicSkeleton<Scalar> to_input(const Body<Scalar>&, const KinematicSkeleton<Scalar>&);                \
     template KinematicSkeleton<Scalar> to_body(const Body<Scalar>&, const KinematicSkeleton<Scalar>&);                 \
     template void require_surface(const TriangleMesh<Scalar>&);                                                        \
-    template BodyFaces faces_of_body(const TriangleMesh<Scalar>&, int);                                                \
+    template BodyFaces faces_of_body(const TriangleMesh<Scalar>&, int, bool);                                          \
     template UsedPart<Scalar> used_part(const TriangleMesh<Scalar>&);                                                  \
     template BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>&, const PrepareOptions&);                          \
     template Outcome<Body<Scalar>> make_body_by(Remedy, const BodyMaterial<Scalar>&, const PrepareOptions&);           \

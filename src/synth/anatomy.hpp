@@ -20,6 +20,10 @@ namespace skelgen::synth {
 /// Skull, face and ears around the head joint.
 [[nodiscard]] std::vector<Blob> head(const Proportions& proportions);
 
+/// What is hollow behind parted lips, around the head joint: as deep as `proportions.mouth` says, from halfway on down
+/// towards the throat.
+[[nodiscard]] std::vector<Blob> mouth(const Proportions& proportions);
+
 /// z down the limb from the upper joint. Every section is symmetric about the bone between the joints.
 [[nodiscard]] std::vector<Blob> upper_arm(const Proportions& proportions);
 [[nodiscard]] std::vector<Blob> forearm(const Proportions& proportions);

@@ -41,4 +41,17 @@ std::vector<Blob> head(const Proportions& p) {
     return blobs;
 }
 
+std::vector<Blob> mouth(const Proportions& p) {
+    const double h = p.head_scale, deep = p.mouth;
+    const auto at = [h](double y, double z) -> Vec3 { return h * Vec3(0, y, z); };
+    const Vec3 palate = at(std::lerp(-0.080, -0.030, deep), -0.020);
+    std::vector<Blob> blobs{{Ellipsoid{at(-0.105, -0.029), h * Vec3(0.019, 0.030, 0.007)}, 0}};
+    blobs.push_back({RoundCone{at(-0.080, -0.029), palate, 0.014 * h, 0.023 * h}, 0.004 * h});
+    const double throat = std::max(0.0, deep - 0.5); // goes down behind the tongue
+    if (throat > 0)
+        blobs.push_back(
+            {RoundCone{palate, palate + at(0.05 * throat, -0.10 * throat), 0.018 * h, 0.012 * h}, 0.004 * h});
+    return blobs;
+}
+
 } // namespace skelgen::synth

@@ -9,7 +9,6 @@
 #include <skelgen/core/error.hpp>
 
 #include "body_surface.hpp"
-#include "clothing.hpp"
 #include "geodesic.hpp"
 #include "implicit_body.hpp"
 #include "pieces.hpp"
@@ -34,9 +33,6 @@ bool beyond_any(BodyJoint joint, const std::vector<BodyJoint>& cuts) {
         if (std::find(cuts.begin(), cuts.end(), joint_parent(joint)) != cuts.end()) return true;
     return false;
 }
-
-/// Gap that a mesh of the usual fineness keeps open, for a body of 1.75 m.
-constexpr double least_gap = 0.007;
 
 void check_faces(int faces) {
     if (faces >= least_faces && faces <= most_faces) return;
@@ -75,12 +71,7 @@ SynthBody synthesize_body(const BodyPlan& plan) {
     check_faces(plan.faces);
     check_pose(plan.pose);
     const Proportions proportions = proportions_of(plan.shape);
-    ImplicitBody field(proportions, plan.pose);
-    if (!plan.may_touch && field.clearance() < least_gap / 2 * proportions.scale)
-        throw Error(ErrorCode::usage, "parts of the body touch or sink into each other in this pose: spread the limbs");
-    for (const BodyJoint joint : plan.missing) field.leave_out(joint);
-    const ImplicitBody naked = field;
-    for (const Garment garment : plan.clothes) put_on(field, proportions, garment);
+    const ImplicitBody field = dressed_field(plan, proportions);
 
     SynthBody body;
     body.mesh = mesh_surface(surface_of(field, proportions), plan.faces, !plan.may_touch);
@@ -96,7 +87,7 @@ SynthBody synthesize_body(const BodyPlan& plan) {
         if (!beyond_any(end_points[i].beyond, plan.missing))
             body.truth.end_points.emplace_back(end_points[i].name, body.mesh.vertices.row(tips[i]).transpose());
     if (plan.pieces.any()) {
-        body.mesh = put_together(naked, field, proportions, plan.pieces, plan.faces);
+        body.mesh = put_together(naked_field(plan, proportions), field, proportions, plan.pieces, plan.faces);
         body.mesh.vertices.col(2).array() -= ground;
     }
     if (plan.faults.any()) body.mesh = with_scan_faults(body.mesh, plan.faults);

@@ -2,7 +2,25 @@
 
 #include <algorithm>
 
+#include <skelgen/core/error.hpp>
+
+#include "clothing.hpp"
+
 namespace skelgen::synth {
+
+ImplicitBody naked_field(const BodyPlan& plan, const Proportions& proportions) {
+    ImplicitBody field(proportions, plan.pose);
+    if (!plan.may_touch && field.clearance() < least_gap / 2 * proportions.scale)
+        throw Error(ErrorCode::usage, "parts of the body touch or sink into each other in this pose: spread the limbs");
+    for (const BodyJoint joint : plan.missing) field.leave_out(joint);
+    return field;
+}
+
+ImplicitBody dressed_field(const BodyPlan& plan, const Proportions& proportions) {
+    ImplicitBody field = naked_field(plan, proportions);
+    for (const Garment garment : plan.clothes) put_on(field, proportions, garment);
+    return field;
+}
 
 ImplicitSurface surface_of(const ImplicitBody& body, const Proportions& proportions) {
     const Vector3<double> middle = body.skeleton().position(BodyJoint::crotch);
@@ -13,6 +31,7 @@ ImplicitSurface surface_of(const ImplicitBody& body, const Proportions& proporti
         const Ball bound = body.part_bound(static_cast<PartName>(i));
         radius = std::max(radius, (bound.centre - middle).norm() + bound.radius);
     }
+    radius = std::max(radius, body.reach_of_carried(middle) + 0.02 * proportions.scale);
     return {[&body](const Vec3& p) { return body(p); }, [&body](const Vec3& p) { return body.grain(p); }, middle,
             radius};
 }

@@ -12,7 +12,8 @@
 namespace skelgen::synth {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Garment>, 10> garments{{{"boots", Garment::boots},
+constexpr std::array<std::pair<std::string_view, Garment>, 13> garments{{{"axe", Garment::axe},
+                                                                         {"boots", Garment::boots},
                                                                          {"coat", Garment::coat},
                                                                          {"hat", Garment::hat},
                                                                          {"horns", Garment::horns},
@@ -20,6 +21,8 @@ constexpr std::array<std::pair<std::string_view, Garment>, 10> garments{{{"boots
                                                                          {"mittens", Garment::mittens},
                                                                          {"rucksack", Garment::rucksack},
                                                                          {"skirt", Garment::skirt},
+                                                                         {"staff", Garment::staff},
+                                                                         {"sword", Garment::sword},
                                                                          {"tail", Garment::tail},
                                                                          {"trousers", Garment::trousers}}};
 
@@ -263,10 +266,57 @@ void put_on_tail(ImplicitBody& body, double k) {
                      {0.048 * k, 0.042 * k, 0.036 * k, 0.031 * k, 0.026 * k, 0.020 * k}, 0.010 * k));
 }
 
+/// A knot of a thing that the right hand grips: how far beyond the thumb, and how thick there; for an adult, in metres.
+struct GripKnot {
+    double beyond_thumb, radius;
+};
+
+/// A straight thing through the palm of the right hand, across it, as it is gripped. Short pieces: their bounds are.
+std::vector<Blob> gripped(const ImplicitBody& body, const std::vector<GripKnot>& knots, double k) {
+    constexpr double longest_piece = 0.15, blend = 0.006;
+    const Part& hand = body.part(PartName::right_hand);
+    std::vector<Vec3> path;
+    std::vector<double> radii;
+    for (std::size_t i = 0; i < knots.size(); ++i) {
+        const GripKnot &to = knots[i], &from = knots[i > 0 ? i - 1 : 0];
+        const int pieces = std::max(1, static_cast<int>(std::abs(to.beyond_thumb - from.beyond_thumb) / longest_piece));
+        for (int piece = i > 0 ? 1 : pieces; piece <= pieces; ++piece) {
+            const double u = static_cast<double>(piece) / pieces;
+            path.push_back(hand.to_world(k * Vec3(0, -std::lerp(from.beyond_thumb, to.beyond_thumb, u), 0.075)));
+            radii.push_back(k * std::lerp(from.radius, to.radius, u));
+        }
+    }
+    return chain(path, radii, blend * k);
+}
+
+void take_staff(ImplicitBody& body, double k) {
+    body.carry(Eigen::Isometry3d::Identity(), gripped(body, {{-0.75, 0.016}, {0.65, 0.018}, {0.80, 0.034}}, k));
+}
+
+void take_sword(ImplicitBody& body, double k) {
+    body.carry(Eigen::Isometry3d::Identity(),
+               gripped(body, {{-0.11, 0.024}, {0, 0.018}, {0.10, 0.020}, {0.85, 0.010}}, k));
+    const Part& hand = body.part(PartName::right_hand);
+    body.carry(Eigen::Isometry3d::Identity(),
+               {{RoundCone{hand.to_world(k * Vec3(-0.10, -0.09, 0.075)), hand.to_world(k * Vec3(0.10, -0.09, 0.075)),
+                           0.014 * k, 0.014 * k},
+                 0.006 * k}});
+}
+
+void take_axe(ImplicitBody& body, double k) {
+    body.carry(Eigen::Isometry3d::Identity(), gripped(body, {{-0.25, 0.018}, {0.55, 0.018}}, k));
+    const Part& hand = body.part(PartName::right_hand);
+    body.carry(Eigen::Isometry3d::Identity(), {{RoundCone{hand.to_world(k * Vec3(0, -0.46, 0.075)),
+                                                          hand.to_world(k * Vec3(0, -0.46, 0.20)), 0.03 * k, 0.06 * k},
+                                                0.01 * k}});
+}
+
 } // namespace
 
 void put_on(ImplicitBody& body, const Proportions& p, Garment garment) {
     switch (garment) {
+    case Garment::axe:
+        return take_axe(body, p.scale);
     case Garment::boots:
         return put_on_boots(body, p);
     case Garment::coat:
@@ -284,6 +334,10 @@ void put_on(ImplicitBody& body, const Proportions& p, Garment garment) {
     case Garment::skirt:
         cover_hips(body, 0.010 * p.scale);
         return add_skirt(body, 0.92, 0.016 * p.scale, 0.045 * p.scale);
+    case Garment::staff:
+        return take_staff(body, p.scale);
+    case Garment::sword:
+        return take_sword(body, p.scale);
     case Garment::tail:
         return put_on_tail(body, p.scale);
     case Garment::trousers:

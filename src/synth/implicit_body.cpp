@@ -19,6 +19,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double widest_blend = 0.06; ///< of all joinings, for a body of 1.75 m
 
 constexpr double cloth_blend = 0.006; ///< of clothes with what is below
+constexpr double lip_blend = 0.003;   ///< of a mouth's cavity with the face
 
 double radians(double degrees) { return degrees * pi / 180; }
 
@@ -144,6 +145,7 @@ ImplicitBody::ImplicitBody(const Proportions& p, const BodyPose& pose)
     build_leg(p, pose, PartName::left_thigh, BodyJoint::left_hip, extremities_[3]);
     build_leg(p, pose, PartName::right_thigh, BodyJoint::right_hip, extremities_[4]);
     for (Part& part : parts_) set_bounds(part.blobs);
+    if (p.mouth > 0) mouth_ = mouth(p), set_bounds(mouth_);
 
     const auto join = [&](PartName part, BodyJoint joint, double range, double strong) {
         joining_[index(part)] = {at(joint), range * k, 0.003, strong * k};
@@ -291,6 +293,13 @@ Ball ImplicitBody::part_bound(PartName name) const {
     return {middle, radius};
 }
 
+double ImplicitBody::reach_of_carried(const Vec3& from) const {
+    double reach = 0;
+    for (const Part& thing : carried_)
+        for (const Capsule& capsule : thing.hull) reach = std::max(reach, capsule.farthest(from));
+    return reach;
+}
+
 double ImplicitBody::limb_value(PartName first, const Vec3& p, double limit) const {
     double field = far_away;
     for (std::size_t i = index(first); i < index(first) + 3; ++i) {
@@ -314,6 +323,8 @@ double ImplicitBody::operator()(const Vec3& p) const {
     bound = std::min(bound, part(PartName::head).distance_bound(p));
     if (part(PartName::head).distance_bound(p) < nearest)
         field = smooth_union(field, part_value(PartName::head, p), blend_around(p, joining_[index(PartName::head)]));
+    if (!mouth_.empty() && part(PartName::head).distance_bound(p) < nearest) // down into the neck, which is the trunk's
+        field = smooth_intersection(field, -evaluate(mouth_, in_part(PartName::head, p), far_away), lip_blend);
     for (std::size_t i = 0; i < limbs.size(); ++i)
         field = smooth_union(field, limbs[i], blend_around(p, joining_[index(limb_roots[i])]));
     for (const Part& thing : carried_)

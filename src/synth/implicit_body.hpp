@@ -107,6 +107,9 @@ public:
     /// The part lies within this ball around its middle.
     [[nodiscard]] Ball part_bound(PartName name) const;
 
+    /// How far from a place what hangs on the body reaches at most.
+    [[nodiscard]] double reach_of_carried(const Vec3& from) const;
+
     [[nodiscard]] const PosedSkeleton& skeleton() const { return skeleton_; }
     [[nodiscard]] const Part& part(PartName name) const { return parts_[static_cast<std::size_t>(name)]; }
 
@@ -127,6 +130,7 @@ private:
     std::array<Part, part_count> parts_;
     std::array<Joining, part_count> joining_{};
     std::vector<Part> carried_;
+    std::vector<Blob> mouth_; ///< what is cut out of head and neck, in the head's coordinates
     std::array<Vec3, 5> extremities_;
 };
 

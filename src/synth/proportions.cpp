@@ -59,6 +59,7 @@ void check_shape(const BodyShape& shape) {
                                  {"shoulder width", shape.shoulder_width, 0.6, 1.6},
                                  {"hip width", shape.hip_width, 0.6, 1.6}})
         check_range(factor.name, factor.value, factor.low, factor.high, " times the average", false);
+    check_range("mouth", shape.mouth, 0, 1, " (closed to open as far as the throat)", false);
     const double height = shape.height > 0 ? shape.height : average_height(shape);
     const auto kilograms = [height](double index) { return std::round(10 * index * height * height) / 10; };
     check_range("weight", shape.weight, kilograms(12), kilograms(60), " kg at this height", true);
@@ -111,6 +112,7 @@ Proportions proportions_of(const BodyShape& given) {
     p.foot_scale = p.ankle_height / 0.082 * (1 + 0.02 * child) * (1 - 0.05 * woman);
     p.shoulder_factor = shape.shoulder_width;
     p.hip_factor = shape.hip_width;
+    p.mouth = shape.mouth;
     p.hip_half_width = p.scale * shape.hip_width * (0.067 + 0.011 * woman - 0.003 * child) * (1 + 0.12 * p.fat);
     p.shoulder_half_width = p.scale * shape.shoulder_width *
                             (0.197 - 0.014 * woman + 0.008 * p.muscle - 0.006 * child) * (1 + 0.10 * p.fat);

@@ -34,6 +34,7 @@ struct Proportions {
     double maturity = 1;    ///< 0 at 5 years, 1 grown up
     double shoulder_factor = 1;
     double hip_factor = 1;
+    double mouth = 0; ///< 0 closed, 1 open as far as the throat
 };
 
 /// \throws Error usage as `check_shape`.

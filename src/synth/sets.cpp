@@ -380,6 +380,40 @@ Plans cartoon(std::uint64_t seed) {
     return plans;
 }
 
+Plans armed(std::uint64_t) {
+    using G = Garment;
+    struct Figure {
+        const char* name;
+        BodyShape shape;
+        std::vector<Garment> wears;
+    };
+    BodyShape wizard = person(60, 1, 1.2), dwarf = wizard, brute = wizard, stout = wizard;
+    wizard.head_size = 1.5, wizard.arm_length = 0.9, wizard.leg_length = 0.7, wizard.hand_size = 1.3;
+    dwarf.head_size = 1.5, dwarf.arm_length = 0.7, dwarf.leg_length = 0.5, dwarf.hand_size = 1.2;
+    dwarf.shoulder_width = 1.2, dwarf.hip_width = 1.4, dwarf.weight = 40;
+    brute.head_size = 1.2, brute.arm_length = 1.3, brute.leg_length = 0.55, brute.hand_size = 1.4;
+    brute.shoulder_width = 1.3, brute.limb_girth = 1.2, brute.foot_size = 1.3;
+    stout.head_size = 1.3, stout.arm_length = 0.8, stout.leg_length = 0.45, stout.limb_girth = 1.2;
+    stout.shoulder_width = 1.2, stout.hip_width = 1.4, stout.weight = 50;
+    const std::vector<Figure> figures{{"shepherd", person(50, 1), {G::staff}},
+                                      {"fencer", person(25, 0), {G::sword}},
+                                      {"woodman", person(40, 1, 0, 95, 0.8), {G::trousers, G::axe}},
+                                      {"wizard", wizard, {G::hat, G::staff}},
+                                      {"dwarf", dwarf, {G::boots, G::axe}},
+                                      {"brute", brute, {G::horns, G::sword}},
+                                      {"stout", stout, {G::boots}}};
+    Plans plans;
+    for (const auto& [name, shape, wears] : figures)
+        for (const bool raised : {false, true}) { // the forearm, so that what it holds stands upright
+            BodyPose pose = dressed_pose(shape, "a");
+            if (raised && wears.back() == G::boots) continue; // holds nothing
+            if (raised) pose.at(J::right_shoulder) = {20, 30, 0}, pose.at(J::right_elbow) = {70, 0, 0};
+            plans.push_back(plan(std::string(name) + (raised ? "-raised" : "-a"), shape, pose));
+            plans.back().clothes = wears;
+        }
+    return plans;
+}
+
 Plans pieces(std::uint64_t) {
     using G = Garment;
     using L = LimbPieces;
@@ -399,12 +433,26 @@ Plans pieces(std::uint64_t) {
     return plans;
 }
 
+Plans mouths(std::uint64_t seed) {
+    const std::vector<std::pair<const char*, BodyShape>> people{
+        {"man", person(30, 1)}, {"woman", person(25, 0)}, {"elder", person(70, 0.3)}};
+    Plans plans;
+    for (const auto& [who, shape] : people)
+        for (const auto& [name, open] : {std::pair{"speaking", 0.5}, {"singing", 0.8}, {"shouting", 1.0}}) {
+            const BodyPose pose =
+                plans.size() % 3 == 0 ? named_pose("a") : random_free_pose(shape, seed + plans.size());
+            plans.push_back(plan(std::string(who) + "-" + name, shape, pose));
+            plans.back().shape.mouth = open;
+        }
+    return plans;
+}
+
 struct NamedSet {
     const char* name;
     Plans (*plans)(std::uint64_t seed);
 };
 
-constexpr std::array<NamedSet, 10> sets{{{"scape", scape},
+constexpr std::array<NamedSet, 12> sets{{{"scape", scape},
                                          {"faust", faust},
                                          {"proportions", proportions},
                                          {"partial", partial},
@@ -413,7 +461,9 @@ constexpr std::array<NamedSet, 10> sets{{{"scape", scape},
                                          {"dressed", dressed},
                                          {"pieces", pieces},
                                          {"cartoon", cartoon},
-                                         {"curled", curled}}};
+                                         {"curled", curled},
+                                         {"mouths", mouths},
+                                         {"armed", armed}}};
 
 } // namespace
 

@@ -1,5 +1,7 @@
 #include <skelgen/applications/alignment.hpp>
 
+#include <cmath>
+
 #include <Eigen/Geometry>
 
 #include <skelgen/core/error.hpp>
@@ -8,6 +10,7 @@
 #include "anatomy/rest_skeleton.hpp"
 #include "catch.hpp"
 #include "mesh_changes.hpp"
+#include "sample_body.hpp"
 
 using namespace skelgen;
 using namespace skelgen::applications;
@@ -80,4 +83,24 @@ TEST_CASE("alignment: what cannot be aligned", "[applications]") {
     KinematicSkeleton<double> headless = skeleton;
     headless.joints.resize(2);
     CHECK_THROWS_WITH(alignment(headless, joints_of(headless)), Catch::Matchers::Contains("left_hip"));
+}
+
+TEST_CASE("alignment: a pelvis's own back says where left is, whatever the hips say", "[applications]") {
+    const SampleBody& sample = sample_body();
+    const Vector3<double> left = pelvis_directions(sample.body, sample.skeleton).left;
+    CHECK(left.norm() == Approx(1));
+    CHECK(std::abs(left.dot(pelvis_directions(sample.body, sample.skeleton).up)) < 1e-9);
+    // The man walks; his own x is his left, to a few degrees.
+    CHECK(left.x() > std::cos(0.1));
+    // Hips whose line is turned by 15 degrees: the back turns it back by most of that.
+    KinematicSkeleton<double> twisted = sample.skeleton;
+    Joint<double>& hip = twisted.joints[static_cast<std::size_t>(find_joint(twisted, "left_hip"))];
+    const Vector3<double> other = twisted.joints[static_cast<std::size_t>(find_joint(twisted, "right_hip"))].position;
+    hip.position = other + Eigen::AngleAxisd(0.26, Vector3<double>::UnitZ()) * (hip.position - other);
+    const double before = std::acos(pelvis_directions(twisted).left.normalized().dot(left)),
+                 after = std::acos(pelvis_directions(sample.body, twisted).left.dot(left));
+    CHECK(before > 0.2);
+    CHECK(after < before / 3);
+    const Eigen::Matrix4d transform = alignment(sample.body, sample.skeleton, sample.mesh.vertices);
+    CHECK((transform.topLeftCorner<3, 3>() * left - Vector3<double>::UnitX()).norm() < 1e-9);
 }

@@ -19,7 +19,7 @@ std::vector<Bone<Scalar>> two_bones() {
 TEMPLATE_TEST_CASE("heat: halves where bones meet, all of a bone far from others", "[applications][weights]", float,
                    double) {
     const auto body = test::body_of<TestType>(test::capsule(0.5, 4));
-    const auto weights = heat_weights(body, two_bones<TestType>(), 3);
+    const auto weights = heat_weights<TestType>({{body, two_bones<TestType>()}}, 3);
     REQUIRE(weights);
     CHECK((weights->rowwise().sum().array() - 1).abs().maxCoeff() < 1e-12);
     CHECK(weights->minCoeff() >= 0);
@@ -39,7 +39,7 @@ TEST_CASE("concentrated weights have narrower bends, the same joint first, and s
     const JointWeights narrow = concentrated(weights);
     CHECK((narrow.rowwise().sum().array() - 1).abs().maxCoeff() < 1e-15);
     CHECK(narrow(0, 0) == 0.5);
-    CHECK(narrow(1, 0) == Approx(0.64 / 0.68));
+    CHECK(narrow(1, 0) == Approx(0.512 / 0.52));
     CHECK(narrow.row(2) == weights.row(2));
 }
 
@@ -47,15 +47,38 @@ TEST_CASE("heat: only bones in sight warm", "[applications][weights]") {
     // Beside the capsule, and nearer to its one side than the bone within.
     std::vector<Bone<double>> bones{{0, {0, 0, 0}, {0, 0, 4}, 0, 0}, {1, {0.6, 0, 0}, {0.6, 0, 4}, 0, 0}};
     const auto body = test::body_of<double>(test::capsule(0.5, 4));
-    const auto weights = heat_weights(body, bones, 2);
+    const auto weights = heat_weights<double>({{body, bones}}, 2);
     REQUIRE(weights);
     for (Eigen::Index v = 0; v < weights->rows(); ++v)
         if (body.mesh.vertices(v, 0) < -0.1) CHECK((*weights)(v, 0) > 0.5);
 
     bones = {{0, {100, 0, 0}, {100, 0, 1}, 0, 0}};
     const auto inside_out = test::body_of<double>(test::capsule(0.5, 4));
-    CHECK(heat_weights(inside_out, bones, 1)); // seen from outside
-    CHECK_FALSE(heat_weights(inside_out, {}, 1));
+    CHECK(heat_weights<double>({{inside_out, bones}}, 1)); // seen from outside
+    CHECK_FALSE(heat_weights<double>({{inside_out, {}}}, 1));
+}
+
+TEST_CASE("heat: bones of a limb warm that limb's region alone", "[applications][weights]") {
+    const auto body = test::body_of<double>(test::capsule(0.5, 4));
+    LimbRegions regions{{0, 1}, std::vector<int>(static_cast<std::size_t>(body.mesh.vertices.rows()), 0)};
+    for (Eigen::Index v = 0; v < body.mesh.vertices.rows(); ++v)
+        if (body.mesh.vertices(v, 2) > 3) regions.of_vertex[static_cast<std::size_t>(v)] = 1;
+    const auto weights = heat_weights<double>({{body, two_bones<double>()}}, 2, regions);
+    REQUIRE(weights);
+    for (Eigen::Index v = 0; v < weights->rows(); ++v) { // the border is where the regions', not the bones', is
+        const double z = body.mesh.vertices(v, 2);
+        if (z < 2.8) CHECK((*weights)(v, 0) > 0.5);
+        if (z > 3.2) CHECK((*weights)(v, 1) > 0.5);
+    }
+}
+
+TEST_CASE("heat: two poses alike give the weights of one", "[applications][weights]") {
+    const auto body = test::body_of<double>(test::capsule(0.5, 4));
+    const auto one = heat_weights<double>({{body, two_bones<double>()}}, 2);
+    const auto two = heat_weights<double>({{body, two_bones<double>()}, {body, two_bones<double>()}}, 2);
+    REQUIRE(one);
+    REQUIRE(two);
+    CHECK((*one - *two).cwiseAbs().maxCoeff() < 1e-12);
 }
 
 TEST_CASE("one limb: where limbs meet the trunk takes what they lose", "[applications][weights]") {

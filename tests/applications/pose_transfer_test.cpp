@@ -38,7 +38,10 @@ TEST_CASE("pose: bones point where the model's do, and keep their lengths", "[ap
     const auto wanted = model(Eigen::Quaterniond(test::random_rotation(2)));
     const PosedBody<double> posed = pose_like(mesh, body, skeleton, wanted, human());
     CHECK(posed.mesh.faces == mesh.faces);
-    CHECK((posed.skeleton.joints[0].position - wanted.joints[0].position).norm() < 1e-12);
+    Eigen::Vector3d way = Eigen::Vector3d::Zero();
+    for (std::size_t j = 0; j < skeleton.joints.size(); ++j)
+        way += posed.skeleton.joints[j].position - wanted.joints[j].position;
+    CHECK(way.norm() < 1e-12); // joints lie where the model's do on average
     for (std::size_t j = 1; j < skeleton.joints.size(); ++j)
         CHECK(bone(posed.skeleton, j) == Approx(bone(skeleton, j)));
     const auto direction = [](const KinematicSkeleton<double>& of, const char* a, const char* b) {
@@ -69,6 +72,10 @@ TEST_CASE("pose: who stands stays on the floor", "[applications][pose]") {
     CHECK(floor.is_stood_on);
     CHECK(floor.up == Eigen::Vector3d::UnitY());
     CHECK(floor.height == 0);
+    auto on_one_leg = standing;
+    for (const char* lifted : {"left_ankle", "left_foot"})
+        on_one_leg.joints[static_cast<std::size_t>(find_joint(on_one_leg, lifted))].position.y() += 0.4;
+    CHECK(floor_of(slab, on_one_leg, human()).is_stood_on);
     slab.vertices.col(1).array() -= 0.5; // feet far above its lowest place
     CHECK_FALSE(floor_of(slab, standing, human()).is_stood_on);
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <skelgen/applications/body_coordinates.hpp>
+#include <skelgen/applications/surface_labels.hpp>
 #include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
@@ -126,7 +128,7 @@ TEST_CASE("segmentation: bad options, skeletons and meshes", "[applications]") {
                           Catch::Matchers::Contains("segmentation.smoothing"));
     }
     SegmentationOptions wide;
-    wide.shoulder = 2;
+    wide.shoulder = 3;
     CHECK_THROWS_WITH(segment(found.body, skeleton, PartSet::bones, wide),
                       Catch::Matchers::Contains("segmentation.shoulder"));
     KinematicSkeleton<double> other = skeleton;
@@ -135,4 +137,25 @@ TEST_CASE("segmentation: bad options, skeletons and meshes", "[applications]") {
     TriangleMesh<double> smaller = sample_mesh();
     smaller.vertices.conservativeResize(100, 3);
     CHECK_THROWS_AS(to_input(segment(found.body, skeleton), found.body, smaller), Error);
+}
+
+TEST_CASE("segmentation: a strip that divides a part becomes that part", "[applications]") {
+    const SampleBody& sample = sample_body();
+    const auto height = [&](Eigen::Index v) {
+        return sample.body.similarity.to_input(core::point(sample.body.mesh.vertices, v)).z();
+    };
+    // Rings around the calves, of the label that the upper body has: the feet below them stay the legs'.
+    std::vector<int> labels;
+    for (Eigen::Index v = 0; v < sample.body.mesh.vertices.rows(); ++v)
+        labels.push_back(height(v) > 1 || (height(v) > 0.3 && height(v) < 0.36) ? 1 : 0);
+    const std::vector<int> whole = in_one_piece(sample.body, labels, 2);
+    int below = 0;
+    for (Eigen::Index v = 0; v < sample.body.mesh.vertices.rows(); ++v) {
+        if (height(v) < 0.36) {
+            ++below;
+            CHECK(whole[static_cast<std::size_t>(v)] == 0);
+        }
+        if (height(v) > 1) CHECK(whole[static_cast<std::size_t>(v)] == 1);
+    }
+    CHECK(below > 100);
 }

@@ -1,21 +1,31 @@
-// extract_skeleton beside CGAL's curve skeleton on the same real bodies, one thread each, their repetitions interleaved
-// so that both meet the same machine. Ours finds named joints where CGAL's ends with the curve.
+// The time and memory that an extraction takes, stage by stage, beside CGAL's curve skeleton of the same mesh in the
+// same process: on bodies of research sets, and on ever finer ones of our own. Ours finds named joints where CGAL's
+// ends with the curve. Prints the table of the README.
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
+#include <fstream>
+#include <functional>
 #include <iostream>
-#include <map>
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include <benchmark/benchmark.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
+#include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/extract.hpp>
 #include <skelgen/io/read_mesh.hpp>
+#include <skelgen/io/write_mesh.hpp>
+#include <skelgen/synth/body.hpp>
 
 #include "cgal_skeleton.hpp"
 
@@ -25,15 +35,99 @@ using namespace skelgen;
 namespace fs = std::filesystem;
 
 constexpr std::size_t meshes_per_set = 4;
-constexpr int repetitions = 7;
-constexpr const char* our_side = "skelgen";
-constexpr const char* their_side = "cgal";
+constexpr Eigen::Index most_for_cgal = 120000; // faces: it takes minutes from there on
 
-struct Subject {
-    std::string name; ///< <set>/<mesh>
-    TriangleMesh<double> mesh;
-    std::unique_ptr<bench::CgalSkeletonizer> cgal;
+/// CPU milliseconds of this process.
+double cpu_ms() {
+    std::timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+double time_of(const std::function<void()>& work) {
+    const double start = cpu_ms();
+    work();
+    return cpu_ms() - start;
+}
+
+/// kB of memory that this process has at once (VmRSS), or has had at most since `forget_peak` (VmHWM); 0 where the
+/// system does not tell.
+double memory_kb(const std::string& field) {
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;)
+        if (word == field + ":") {
+            double value = 0;
+            status >> value;
+            return value;
+        }
+    return 0;
+}
+
+void forget_peak() {
+#ifdef __GLIBC__
+    malloc_trim(0); // what earlier work has left
+#endif
+    std::ofstream("/proc/self/clear_refs") << "5\n";
+}
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// What was measured of one mesh, CPU milliseconds.
+struct Measured {
+    double faces = 0, read = 0, whole = 0, cgal = 0; ///< `cgal`: 0 where it does not take the mesh
+    StageTimings shares;                             ///< of the whole
+    double bytes_per_face = 0;                       ///< at the peak, the mesh apart
 };
+
+/// Medians of so many rounds, in which ours and CGAL's turn is taken one after the other, so that both meet the same
+/// machine.
+Measured measure(const fs::path& file, int rounds) {
+    Measured out;
+    TriangleMesh<double> mesh;
+    std::vector<double> read, whole, cgal;
+    std::size_t nodes = 1; // of its curve
+    std::array<std::vector<double>, 5> stages;
+    for (int round = 0; round < rounds; ++round) read.push_back(time_of([&] { mesh = read_mesh<double>(file); }));
+    out.faces = static_cast<double>(mesh.faces.rows());
+    std::optional<bench::CgalSkeletonizer> other;
+    if (mesh.faces.rows() <= most_for_cgal) other.emplace(mesh);
+    if (other && !other->is_closed()) other.reset();
+    for (int round = 0; round < rounds; ++round) {
+        StageTimings timings;
+        forget_peak();
+        const double before = memory_kb("VmRSS");
+        whole.push_back(time_of([&] { timings = extract_skeleton(mesh).timings; }));
+        out.bytes_per_face = std::max(out.bytes_per_face, 1024 * (memory_kb("VmHWM") - before) / out.faces);
+        const std::array<double, 5> parts{timings.surface, timings.curve, timings.embed, timings.refine, timings.sides};
+        for (std::size_t i = 0; i < parts.size(); ++i) stages[i].push_back(parts[i] / timings.total);
+        if (other) cgal.push_back(time_of([&] { nodes = other->run(); }));
+    }
+    if (nodes == 0) throw Error(ErrorCode::internal, "CGAL found no curve in " + file.string());
+    out.read = median(read);
+    out.whole = median(whole);
+    out.cgal = median(cgal);
+    out.shares = {median(stages[0]), median(stages[1]), median(stages[2]), median(stages[3]), median(stages[4]), 1};
+    return out;
+}
+
+void print_row(const std::string& name, const Measured& m) {
+    const auto percent = [](double share) { return static_cast<int>(std::lround(100 * share)); };
+    const std::string ratio = m.cgal > 0 ? std::to_string(m.whole / m.cgal).substr(0, 5) : "-";
+    std::printf("| %s | %.0f | %.1f | %.0f | %d, %d, %d %% | %s | %.2f |\n", name.c_str(), m.faces, m.read, m.whole,
+                percent(m.shares.surface), percent(m.shares.curve),
+                percent(m.shares.embed + m.shares.refine + m.shares.sides), ratio.c_str(), m.bytes_per_face / 1024);
+    std::fflush(stdout);
+}
+
+void print_head() {
+    std::printf("| mesh | faces | read, ms | whole, ms | surface, curve, joints | of CGAL's curve | kB a face |\n"
+                "|---|---|---|---|---|---|---|\n");
+}
 
 /// At most `count` of the files, evenly spaced in alphabetical order.
 std::vector<fs::path> pick_files(const fs::path& folder, std::size_t count) {
@@ -46,121 +140,102 @@ std::vector<fs::path> pick_files(const fs::path& folder, std::size_t count) {
     return picked;
 }
 
-std::vector<Subject> load_subjects(const fs::path& bodies) {
-    std::vector<fs::path> sets;
-    for (const fs::directory_entry& entry : fs::directory_iterator(bodies / "meshes"))
-        if (entry.is_directory()) sets.push_back(entry.path());
-    std::sort(sets.begin(), sets.end());
-    std::vector<Subject> subjects;
-    for (const fs::path& set : sets)
-        for (const fs::path& file : pick_files(set, meshes_per_set)) {
-            Subject subject{set.filename().string() + "/" + file.stem().string(), read_mesh<double>(file), nullptr};
-            subject.cgal = std::make_unique<bench::CgalSkeletonizer>(subject.mesh);
-            subjects.push_back(std::move(subject));
-        }
-    return subjects;
-}
-
-void run_ours(benchmark::State& state, const Subject& subject) {
-    StageTimings timings;
-    for ([[maybe_unused]] auto step : state) {
-        try {
-            timings = extract_skeleton(subject.mesh).timings;
-        } catch (const Error& error) {
-            state.SkipWithError(error.what());
-            return;
-        }
+/// The medians of a set's bodies.
+Measured of_set(const fs::path& set, int rounds) {
+    constexpr std::array fields{&Measured::faces, &Measured::read, &Measured::whole, &Measured::bytes_per_face};
+    constexpr std::array stages{&StageTimings::surface, &StageTimings::curve, &StageTimings::embed,
+                                &StageTimings::refine, &StageTimings::sides};
+    std::array<std::vector<double>, fields.size()> values;
+    std::array<std::vector<double>, stages.size()> shares;
+    std::vector<double> ratios;
+    for (const fs::path& file : pick_files(set, meshes_per_set)) {
+        const Measured m = measure(file, rounds);
+        for (std::size_t i = 0; i < fields.size(); ++i) values[i].push_back(m.*fields[i]);
+        for (std::size_t i = 0; i < stages.size(); ++i) shares[i].push_back(m.shares.*stages[i]);
+        if (m.cgal > 0) ratios.push_back(m.whole / m.cgal);
     }
-    state.counters["curve_ms"] = timings.curve;
-    state.counters["embed_ms"] = timings.embed;
-    state.counters["refine_ms"] = timings.refine;
-    state.counters["sides_ms"] = timings.sides;
+    Measured out;
+    for (std::size_t i = 0; i < fields.size(); ++i) out.*fields[i] = median(values[i]);
+    for (std::size_t i = 0; i < stages.size(); ++i) out.shares.*stages[i] = median(shares[i]);
+    if (!ratios.empty()) out.cgal = out.whole / median(ratios);
+    return out;
 }
 
-void run_theirs(benchmark::State& state, const Subject& subject) {
-    if (!subject.cgal->is_closed()) {
-        state.SkipWithError("CGAL takes closed meshes only");
-        return;
-    }
-    for ([[maybe_unused]] auto step : state) benchmark::DoNotOptimize(subject.cgal->run());
-}
-
-void register_subject(const Subject& subject) {
-    const auto add = [&](const char* side, void (*run)(benchmark::State&, const Subject&)) {
-        benchmark::RegisterBenchmark((std::string(side) + "/" + subject.name).c_str(),
-                                     [run, &subject](benchmark::State& state) { run(state, subject); })
-            ->Iterations(1)
-            ->Repetitions(repetitions)
-            ->ReportAggregatesOnly(true)
-            ->UseRealTime()
-            ->Unit(benchmark::kMillisecond);
+/// Each face in four, through the middles of its edges.
+TriangleMesh<double> in_four(const TriangleMesh<double>& mesh) {
+    const std::vector<std::array<int, 2>> edges = core::edges_of(mesh.faces);
+    const Eigen::Index n = mesh.vertices.rows();
+    TriangleMesh<double> out;
+    out.vertices.resize(n + static_cast<Eigen::Index>(edges.size()), 3);
+    out.vertices.topRows(n) = mesh.vertices;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+        out.vertices.row(n + static_cast<Eigen::Index>(e)) =
+            (mesh.vertices.row(edges[e][0]) + mesh.vertices.row(edges[e][1])) / 2;
+    const auto middle = [&](int a, int b) {
+        const std::array<int, 2> edge{std::min(a, b), std::max(a, b)};
+        return static_cast<int>(n + (std::lower_bound(edges.begin(), edges.end(), edge) - edges.begin()));
     };
-    add(our_side, run_ours);
-    add(their_side, run_theirs);
+    out.faces.resize(4 * mesh.faces.rows(), 3);
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+        const int a = mesh.faces(f, 0), b = mesh.faces(f, 1), c = mesh.faces(f, 2);
+        const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+        out.faces.row(4 * f) << a, ab, ca;
+        out.faces.row(4 * f + 1) << ab, b, bc;
+        out.faces.row(4 * f + 2) << ca, bc, c;
+        out.faces.row(4 * f + 3) << ab, bc, ca;
+    }
+    return out;
 }
 
-/// Prints and keeps the medians alone, and the errors.
-class MedianKeeper : public benchmark::ConsoleReporter {
-public:
-    MedianKeeper() : ConsoleReporter(OO_None) {}
-
-    void ReportRuns(const std::vector<Run>& runs) override {
-        std::vector<Run> shown;
-        for (const Run& run : runs) {
-            if (run.aggregate_name == "median") medians_[run.run_name.function_name] = run.GetAdjustedRealTime();
-            if (run.aggregate_name == "median" || run.run_type == Run::RT_Iteration) shown.push_back(run);
-        }
-        ConsoleReporter::ReportRuns(shown);
+/// The slope of the line through logarithms of sizes and times: time grows as size to the power of it.
+double growth_exponent(const std::vector<Measured>& rows) {
+    double x = 0, y = 0, xx = 0, xy = 0;
+    const auto n = static_cast<double>(rows.size());
+    for (const Measured& m : rows) {
+        const double size = std::log(m.faces), time = std::log(m.whole);
+        x += size;
+        y += time;
+        xx += size * size;
+        xy += size * time;
     }
+    return (n * xy - x * y) / (n * xx - x * x);
+}
 
-    /// Milliseconds, 0 where the benchmark did not run.
-    [[nodiscard]] double median(const std::string& name) const {
-        const auto found = medians_.find(name);
-        return found == medians_.end() ? 0 : found->second;
+/// Bodies of 25 thousand faces and more, each with twice those of the one before, up to `most`.
+void measure_growth(double most, int rounds) {
+    const fs::path file = fs::temp_directory_path() / ("skelgen-bench-" + std::to_string(::time(nullptr)) + ".off");
+    std::array<TriangleMesh<double>, 2> meshes;
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        meshes[i] = synth::synthesize_body({}, synth::named_pose("walk"), i == 0 ? 25000 : 50000).mesh;
+    std::vector<Measured> rows;
+    for (std::size_t i = 0; static_cast<double>(meshes[i % 2].faces.rows()) <= most; ++i) {
+        TriangleMesh<double>& mesh = meshes[i % 2];
+        write_mesh(file, mesh);
+        rows.push_back(measure(file, mesh.faces.rows() > 500000 ? std::min(rounds, 3) : rounds));
+        print_row("generated", rows.back());
+        mesh = in_four(mesh);
     }
-
-private:
-    std::map<std::string, double> medians_;
-};
-
-void print_ratios(const MedianKeeper& medians, const std::vector<Subject>& subjects) {
-    std::printf("\n%-24s %8s %12s %12s %9s\n", "mesh", "faces", "skelgen ms", "CGAL ms", "ratio");
-    double worst = 0;
-    std::string worst_name = "none";
-    for (const Subject& subject : subjects) {
-        const double ours = medians.median(std::string(our_side) + "/" + subject.name);
-        const double theirs = medians.median(std::string(their_side) + "/" + subject.name);
-        if (ours <= 0 || theirs <= 0) continue;
-        const double ratio = ours / theirs;
-        std::printf("%-24s %8td %12.1f %12.1f %9.3f\n", subject.name.c_str(), subject.mesh.faces.rows(), ours, theirs,
-                    ratio);
-        if (ratio > worst) {
-            worst = ratio;
-            worst_name = subject.name;
-        }
-    }
-    std::printf("worst ratio: %.3f (%s)\n", worst, worst_name.c_str());
+    fs::remove(file);
+    if (rows.size() > 1)
+        std::printf("\nThe whole grows as the number of faces to the power of %.2f.\n", growth_exponent(rows));
 }
 
 int run_benchmarks(int argc, char** argv) {
-    const char* bodies = std::getenv("SKELGEN_BODIES");
-    if (bodies == nullptr || *bodies == '\0') {
-        std::cerr << "skelgen-bench: set SKELGEN_BODIES to a folder that holds meshes/<set>/<mesh>\n";
-        return EXIT_FAILURE;
+    int rounds = 5;
+    double most = 3300000;
+    for (int i = 1; i + 1 < argc; i += 2) {
+        if (std::string(argv[i]) == "--rounds") rounds = std::max(1, std::atoi(argv[i + 1]));
+        if (std::string(argv[i]) == "--most-faces") most = std::atof(argv[i + 1]);
     }
-    std::vector<std::string> texts(argv, argv + argc);
-    texts.insert(texts.begin() + 1, "--benchmark_enable_random_interleaving=true");
-    std::vector<char*> arguments;
-    for (std::string& text : texts) arguments.push_back(text.data());
-    int count = static_cast<int>(arguments.size());
-    benchmark::Initialize(&count, arguments.data());
-    if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return EXIT_FAILURE;
-
-    const std::vector<Subject> subjects = load_subjects(bodies);
-    for (const Subject& subject : subjects) register_subject(subject);
-    MedianKeeper reporter;
-    benchmark::RunSpecifiedBenchmarks(&reporter);
-    print_ratios(reporter, subjects);
+    print_head();
+    if (const char* bodies = std::getenv("SKELGEN_BODIES"); bodies != nullptr && *bodies != '\0') {
+        std::vector<fs::path> sets;
+        for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(bodies) / "meshes"))
+            if (entry.is_directory()) sets.push_back(entry.path());
+        std::sort(sets.begin(), sets.end());
+        for (const fs::path& set : sets) print_row(set.filename().string(), of_set(set, rounds));
+    }
+    measure_growth(most, rounds);
     return EXIT_SUCCESS;
 }
 

@@ -108,6 +108,15 @@ TEST_CASE("contraction refuses options that make no sense") {
     CHECK(throws(ErrorCode::usage, [&] { static_cast<void>(contract(mesh, none)); }));
 }
 
+TEST_CASE("balls are drawn to, whoever looked for them") {
+    const Mesh proxy = proxy_mesh(capsule(0.25, 2), 400);
+    MedialBalls<double> balls = contraction_balls(proxy);
+    const Points<double> expected = contract(proxy).vertices;
+    CHECK(contract(proxy, balls).vertices == expected);
+    balls.centres.rowwise() += Eigen::RowVector3d(0.1, 0, 0);
+    CHECK((contract(proxy, balls).vertices - expected).colwise().mean()[0] > 0.05);
+}
+
 TEST_CASE("contraction keeps every vertex within the surface's bounds", "[slow]") {
     const Mesh proxy = proxy_mesh(three_tubes());
     const Contraction<double> contraction = contract(proxy);

@@ -40,7 +40,7 @@ BranchedCurve<double> shortcut() {
 TEST_CASE("a branch that cuts across from limb to limb is led around inside") {
     const Body<double> body = legs(true);
     const BranchedCurve<double> curve = shortcut();
-    const BranchedCurve<double> led = led_inside(curve, sections_of(curve, body, reach), body.mesh);
+    const BranchedCurve<double> led = led_inside(curve, sections_of(curve, body, reach), balls_in(body));
     REQUIRE(led.branches.size() == 1);
     const Points<double>& line = led.branches[0].line;
     CHECK(core::point(line, 0) == curve.knots[0]);
@@ -55,9 +55,9 @@ TEST_CASE("a branch that cuts across from limb to limb is led around inside") {
 TEST_CASE("a branch inside stays as it is, and one that no way inside replaces") {
     const Body<double> joined = legs(true), apart = legs(false);
     const BranchedCurve<double> inside = branch_through({Vec3(-0.3, 0, 0.05), Vec3(-0.3, 0, 0.9)});
-    CHECK(led_inside(inside, sections_of(inside, joined, reach), joined.mesh).branches[0].line ==
+    CHECK(led_inside(inside, sections_of(inside, joined, reach), balls_in(joined)).branches[0].line ==
           inside.branches[0].line);
     const BranchedCurve<double> across = shortcut();
-    CHECK(led_inside(across, sections_of(across, apart, reach), apart.mesh).branches[0].line ==
+    CHECK(led_inside(across, sections_of(across, apart, reach), balls_in(apart)).branches[0].line ==
           across.branches[0].line);
 }

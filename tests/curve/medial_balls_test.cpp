@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/curve/medial_balls.hpp>
 
 #include "catch.hpp"
@@ -36,6 +37,37 @@ TEMPLATE_TEST_CASE("the balls of a torus lie on its circle", "", float, double) 
     for (Eigen::Index v = 0; v < balls.centres.rows(); ++v) {
         const TestType from_axis = balls.centres.row(v).template head<2>().norm();
         REQUIRE(std::hypot(from_axis - 1, balls.centres(v, 2)) < 0.12 * 0.25);
+    }
+}
+
+namespace {
+
+/// The ball at a vertex as MBC12 has it, by looking at all vertices.
+double shrunk_radius(const Mesh& mesh, const Points<double>& normals, Eigen::Index v, double radius) {
+    const Vec3 p = core::point(mesh.vertices, v), n = core::point(normals, v);
+    for (int step = 0; step < 30; ++step) {
+        const int nearest = core::nearest_point<double>(mesh.vertices, p - radius * n);
+        const Vec3 chord = p - core::point(mesh.vertices, nearest);
+        const double distance = (chord - radius * n).norm(), along = chord.dot(n);
+        if (nearest == v || distance >= radius * (1 - 1e-12) || along <= 0) break;
+        const double shrunk = chord.squaredNorm() / (2 * along);
+        if (1 - chord.squaredNorm() / (2 * shrunk * shrunk) > 0.8) break;
+        radius = shrunk;
+    }
+    return radius;
+}
+
+} // namespace
+
+TEST_CASE("the balls are those that all vertices leave room for, in any unit") {
+    for (const double unit : {1.0, 1e-20, 1e15}) {
+        Mesh mesh = shuffled(three_tubes(), 3);
+        mesh.vertices *= unit;
+        const Points<double> normals = core::vertex_normals(mesh);
+        const MedialBalls<double> balls = medial_balls(mesh, unit);
+        CHECK(balls.faces == mesh.faces);
+        for (Eigen::Index v = 0; v < mesh.vertices.rows(); v += 7)
+            REQUIRE(balls.radii[v] == Approx(shrunk_radius(mesh, normals, v, unit)));
     }
 }
 

@@ -7,6 +7,7 @@
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/geodesics.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/curve/medial_balls.hpp>
 #include <skelgen/surface/body.hpp>
 
 namespace skelgen::test {
@@ -19,6 +20,12 @@ Body<Scalar> body_of(const TriangleMesh<Scalar>& mesh) {
     std::iota(source.begin(), source.end(), 0);
     return {mesh, adjacency, core::surface_graph(mesh, adjacency), surface::FaceTree<Scalar>(mesh), {}, source, {},
             0,    {}};
+}
+
+/// Balls in all of a body.
+template <typename Scalar>
+curve::MedialBalls<Scalar> balls_in(const Body<Scalar>& body) {
+    return curve::medial_balls(body.mesh, std::sqrt(core::surface_area(body.mesh)));
 }
 
 /// A body of that mesh scaled to unit area, as the pipeline does, in the precision asked for.

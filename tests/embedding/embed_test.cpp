@@ -165,7 +165,8 @@ TEST_CASE("what goes on beyond the embedded template is measured") {
     for (const Chain& chain : bare.chains)
         for (std::size_t i = 1; i < chain.nodes.size(); ++i)
             matched += (curve.nodes.row(chain.nodes[i]) - curve.nodes.row(chain.nodes[i - 1])).norm();
-    // A tail of two pieces, 0.02 and 0.03 long, in the middle of a calf.
+    // A tail of two pieces, 0.02 and 0.03 long, in the middle of a thin calf.
+    curve.radii.assign(curve.radii.size(), 0.01);
     const int calf = bare.chains.back().nodes[bare.chains.back().nodes.size() / 2];
     const auto n = static_cast<int>(curve.nodes.rows());
     curve.nodes.conservativeResize(n + 2, 3);
@@ -182,6 +183,13 @@ TEST_CASE("what goes on beyond the embedded template is measured") {
     CHECK(unmatched_reach(curve, bare) == Approx(0.05 / matched));
     CHECK(unmatched_share(curve, bare) == Approx(0.09 / matched));
     CHECK(matched_diameter(curve, bare) == diameter);
+    // What ends within a thicker calf counts nothing, neither does all of a tail whose end alone does.
+    curve.radii[static_cast<std::size_t>(calf)] = 0.045;
+    CHECK(unmatched_share(curve, bare) == Approx(0.05 / matched));
+    curve.nodes.row(n + 1) = curve.nodes.row(calf) + Eigen::RowVector3d(0, 0, -0.01);
+    curve.nodes.row(n) = curve.nodes.row(calf) + Eigen::RowVector3d(0, 0, -0.1);
+    CHECK(unmatched_reach(curve, bare) == 0);
+    CHECK(unmatched_share(curve, bare) == 0);
 }
 
 TEST_CASE("the longest way between the ends of the embedded template is one from a hand") {

@@ -1,5 +1,7 @@
+#include <cmath>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/embedding/proportions.hpp>
@@ -73,12 +75,94 @@ TEST_CASE("head, arms and legs get their proportions, the trunk keeps its own") 
         CHECK((alike.joints[j].position - human.joints[j].position).norm() < 1e-12);
 }
 
+namespace {
+
+/// The template in the curve of its like with these proportions.
+template <typename Scalar>
+Embedding embedded_in(const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template) {
+    const Outcome<Embedding> found = embed(curve, skeleton_template);
+    REQUIRE(found);
+    return *found;
+}
+
+/// The curve with all of a leg below its hip turned by `degrees` forwards.
+CurveSkeleton<double> with_raised_leg(CurveSkeleton<double> curve, Side side, double degrees) {
+    const SkeletonTemplate& human = builtin_template("human21");
+    const Eigen::RowVector3d hip = human.joint(find_joint(human, JointRole::hip, side)).position.transpose();
+    const double angle = degrees * 3.14159265358979 / 180;
+    for (Eigen::Index v = 0; v < curve.nodes.rows(); ++v) {
+        const Eigen::RowVector3d below = curve.nodes.row(v) - hip;
+        if (below.y() >= 0 || (curve.nodes(v, 0) > 0) != (hip.x() > 0) || curve.nodes(v, 1) > 0.87) continue;
+        curve.nodes.row(v) =
+            hip + Eigen::RowVector3d(below.x(), std::cos(angle) * below.y() + std::sin(angle) * below.z(),
+                                     std::cos(angle) * below.z() - std::sin(angle) * below.y());
+    }
+    return curve;
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("proportions are read off a curve, as far as figures have them", "", float, double) {
+    const SkeletonTemplate& human = builtin_template("human21");
+    const double within = std::is_same_v<TestType, float> ? 1e-4 : 1e-9;
+    for (const Proportions& proportions :
+         {Proportions{}, Proportions{1.7, 0.7, 0.6, 1}, Proportions{0.8, 1.1, 0.4, 1}}) {
+        const SkeletonTemplate other = with_proportions(human, proportions);
+        const auto curve = curve_of<TestType>(other);
+        const Proportions found = proportions_of(curve, embedded_in(curve, other), human);
+        CHECK(found.head == Approx(proportions.head).margin(within));
+        CHECK(found.arms == Approx(proportions.arms).margin(within));
+        CHECK(found.legs == Approx(proportions.legs).margin(within));
+        CHECK(found.hips == 1);
+    }
+    const SkeletonTemplate gnome = with_proportions(human, {4, 0.1, 0.1, 1});
+    const auto curve = curve_of<TestType>(gnome);
+    const Proportions found = proportions_of(curve, embedded_in(curve, gnome), human);
+    CHECK(found.head == 2.5);
+    CHECK(found.arms == 0.3);
+    CHECK(found.legs == 0.25);
+}
+
+TEST_CASE("legs go on from the trunk where a body stands, not where one is raised or both are") {
+    const SkeletonTemplate& human = builtin_template("human21");
+    const CurveSkeleton<double> standing = curve_of(human);
+    const Embedding embedding = embedded_in(standing, human);
+    CHECK(legs_go_on(standing, embedding, human));
+    CHECK(legs_go_on(with_raised_leg(standing, Side::left, 30), embedding, human));
+    CHECK_FALSE(legs_go_on(with_raised_leg(standing, Side::left, 80), embedding, human));
+    CHECK_FALSE(legs_go_on(with_raised_leg(standing, Side::right, 80), embedding, human));
+    const auto seated = with_raised_leg(with_raised_leg(standing, Side::left, 85), Side::right, 85);
+    CHECK_FALSE(legs_go_on(seated, embedding, human));
+
+    const SkeletonTemplate legless = without_limb(human, joint_named(human, "left_knee"));
+    CHECK_FALSE(legs_go_on(standing, embedded_in(standing, legless), legless));
+}
+
+TEST_CASE("a figure that stands gets its own proportions, one on four feet does not") {
+    const SkeletonTemplate& human = builtin_template("human21");
+    constexpr Proportions long_arms{0.7, 1.15, 0.3, 1}; // between none of the built-in ones
+    const CurveSkeleton<double> standing = curve_of(with_proportions(human, long_arms));
+    const FittingTemplate fitting = fitting_proportions(standing, human);
+    REQUIRE(fitting.is_odd);
+    CHECK(fitting.skeleton_template.is_adapted);
+    CHECK_FALSE(fitting.fits_badly);
+    CHECK(bone(fitting.skeleton_template, "left_knee") ==
+          Approx(long_arms.legs * bone(human, "left_knee")).epsilon(0.05));
+    CHECK(bone(fitting.skeleton_template, "left_elbow") ==
+          Approx(long_arms.arms * bone(human, "left_elbow")).epsilon(0.05));
+
+    const auto crawling = with_raised_leg(with_raised_leg(standing, Side::left, 85), Side::right, 85);
+    CHECK_FALSE(fitting_proportions(crawling, human).is_odd);
+    CHECK(fitting_proportions(crawling, human).fits_badly);
+}
+
 TEMPLATE_TEST_CASE("an adult's curve keeps the adult's template", "", float, double) {
     const SkeletonTemplate& human = builtin_template("human21");
     const FittingTemplate fitting = fitting_proportions(curve_of<TestType>(human), human);
     CHECK_FALSE(fitting.is_odd);
     CHECK_FALSE(fitting.fits_badly);
     CHECK(bone(fitting.skeleton_template, "left_knee") == bone(human, "left_knee"));
+    CHECK_FALSE(fitting.skeleton_template.is_adapted);
 }
 
 TEMPLATE_TEST_CASE("a figure's curve gets a figure's template", "", float, double) {

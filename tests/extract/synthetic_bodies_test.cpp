@@ -48,6 +48,14 @@ void check_lies_in(const Mesh& mesh, const KinematicSkeleton<double>& skeleton) 
     }
 }
 
+double error_of(const std::string& name, const Extraction<double>& out, const FixtureBody& body) {
+    const auto truth = std::find_if(body.truth.joints.begin(), body.truth.joints.end(),
+                                    [&](const auto& joint) { return joint.first == name; });
+    REQUIRE(truth != body.truth.joints.end());
+    const auto& joint = out.skeleton.joints[static_cast<std::size_t>(find_joint(out.skeleton, name))];
+    return (joint.position - truth->second).norm() / body.truth.scale;
+}
+
 } // namespace
 
 TEST_CASE("joints lie inside of the body, end points on it, and the frame is one") {
@@ -70,19 +78,23 @@ TEST_CASE("joints lie inside of the body, end points on it, and the frame is one
 TEST_CASE("a head of a third of the height ends where its neck is") {
     const FixtureBody body = load_fixture_body("figure");
     const Extraction<double> out = extract_skeleton(body.mesh);
-    const auto error = [&](const std::string& name) {
-        const auto truth = std::find_if(body.truth.joints.begin(), body.truth.joints.end(),
-                                        [&](const auto& joint) { return joint.first == name; });
-        REQUIRE(truth != body.truth.joints.end());
-        const auto& joint = out.skeleton.joints[static_cast<std::size_t>(find_joint(out.skeleton, name))];
-        return (joint.position - truth->second).norm() / body.truth.scale;
-    };
+    const auto error = [&](const std::string& name) { return error_of(name, out, body); };
     CHECK(error("neck") < 0.08); // with an adult's head it would be far inside this one
     CHECK(error("head") < 0.08); // an adult's would be twice as far from here
     for (const char* end : {"left_hand", "right_hand", "left_foot", "right_foot"}) {
         INFO(end);
         CHECK(error(end) < 0.04);
     }
+}
+
+TEST_CASE("a mouth wide open, down to the throat, does not draw head and neck out of their places") {
+    const FixtureBody body = load_fixture_body("man-shouting");
+    const Extraction<double> out = extract_skeleton(body.mesh);
+    check_lies_in(body.mesh, out.skeleton);
+    CHECK(error_of("neck", out, body) < 0.02);
+    CHECK(error_of("head", out, body) < 0.025);
+    const auto& warnings = out.skeleton.quality.warnings;
+    CHECK(std::find(warnings.begin(), warnings.end(), "cavities closed: 1") != warnings.end());
 }
 
 TEST_CASE("joints are near the true ones, left and right as they are") {

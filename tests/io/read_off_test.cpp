@@ -1,6 +1,9 @@
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <string>
+
+#include <skelgen/core/parallel.hpp>
 
 #include "mesh_expectations.hpp"
 
@@ -130,4 +133,41 @@ TEST_CASE("OFF: coordinates that only a double can hold are refused as float", "
     CHECK(parse_mesh<double>(huge).vertices(0, 0) == 1e200);
     CHECK_THROWS_AS(parse_mesh<float>(huge), Error);
     CHECK(parse_mesh<float>("OFF\n3 1 0\n0.1 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").vertices(0, 0) == 0.1F);
+}
+
+TEST_CASE("large text is read in blocks, by any number of threads, as in one", "[io]") {
+    constexpr int side = 260; // of a grid of vertices, 7 bytes and more each: several blocks
+    std::string text =
+        "OFF # a comment\n" + std::to_string(side * side) + " " + std::to_string((side - 1) * (side - 1)) + " 0\n";
+    for (int i = 0; i < side * side; ++i)
+        text +=
+            std::to_string(i % side) + " " + std::to_string(i / side) + " 0.125" + (i % 7 == 0 ? " # odd\n\n" : "\n");
+    std::string faces;
+    for (int y = 0; y + 1 < side; ++y)
+        for (int x = 0; x + 1 < side; ++x) {
+            const int i = y * side + x;
+            const auto name = [](int v) { return " " + std::to_string(v); };
+            faces +=
+                "4" + name(i) + name(i + 1) + name(i + side + 1) + name(i + side) + (x % 5 == 0 ? " 1 0 0\n" : "\n");
+        }
+    const auto rows_of = [](const std::string& rows) { return std::count(rows.begin(), rows.end(), '\n'); };
+    for (const int threads : {1, 2, 3}) {
+        const core::ThreadScope scope(threads);
+        const TriangleMesh<double> mesh = parse_mesh<double>(text + faces);
+        REQUIRE(mesh.vertices.rows() == side * side);
+        REQUIRE(mesh.faces.rows() == 2 * (side - 1) * (side - 1));
+        for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v)
+            REQUIRE(mesh.vertices.row(v) ==
+                    Eigen::RowVector3d(static_cast<double>(v % side), static_cast<double>(v / side), 0.125));
+        // The same on lines that go on, which is read in one.
+        std::string continued = text + faces;
+        continued.replace(continued.rfind(" "), 1, " \\\n");
+        CHECK(parse_mesh<double>(continued).faces == mesh.faces);
+        // Errors name their lines.
+        CHECK_THROWS_WITH(parse_mesh<double>(text + faces + "4 0 1 2 x\n"), Contains("more rows"));
+        std::string wrong = text + faces;
+        wrong.replace(wrong.rfind("4 "), 1, "y");
+        CHECK_THROWS_WITH(parse_mesh<double>(wrong), Contains("line " + std::to_string(rows_of(text + faces)) + ":"));
+        CHECK_THROWS_WITH(parse_mesh<double>(text), Contains("the file ends after 0 of"));
+    }
 }

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <skelgen/refinement/fork.hpp>
 
@@ -40,11 +42,26 @@ TEST_CASE("legs part highest on the way from foot to foot, even where one is lon
     const auto equally_far = fork_between(mesh, one, two);
     REQUIRE(equally_far.has_value());
     CHECK((*equally_far - parted).norm() > 2 * step); // on the longer leg
-    const Points<double> way = way_between(mesh, one, two, 0.6, 0.02);
-    CHECK(way.rows() == 61);
-    for (Eigen::Index i = 1; i < way.rows(); ++i) CHECK((way.row(i) - way.row(i - 1)).norm() < 2 * step);
-    CHECK((way.row(30).transpose() - *equally_far).norm() < 1e-12);
-    CHECK((highest_on(way, Vec3(0.02, 0, 1.3), Vec3(0, 0, 1)) - parted).norm() < 1.5 * step);
+    const std::vector<Crossing<double>> crossings = crossings_between(mesh, one, two, 0.6, 0.02);
+    std::vector<std::size_t> levels(61, 0);
+    for (const Crossing<double>& crossing : crossings) {
+        REQUIRE(std::abs(crossing.level) <= 30);
+        ++levels[static_cast<std::size_t>(crossing.level + 30)];
+    }
+    CHECK(std::count(levels.begin(), levels.end(), std::size_t(0)) == 0);
+    CHECK((fork_along(crossings, Vec3(0.02, 0, 1.3), Vec3(0, 0, 1)) - parted).norm() < 1.5 * step);
+}
+
+TEST_CASE("legs part where it is lowest, as long as the way there is not the longer by more, on the highest level") {
+    const Vec3 place(0, 0, 2), front(0, 0.3, 1), below(0, 0, 0.8), tail(0, -0.3, 0.5), thigh(0.2, 0, 0.7);
+    const std::vector<Crossing<double>> level{{0, 1, front}, {0, 1.1, below}, {0, 1.6, tail}};
+    CHECK(fork_along(level, place, Vec3(0, 0, 1)) == below);
+    CHECK(fork_along({level[0], level[2]}, place, Vec3(0, 0, 1)) == front);
+    CHECK(fork_along(level, place, Vec3(0, -1, 0)) == front); // seen by one who lies on the back
+    std::vector<Crossing<double>> levels = level;
+    levels.push_back({1, 0.5, thigh});
+    levels.push_back({-1, 0.5, Vec3(-0.6, 0, 1)}); // raised, and as far off the axis
+    CHECK(fork_along(levels, place, Vec3(0, 0, 1)) == below);
 }
 
 TEST_CASE("what is not joined has no fork") {
@@ -57,7 +74,7 @@ TEST_CASE("what is not joined has no fork") {
     mesh.faces.bottomRows(other.faces.rows()) = other.faces.array() + static_cast<int>(n);
     const EndPoint<double> one = end_near(mesh, Vec3(0, 0, 0)), two = end_near(mesh, Vec3(2, 0, 0));
     CHECK_FALSE(fork_between(mesh, one, two).has_value());
-    CHECK(way_between(mesh, one, two, 0.5, 0.1).rows() == 0);
+    CHECK(crossings_between(mesh, one, two, 0.5, 0.1).empty());
 }
 
 TEST_CASE("in float limbs part in the same place") {

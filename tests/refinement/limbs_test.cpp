@@ -65,6 +65,30 @@ TEMPLATE_TEST_CASE("an arm's joints lie on the axis of a straight tube, at the t
     }
 }
 
+TEST_CASE("a limb shortened is the outer part of its line, as long as it would be drawn, and twice is once") {
+    const Body<double> body = body_of<double>(capsule(0.05, 2, 32, 100));
+    const Slicer<double> slicer(body.mesh, body.adjacency);
+    Limb<double> arm;
+    arm.joints = {joint_of(JointRole::shoulder, Side::left), joint_of(JointRole::elbow, Side::left),
+                  joint_of(JointRole::hand, Side::left)};
+    arm.from_tip = {1.2, 0.7, 0.1};
+    const EndPoint<double> end = end_point_near(body, Vec3(0, 0, 2.05), arm.joints[2]);
+    arm = draw_limb(arm, slicer, end);
+    Limb<double> nearer = arm;
+    nearer.from_tip = {0.8, 0.5, 0.1};
+    const Limb<double> drawn = draw_limb(nearer, slicer, end), shorter = shorten_line(nearer);
+    const auto length = [](const Limb<double>& limb) { return limb.line.arc[limb.line.arc.size() - 1]; };
+    CHECK(length(shorter) < 0.75 * length(arm));
+    CHECK(length(shorter) == Approx(length(drawn)).margin(3 * CentrelineOptions{}.step));
+    CHECK(tip_of(shorter) == tip_of(arm));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double z = 2.05 - nearer.from_tip[i];
+        CHECK((point_on(shorter, arc_of(shorter, i)) - Vec3(0, 0, z)).norm() < 1e-3);
+    }
+    const Limb<double> again = shorten_line(shorter);
+    CHECK(again.line.points == shorter.line.points);
+}
+
 TEMPLATE_TEST_CASE("a limb of a Y stays in its own tube up to the fork", "", float, double) {
     const Body<TestType> body = body_of<TestType>(three_tubes());
     const Slicer<TestType> slicer(body.mesh, body.adjacency);

@@ -154,6 +154,17 @@ TEST_CASE("where both hands are cut off, they are missing and the wrists are at 
     }
 }
 
+TEST_CASE("where the curve runs through the trunk moves no joint") {
+    const SkeletonTemplate& human = builtin_template("human21");
+    BoneCurve<double> bones = *sample().bones;
+    const auto before = refined(sample().body, bones, human);
+    const int chest = joint_of(JointRole::chest);
+    for (const embedding::Chain& chain : bones.embedding.chains)
+        for (std::size_t i = 0; i + 1 < chain.nodes.size() && chain.joints.back() == chest; ++i)
+            bones.curve.nodes.row(chain.nodes[i]) += (i % 2 == 0 ? 0.01 : -0.01) * Vec3(1, 1, 1).transpose();
+    CHECK(refined(sample().body, bones, human).positions == before.positions);
+}
+
 TEST_CASE("a template in another unit has the same joints") {
     const RefinedJoints<double> joints = refined_sample();
     for (const double unit : {100.0, 0.001}) {

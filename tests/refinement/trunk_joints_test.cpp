@@ -133,11 +133,18 @@ TEMPLATE_TEST_CASE("a waist whose section holds a thigh is on the trunk's axis, 
         CHECK(placed.at(joint_of(pelvis)) == root);
         return Vec3(placed.at(joint_of(waist)).template cast<double>());
     };
-    const double larger = 0.1, smaller = 0.05; // than the section, a disk of radius 0.15
+    const double larger = 0.12, smaller = 0.05; // than the section, a disk of radius 0.15
     const Vec3 own = placed_with(Vec3::UnitZ(), larger), beside = placed_with(Vec3::UnitZ(), smaller);
     CHECK(std::abs(own.x()) < 1e-5);
     CHECK(beside.x() == Approx(0.05));
     CHECK(beside.z() == Approx(own.z()).epsilon(1e-5));
+    double last = own.x();
+    for (const double largest : {0.09, 0.085, 0.08, 0.075}) { // the more of it is a thigh's
+        const double next = placed_with(Vec3::UnitZ(), largest).x();
+        CHECK(next > last);
+        CHECK(next < beside.x());
+        last = next;
+    }
     const Vec3 leaning = placed_with(Vec3(0.2, 0, 1), smaller);
     CHECK(leaning.x() == Approx(0.05 + 0.2 * (own.z() - 0.7)));
     CHECK(leaning.z() == Approx(own.z()).epsilon(1e-5));

@@ -22,9 +22,9 @@ constexpr const char* done = "done"; ///< a file that tells a finished folder fr
 } // namespace
 
 const std::vector<SetSample>& body_samples() {
-    static const std::vector<SetSample> samples{{"scape", 14},  {"faust", 9}, {"proportions", 3}, {"partial", 3},
-                                                {"joined", 2},  {"scan", 2},  {"dressed", 2},     {"pieces", 3},
-                                                {"cartoon", 6}, {"curled", 5}};
+    static const std::vector<SetSample> samples{{"scape", 14},  {"faust", 9},  {"proportions", 3}, {"partial", 3},
+                                                {"joined", 2},  {"scan", 2},   {"dressed", 2},     {"pieces", 3},
+                                                {"cartoon", 6}, {"curled", 5}, {"mouths", 2},      {"armed", 2}};
     return samples;
 }
 

@@ -31,7 +31,7 @@ CorrespondenceScores score_correspondences(const RegisteredSet& set) {
     std::size_t sided = 0, exchanged = 0;
     for (std::size_t i = 0; i < set.bodies.size(); ++i) {
         const RegisteredBody& from = set.bodies[i];
-        const RegisteredBody& to = set.bodies[(i + step) % set.bodies.size()];
+        const RegisteredBody& to = set.bodies[(i + places_on(step, set.bodies.size())) % set.bodies.size()];
         const auto start = std::chrono::steady_clock::now();
         const applications::Correspondence found = applications::correspond(from.comparable, to.comparable);
         out.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() /
@@ -40,9 +40,12 @@ CorrespondenceScores score_correspondences(const RegisteredSet& set) {
         double sum = 0;
         for (std::size_t s = 0; s < samples; ++s) {
             const std::size_t v = s * from.stands_for.size() / samples;
-            sum += error_of(to, static_cast<int>(v), sent_to(v)) / samples;
+            const double error = error_of(to, static_cast<int>(v), sent_to(v));
+            sum += error / samples;
+            out.trusted.emplace_back(found.confidence[static_cast<std::size_t>(from.stands_for[v])], error);
         }
         out.errors.push_back(sum);
+        out.pairs.push_back(from.name + " on " + to.name);
         const std::vector<int> from_mesh = applications::first_standing(from.surface, from.stands_for);
         const std::vector<int> to_mesh = applications::first_standing(to.surface, to.stands_for);
         for (const applications::Landmark& mark : applications::landmarks(from.comparable, found))

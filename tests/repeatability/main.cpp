@@ -1,31 +1,20 @@
 // How alike align, segment, measure and correspond treat the bodies of a registered set, each turned at random.
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <numeric>
 #include <string>
 #include <vector>
 
 #include "correspondences.hpp"
 #include "pelvis.hpp"
+#include "printing.hpp"
 #include "registered_set.hpp"
 #include "spreads.hpp"
 
 namespace {
 
 using namespace skelgen::repeatability;
-
-double mean_of(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-/// The value that `part` of all are below.
-double quantile(std::vector<double> values, double part) {
-    std::sort(values.begin(), values.end());
-    return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1) + 0.5)];
-}
 
 void print_agreement(const RegisteredSet& set, const char* name, PartsOf parts) {
     const std::vector<double> same = agreements(set, parts);
@@ -44,12 +33,10 @@ void print(const RegisteredSet& set) {
         mean_of(turns), quantile(turns, 0.95), quantile(turns, 1));
     print_agreement(set, "bones", &RegisteredBody::bones);
     print_agreement(set, "body", &RegisteredBody::body);
-    const CorrespondenceScores scores = score_correspondences(set);
-    std::printf(
-        "  correspond            error over sqrt(area): mean %.4f, worst pair %.4f; landmarks: mean %.4f; sent to "
-        "the other side: %.4f; %.1f s for a pair\n",
-        mean_of(scores.errors), quantile(scores.errors, 1), mean_of(scores.landmark_errors), scores.exchanged,
-        scores.seconds);
+    std::vector<const RegisteredBody*> bodies;
+    for (const RegisteredBody& body : set.bodies) bodies.push_back(&body);
+    print_borders(bodies);
+    print_correspondences(score_correspondences(set));
     std::printf("  measure               standard deviation over a person's bodies:\n");
     for (const auto& [name, spread] : measure_spreads(set))
         std::printf("    %-24s %4.1f %%\n", name.c_str(), 100 * spread);

@@ -18,7 +18,7 @@ namespace {
 
 Points<double> aligned(const RegisteredBody& body) {
     return applications::transformed<double>(body.mesh.vertices,
-                                             applications::alignment(body.skeleton, body.mesh.vertices));
+                                             applications::alignment(body.surface, body.skeleton, body.mesh.vertices));
 }
 
 std::vector<int> pelvis_vertices(const RegisteredBody& body) {

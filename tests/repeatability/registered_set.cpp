@@ -9,8 +9,6 @@
 #include <skelgen/extract.hpp>
 #include <skelgen/io/read_mesh.hpp>
 
-#include "mesh_changes.hpp"
-
 namespace skelgen::repeatability {
 namespace {
 
@@ -23,10 +21,20 @@ std::vector<fs::path> sorted_entries(const fs::path& folder) {
     return entries;
 }
 
-RegisteredBody body_of(const fs::path& file, unsigned seed) {
+bool have_equal_vertices(const std::vector<RegisteredBody>& bodies) {
+    return std::all_of(bodies.begin(), bodies.end(), [&](const RegisteredBody& body) {
+        return body.mesh.vertices.rows() == bodies.front().mesh.vertices.rows();
+    });
+}
+
+} // namespace
+
+test::Motion motion_of(unsigned seed) { return {test::random_rotation(seed), 1, Vector3<double>(1, 2, 3)}; }
+
+RegisteredBody body_of(std::string name, const TriangleMesh<double>& mesh, unsigned seed) {
     RegisteredBody out;
-    out.name = file.stem().string();
-    out.mesh = test::moved(read_mesh<double>(file), {test::random_rotation(seed), 1, Vector3<double>(1, 2, 3)});
+    out.name = std::move(name);
+    out.mesh = test::moved(mesh, motion_of(seed));
     const FittedBody<double> found = extract_body(out.mesh);
     out.skeleton = found.extraction.skeleton;
     out.geodesic_diameter = found.extraction.geodesic_diameter;
@@ -41,14 +49,6 @@ RegisteredBody body_of(const fs::path& file, unsigned seed) {
     return out;
 }
 
-bool have_equal_vertices(const std::vector<RegisteredBody>& bodies) {
-    return std::all_of(bodies.begin(), bodies.end(), [&](const RegisteredBody& body) {
-        return body.mesh.vertices.rows() == bodies.front().mesh.vertices.rows();
-    });
-}
-
-} // namespace
-
 std::vector<RegisteredSet> load_sets(const fs::path& meshes, std::size_t every) {
     std::vector<RegisteredSet> sets;
     for (const fs::path& folder : sorted_entries(meshes)) {
@@ -58,7 +58,8 @@ std::vector<RegisteredSet> load_sets(const fs::path& meshes, std::size_t every) 
         RegisteredSet set{folder.filename().string(), {}, {}};
         for (std::size_t i = 0; i < files.size(); i += every) {
             try {
-                set.bodies.push_back(body_of(files[i], static_cast<unsigned>(i)));
+                set.bodies.push_back(
+                    body_of(files[i].stem().string(), read_mesh<double>(files[i]), static_cast<unsigned>(i)));
             } catch (const Error& error) {
                 set.failures.push_back(files[i].filename().string() + ": " + error.what());
             }

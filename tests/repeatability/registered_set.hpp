@@ -11,6 +11,8 @@
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/surface/body.hpp>
 
+#include "mesh_changes.hpp"
+
 namespace skelgen::repeatability {
 
 /// One body of a set, and what is said of it.
@@ -25,6 +27,12 @@ struct RegisteredBody {
     applications::ComparableBody<double> comparable; ///< of `surface`
     std::vector<int> stands_for;                     ///< per vertex of the mesh that of `surface`
 };
+
+/// How meshes are moved before anything is said of them.
+[[nodiscard]] test::Motion motion_of(unsigned seed);
+
+/// What is said of a mesh, turned at random by `seed`.
+[[nodiscard]] RegisteredBody body_of(std::string name, const TriangleMesh<double>& mesh, unsigned seed);
 
 /// Bodies that share their vertices: a vertex of one is at the same place of the person on all others.
 struct RegisteredSet {

@@ -29,14 +29,6 @@ std::vector<double> part_of_area(const RegisteredSet& set, PartsOf parts, const 
     return out;
 }
 
-std::map<std::string, double> named_measures(const applications::Measurements& measures) {
-    std::map<std::string, double> out{{"height", measures.height}, {"arm_span", measures.arm_span}};
-    for (const auto& [name, value] : measures.lengths) out["length_" + name] = value;
-    for (const auto& [name, value] : measures.girths)
-        if (value) out["girth_" + name] = *value;
-    return out;
-}
-
 double relative_deviation(const std::vector<double>& values) {
     double mean = 0, squares = 0;
     for (const double value : values) mean += value / static_cast<double>(values.size());
@@ -45,6 +37,14 @@ double relative_deviation(const std::vector<double>& values) {
 }
 
 } // namespace
+
+std::map<std::string, double> named_measures(const applications::Measurements& measures) {
+    std::map<std::string, double> out{{"height", measures.height}, {"arm_span", measures.arm_span}};
+    for (const auto& [name, value] : measures.lengths) out["length_" + name] = value;
+    for (const auto& [name, value] : measures.girths)
+        if (value) out["girth_" + name] = *value;
+    return out;
+}
 
 std::vector<double> agreements(const RegisteredSet& set, PartsOf parts) {
     return part_of_area(set, parts, [](int a, int b) { return a == b; });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,9 @@ using PartsOf = applications::Segmentation RegisteredBody::*;
 /// The largest part of a body's area, over all pairs, whose vertices are on the left of one and on the right of the
 /// other.
 [[nodiscard]] double worst_exchange(const RegisteredSet& set, PartsOf parts);
+
+/// All lengths, and the girths that there are, by name.
+[[nodiscard]] std::map<std::string, double> named_measures(const applications::Measurements& measures);
 
 /// For each measure by its name the standard deviation over a person's bodies relative to its mean, the mean over all
 /// persons. A person's bodies are those whose names agree but for the last character.

@@ -109,6 +109,24 @@ TEST_CASE("near a place, the faces across a plane are those of all that come so 
     CHECK(tree.faces_across(mesh, Vec3::UnitZ(), 0, Vec3(9, 0, 0), 1).empty());
 }
 
+TEST_CASE("the nearest vertex is that of all, and no distance is larger than asked for") {
+    const Mesh mesh = torus(2, 0.7, 40, 16);
+    const FaceTree<double> tree(mesh);
+    Uniform random(11);
+    for (int i = 0; i < 100; ++i) {
+        const Vec3 place = 3 * random.place();
+        CHECK(tree.nearest_vertex(mesh, place) == nearest_vertex(mesh, place));
+        double nearest = infinity;
+        for (int f = 0; f < static_cast<int>(mesh.faces.rows()); ++f)
+            nearest = std::min(nearest, distance_to_triangle<double>(place, corner(mesh, f, 0), corner(mesh, f, 1),
+                                                                     corner(mesh, f, 2)));
+        CHECK(tree.distance(mesh, place) == nearest);
+        CHECK(tree.distance(mesh, place, 0.5) == std::min(nearest, 0.5));
+    }
+    CHECK(tree.nearest_vertex(mesh, Vec3::Zero()) ==
+          nearest_vertex<double>(mesh, Vec3::Zero())); // many are equally near
+}
+
 TEST_CASE("a ray meets all faces in its way, the first one among them") {
     const Mesh mesh = torus(2, 0.7, 40, 16);
     const FaceTree<double> tree(mesh);
@@ -330,6 +348,7 @@ TEST_CASE("a mesh without faces is met and cut nowhere, and one of a single face
     for (const FaceTree<double>& tree : {FaceTree<double>(none), FaceTree<double>()}) {
         CHECK(tree.faces_across(none, Vec3::UnitX(), 0.0).empty());
         CHECK(tree.distance(none, Vec3::Zero()) == infinity);
+        CHECK(tree.nearest_vertex(none, Vec3::Zero()) == -1);
         CHECK(tree.first_along(none, Vec3::Zero(), Vec3::UnitX()).face == -1);
     }
     const FaceTree<double> tree(one);

@@ -54,6 +54,15 @@ TEST_CASE("a vertex where two fans of one surface touch becomes two") {
     check_sources(parts, pinched);
 }
 
+TEST_CASE("of a sound mesh the same part is found without looking for pieces") {
+    for (const Mesh& mesh : {torus(1, 0.3), joined(sphere(1, 3), 3, 0), shuffled(torus(1, 0.3), 5)}) {
+        const ManifoldParts<double> expected = largest_manifold_part(mesh), parts = manifold_part_of_sound(mesh);
+        CHECK(parts.mesh.faces == expected.mesh.faces);
+        CHECK(parts.mesh.vertices == expected.mesh.vertices);
+        CHECK(parts.source == expected.source);
+    }
+}
+
 TEST_CASE("two surfaces that touch in a vertex are two pieces") {
     const Mesh large = sphere(2, 3), small = sphere(1, 3);
     const Mesh touching = joined(side_by_side(large, small), static_cast<int>(large.vertices.rows()), 0);

@@ -117,4 +117,19 @@ TEST_CASE("a thin ring is opened, a thick one is not") {
     CHECK_FALSE(open_handles(prepare(torus(1, 0.2))));
 }
 
+TEST_CASE("a notch around a ring is a crease to open it along, where short loops are not all that count") {
+    constexpr int around = 256, tube = 24;
+    Mesh notched = torus(1, 0.05, around, tube);
+    for (int k = 0; k < tube; ++k) // the tube's circle at (1, 0, 0), half as wide: a girth of 0.112 for unit area
+        notched.vertices.row(k) = 0.5 * (notched.vertices.row(k) + Eigen::RowVector3d(1, 0, 0));
+    const Body<double> ring = prepare(notched);
+    REQUIRE(ring.mesh.vertices.rows() == notched.vertices.rows());
+    CHECK(open_handles(ring));
+    CHECK_FALSE(open_handles(ring, Contacts::short_alone));
+    CHECK_FALSE(open_handles(prepare(torus(1, 0.05, around, tube)))); // a girth of 0.22
+    const auto thin = open_handles(prepare(torus(1, 0.005)), Contacts::short_alone);
+    REQUIRE(thin);
+    CHECK(genus(thin->mesh) == 0);
+}
+
 TEST_CASE("a body without handles has nothing to open") { CHECK_FALSE(open_handles(prepare(sphere(1)))); }

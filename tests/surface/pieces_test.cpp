@@ -69,7 +69,10 @@ TEST_CASE("bodies apart are counted, and each can be had", "[slow]") {
     CHECK(faces_of_body(both, 2).faces == both.faces.bottomRows(other.faces.rows()));
     PrepareOptions options;
     options.component = 2;
-    CHECK(gather(both, options).clean.mesh.vertices == other.vertices);
+    const CleanMesh<double> second = gather(both, options).clean;
+    REQUIRE(second.mesh.vertices.rows() == other.vertices.rows());
+    for (Eigen::Index v = 0; v < other.vertices.rows(); ++v)
+        CHECK((second.similarity.to_input(point(second.mesh.vertices, v)) - point(other.vertices, v)).norm() < 1e-6);
     options.component = 3;
     REQUIRE_THROWS_WITH(gather(both, options), "there is no body number 3, only 2");
 }
@@ -100,6 +103,26 @@ TEST_CASE("a sound body has one remedy, pieces have an envelope first", "[slow]"
         REQUIRE(place >= 0);
         const Vec3 there = body->similarity.to_input(point(body->mesh.vertices, place));
         REQUIRE((there - point(halves.vertices, v)).norm() < 0.35);
+    }
+}
+
+TEST_CASE("what is made of pieces does not depend on how they were turned", "[slow]") {
+    const Mesh tube = capsule(0.3, 4), open = without_faces(moved_by(tube, Vec3(0.02, 0.03, 3.01)), 30, 40);
+    const Mesh given = side_by_side(side_by_side(tube, open), moved_by(sphere(0.2, 2), Vec3(0.4, 0.1, 2)));
+    const Mesh turned = moved(given, {random_rotation(4), 1, Vec3(3, -2, 1)});
+    const BodyMaterial<double> one = gather(given), other = gather(turned);
+    CHECK(one.remedies == other.remedies);
+    REQUIRE(one.clean.mesh.faces == other.clean.mesh.faces);
+    CHECK(one.clean.mesh.vertices == other.clean.mesh.vertices); // to the last bit: all places are rounded
+    for (const Remedy remedy : one.remedies) {
+        const Outcome<Body<double>> body = make_body_by(remedy, one), again = make_body_by(remedy, other);
+        REQUIRE(body);
+        REQUIRE(again);
+        CHECK(body->mesh.vertices == again->mesh.vertices);
+        CHECK(body->nearest == again->nearest);
+        const Vec3 place = point(body->mesh.vertices, 7);
+        const Vec3 there = random_rotation(4) * body->similarity.to_input(place) + Vec3(3, -2, 1);
+        CHECK((again->similarity.to_input(place) - there).norm() < 1e-9);
     }
 }
 

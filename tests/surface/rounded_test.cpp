@@ -50,7 +50,7 @@ TEST_CASE("a rounded body's vertices are those of the input, but for new ones", 
         if (body->source[v] < 0) continue;
         ++kept;
         const Vec3 place = body->similarity.to_input(core::point(body->mesh.vertices, static_cast<Eigen::Index>(v)));
-        CHECK((place - core::point(tube.vertices, body->source[v])).norm() < 1e-12);
+        CHECK((place - core::point(tube.vertices, body->source[v])).norm() < 1e-6); // rounded as it was put right
     }
     CHECK(kept == tube.vertices.rows());
 }

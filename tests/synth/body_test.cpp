@@ -269,6 +269,7 @@ TEST_CASE("parameters out of range are refused with the range") {
     check_usage_error("5 to 90", [&] { make([](BodyShape& s) { s.age = -3; }); });
     check_usage_error("0.8 to 2.3", [&] { make([](BodyShape& s) { s.height = 17; }); });
     check_usage_error("0 to 1", [&] { make([](BodyShape& s) { s.muscle = 2; }); });
+    check_usage_error("closed to open", [&] { make([](BodyShape& s) { s.mouth = 1.5; }); });
     check_usage_error("kg at this height", [&] { make([](BodyShape& s) { s.weight = 5; }); });
     check_usage_error("0.3 to 1.5", [&] { make([](BodyShape& s) { s.leg_length = std::nan(""); }); });
     check_usage_error("5000 to 3000000", [] { (void)synthesize_body({}, {}, 10); });

@@ -52,7 +52,7 @@ BodyPlan coarse(BodyPlan plan) {
 } // namespace
 
 TEST_CASE("the sets have their sizes, distinct names and the same plans for the same seed") {
-    const std::map<std::string, std::size_t> sizes{{"scape", 71}, {"faust", 100}, {"cartoon", 24}};
+    const std::map<std::string, std::size_t> sizes{{"scape", 71}, {"faust", 100}, {"cartoon", 24}, {"mouths", 9}};
     for (const auto& [name, size] : sizes) {
         const auto plans = body_set(name, 1), again = body_set(name, 1), other = body_set(name, 2);
         REQUIRE(plans.size() == size);
@@ -163,6 +163,37 @@ TEST_CASE("horns, mittens and a tail are part of one surface") {
     CHECK((costumed.truth.joints.front() - bare.truth.joints.front()).norm() < 1e-3); // both stand on a vertex
 }
 
+TEST_CASE("what a hand holds is part of one surface, and reaches far from the body") {
+    for (const char* name : {"shepherd-a", "fencer-a", "woodman-a"}) {
+        BodyPlan plan = coarse(planned("armed", name));
+        const SynthBody armed = synthesize_body(plan);
+        CHECK(is_closed(armed.mesh));
+        CHECK(euler(armed.mesh) == 2);
+        plan.clothes.clear();
+        const SynthBody bare = synthesize_body(plan);
+        double farthest = 0; // of what is held, from the body
+        for (Eigen::Index v = 0; v < armed.mesh.vertices.rows(); v += 5)
+            farthest = std::max(
+                farthest, (bare.mesh.vertices.rowwise() - armed.mesh.vertices.row(v)).rowwise().norm().minCoeff());
+        CHECK(farthest > 0.25 * synth::proportions_of(plan.shape).scale);
+        CHECK((armed.truth.joints.front() - bare.truth.joints.front()).norm() < 0.05); // soles: boots have others
+    }
+}
+
+TEST_CASE("an open mouth is a cavity of the same closed body, from the lips inwards") {
+    BodyPlan plan = planned("mouths", "man-shouting");
+    const SynthBody open = synthesize_body(plan);
+    plan.shape.mouth = 0;
+    const SynthBody closed = synthesize_body(plan);
+    CHECK(is_closed(open.mesh));
+    CHECK(euler(open.mesh) == 2);
+    const double litres = 1000 * (core::enclosed_volume(closed.mesh) - core::enclosed_volume(open.mesh));
+    CHECK(litres > 0.05);
+    CHECK(litres < 0.3);
+    const auto head = static_cast<std::size_t>(BodyJoint::head);
+    CHECK((open.truth.joints[head] - closed.truth.joints[head]).norm() < 1e-3); // both stand on a vertex
+}
+
 TEST_CASE("curled bodies touch, or are as near as planned") {
     for (const BodyPlan& plan : body_set("curled", 1)) {
         INFO(plan.name);
@@ -179,7 +210,7 @@ TEST_CASE("curled bodies touch, or are as near as planned") {
 }
 
 TEST_CASE("every garment has a name, and others are refused") {
-    CHECK(garment_names().size() == 10);
+    CHECK(garment_names().size() == 13);
     CHECK(named_garment("long-hair") == Garment::long_hair);
     try {
         (void)named_garment("toga");

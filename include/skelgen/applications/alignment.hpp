@@ -4,6 +4,7 @@
 
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
+#include <skelgen/surface/body.hpp>
 
 namespace skelgen::applications {
 
@@ -14,11 +15,20 @@ struct PelvisDirections {
     Vector3<Scalar> left, up;
 };
 
-/// Left is from the right hip to the left one. Up is the mean of the directions from between the hips to crotch, waist
-/// and chest: where the trunk bends, their errors point against each other. \throws Error usage when a joint of human21
-/// is missing. O(joints).
+/// Left is from the right hip to the left one. Up is a mean of the directions from between the hips to crotch, waist
+/// and chest: where the trunk bends, their errors point against each other. The waist, the nearest that is apart from
+/// the hips, counts twice, the chest, beyond the bend, half. \throws Error usage when a joint of human21 is missing.
+/// O(joints).
 template <typename Scalar>
 [[nodiscard]] PelvisDirections<Scalar> pelvis_directions(const KinematicSkeleton<Scalar>& skeleton);
+
+/// As above, but left is the normal of the plane in which the pelvis's back mirrors itself (`mirror_plane`): hips
+/// follow thighs that are drawn up or back, buttocks and loins do so less. Up is at right angles to it. Where the
+/// surface says nothing, or is 35 degrees and more from the hips, their line stays. `skeleton` in the input's
+/// coordinates, and so the result. O(n log n).
+template <typename Scalar>
+[[nodiscard]] PelvisDirections<Scalar> pelvis_directions(const Body<Scalar>& body,
+                                                         const KinematicSkeleton<Scalar>& skeleton);
 
 /// Where an aligned body's origin lies.
 enum class AlignedOrigin {
@@ -40,6 +50,13 @@ void validate(const AlignmentOptions& options);
 /// Error usage when a joint of human21 is missing, there is no vertex or an option is out of its range. O(n).
 template <typename Scalar>
 [[nodiscard]] Eigen::Matrix<Scalar, 4, 4> alignment(const KinematicSkeleton<Scalar>& skeleton,
+                                                    const Points<Scalar>& vertices,
+                                                    const AlignmentOptions& options = {});
+
+/// As above, by the directions that the body's surface gives, too: what is repeated best where bodies bend. `vertices`:
+/// the input's that the body was made of. O(n log n).
+template <typename Scalar>
+[[nodiscard]] Eigen::Matrix<Scalar, 4, 4> alignment(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
                                                     const Points<Scalar>& vertices,
                                                     const AlignmentOptions& options = {});
 

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/limb_regions.hpp>
 #include <skelgen/core/outcome.hpp>
 #include <skelgen/core/precision.hpp>
 #include <skelgen/core/skeleton_template.hpp>
@@ -16,19 +17,28 @@ namespace skelgen::applications {
 /// comes out of a factorisation.
 using JointWeights = Eigen::MatrixX<core::Accumulator>;
 
+/// A body in one of its poses, and its bones there, in the body's coordinates.
+template <typename Scalar = double>
+struct HeatedPose {
+    const Body<Scalar>& body;
+    std::vector<Bone<Scalar>> bones;
+};
+
 /// Weights as temperatures on a body (BP07 section 4): each vertex is heated by the bone that is nearest to it, as seen
 /// through the body, the stronger the nearer, and the heat spreads over the surface until it rests. A trunk's bone is
 /// nearer than a limb's at the same distance: distances count relative to how thick the body is around the bone.
-/// `bones` in the body's coordinates, of joints below `joints`. One factorisation of a sparse matrix, O(n^1.5).
-/// \returns a failure where no vertex sees a bone.
+/// Several poses of one surface (same faces, other places) give the weights that are smooth, and near to the bones, in
+/// all of them together. A limb's bones heat no vertex of another limb's region; without `regions` every bone heats
+/// any. `joints`: more than any bone's. One factorisation of a sparse matrix, O(n^1.5). \returns a failure where no
+/// vertex sees a bone.
 template <typename Scalar>
-[[nodiscard]] Outcome<JointWeights> heat_weights(const Body<Scalar>& body, const std::vector<Bone<Scalar>>& bones,
-                                                 int joints);
+[[nodiscard]] Outcome<JointWeights> heat_weights(const std::vector<HeatedPose<Scalar>>& poses, int joints,
+                                                 const LimbRegions& regions = {});
 
-/// The weights with narrower bends: squared, with rows that sum to 1 again. Where vertices follow two joints alike,
+/// The weights with narrower bends: cubed, with rows that sum to 1 again. Where vertices follow two joints alike,
 /// linear skinning draws them towards the joint: the narrower that is, the less volume a bent limb loses, and the more
-/// its edges stretch. With squares a forearm or calf bent by 90 degrees loses 5 % instead of 13 %, and edges stretch to
-/// twice and a half instead of nearly twice their length (six registered bodies). O(n joints).
+/// its edges stretch (`with_bounded_stretch`). With cubes a forearm or calf bent by 90 degrees loses 2 to 5 % instead
+/// of 13 % (24 registered bodies). O(n joints).
 [[nodiscard]] JointWeights concentrated(const JointWeights& weights);
 
 /// The weights with no vertex that follows two limbs: of the limbs that move a vertex the strongest does, by as much as

@@ -47,9 +47,9 @@ struct PartAxis {
     Scalar reluctance_before = Scalar(0.05); ///< see `distance_to_axis`
 };
 
-/// The axes of all parts of `PartSet::bones`, in the skeleton's coordinates. Between two joints of the trunk, parts
-/// meet half-way: what a waist or a chest is lies around its joint. \throws Error usage when a joint of human21 is
-/// missing. O(joints).
+/// The axes of all parts of `PartSet::bones`, in the skeleton's coordinates. Pelvis, abdomen and chest share the way
+/// from between the hips over the waist to the neck as they do in people who stand. \throws Error usage when a joint of
+/// human21 is missing. O(joints).
 template <typename Scalar>
 [[nodiscard]] std::vector<PartAxis<Scalar>> part_axes(const KinematicSkeleton<Scalar>& skeleton);
 

@@ -15,8 +15,9 @@ struct PosedBody {
 };
 
 /// Holds a body as a model holds itself, whatever the shape, proportions and unit of both: each bone is turned as the
-/// model's, in the model's coordinates, and the root comes to where the model's is. The mesh follows by dual
-/// quaternions (`skinned`), so that limbs keep their volume. Both skeletons are of the same template, each in its own
+/// model's, in the model's coordinates, and the joints come on average to where the model's are: each of them, the root
+/// too, may have been found a little off. The mesh follows by dual quaternions (`skinned`), so that limbs keep their
+/// volume. Both skeletons are of the same template, each in its own
 /// coordinates; `mesh` and `body` as `bind` has them. \throws Error as that.
 template <typename Scalar>
 [[nodiscard]] PosedBody<Scalar>
@@ -29,11 +30,11 @@ struct Floor {
     Vector3<Scalar> up =
         Vector3<Scalar>::UnitY(); ///< the axis of the coordinates, or its opposite, nearest to the body's
     Scalar height = 0;            ///< of the lowest place of its surface along `up`
-    bool is_stood_on = false;     ///< both feet are down there
+    bool is_stood_on = false;     ///< a foot, or both, are down there
 };
 
-/// Looks whether a body stands: its lowest place is no farther below each foot's joint and toe than a tenth of the
-/// body's height. \throws Error usage when the skeleton's joints are not the template's. O(faces).
+/// Looks whether a body stands, be it on one leg: its lowest place is no farther below a foot's joint and toe than a
+/// tenth of the body's height. \throws Error usage when the skeleton's joints are not the template's. O(faces).
 template <typename Scalar>
 [[nodiscard]] Floor<Scalar> floor_of(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton<Scalar>& skeleton,
                                      const SkeletonTemplate& skeleton_template);

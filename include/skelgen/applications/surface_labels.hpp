@@ -7,15 +7,16 @@
 
 namespace skelgen::applications {
 
-/// For each vertex the label of which there is most after random walks of that length (`part_shares`). `labels`: one
-/// for each vertex of the body, from 0 to `count` - 1; `length` in the body's unit. \throws Error as `part_shares`.
-/// O(n^1.5 + n count).
+/// For each vertex the label of which there is most after random walks of that length (`part_shares`), with short
+/// borders (`with_short_borders`). `labels`: one for each vertex of the body, of those that `mirrored` has an entry
+/// for: the label on the other side, or itself; `length` in the body's unit. \throws Error as `part_shares`. O(n^1.5 +
+/// n labels).
 template <typename Scalar>
-[[nodiscard]] std::vector<int> smoothed_labels(const Body<Scalar>& body, const std::vector<int>& labels, int count,
-                                               double length);
+[[nodiscard]] std::vector<int> smoothed_labels(const Body<Scalar>& body, const std::vector<int>& labels,
+                                               const std::vector<int>& mirrored, double length);
 
-/// Labels, as above, with each in one piece: of several pieces the one with the most vertices stays, the others take
-/// the label of most of what borders on them. O(n + pieces count).
+/// Labels, as above, with each in one piece: of several pieces the one with the most vertices stays, the others, the
+/// smallest first, take the label of most of what borders on them. O(pieces (n + count)).
 template <typename Scalar>
 [[nodiscard]] std::vector<int> in_one_piece(const Body<Scalar>& body, const std::vector<int>& labels, int count);
 

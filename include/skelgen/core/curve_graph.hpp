@@ -11,6 +11,7 @@
 #include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/precision.hpp>
 
 namespace skelgen::core {
 
@@ -34,17 +35,26 @@ public:
     NeighbourLists() = default;
     /// \param first where each node's list begins, and at last where all end.
     NeighbourLists(std::vector<std::size_t> first, std::vector<Entry> entries)
-        : first_(std::move(first)), entries_(std::move(entries)) {}
+        : first_(std::move(first)), entries_(std::move(entries)) {
+        Accumulator sum = 0;
+        for (const auto& [node, length] : entries_) {
+            sum += length;
+            longest_ = std::max(longest_, length);
+        }
+        mean_ = static_cast<Scalar>(sum / static_cast<Accumulator>(entries_.size() + 1));
+    }
 
     [[nodiscard]] std::size_t size() const { return first_.empty() ? 0 : first_.size() - 1; }
     [[nodiscard]] std::span<const Entry> operator[](std::size_t node) const {
         return {entries_.data() + first_[node], first_[node + 1] - first_[node]};
     }
-    [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+    [[nodiscard]] Scalar longest() const { return longest_; }
+    [[nodiscard]] Scalar mean() const { return mean_; } ///< of the ways to neighbours, about
 
 private:
     std::vector<std::size_t> first_;
     std::vector<Entry> entries_;
+    Scalar longest_ = 0, mean_ = 0;
 };
 
 /// A graph of the many vertices of a surface, as a CurveGraph but for where the lists are.

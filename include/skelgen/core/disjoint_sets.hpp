@@ -2,18 +2,19 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
 namespace skelgen::core {
 
 /// A partition of 0, 1, ..., n - 1 whose sets are joined two by two: union-find with path halving. To begin with, each
-/// element is a set of its own.
+/// element is a set of its own. Fewer than 2^32 elements.
 class DisjointSets {
 public:
     /// O(n).
     explicit DisjointSets(std::size_t n) : parent_(n), count_(n) {
-        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+        std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
     }
 
     /// How many sets there are. O(1).
@@ -30,13 +31,13 @@ public:
         a = find(a);
         b = find(b);
         if (a == b) return false;
-        parent_[std::max(a, b)] = std::min(a, b);
+        parent_[std::max(a, b)] = static_cast<std::uint32_t>(std::min(a, b));
         --count_;
         return true;
     }
 
 private:
-    std::vector<std::size_t> parent_;
+    std::vector<std::uint32_t> parent_;
     std::size_t count_;
 };
 

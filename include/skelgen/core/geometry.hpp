@@ -46,7 +46,7 @@ void add_outer_product(Eigen::Matrix<Scalar, 3, 3>& moments, Scalar weight, cons
 
 /// Area vector of triangle `f`: normal times area, outward for counter-clockwise faces.
 template <typename Scalar>
-[[nodiscard]] Vector3<Scalar> face_area_vector(const TriangleMesh<Scalar>& mesh, Eigen::Index f) {
+[[nodiscard]] inline Vector3<Scalar> face_area_vector(const TriangleMesh<Scalar>& mesh, Eigen::Index f) {
     const Vector3<Scalar> a = point(mesh.vertices, mesh.faces(f, 0));
     const Vector3<Scalar> b = point(mesh.vertices, mesh.faces(f, 1));
     const Vector3<Scalar> c = point(mesh.vertices, mesh.faces(f, 2));

@@ -5,7 +5,7 @@
 /// - Linked (the default): only declarations are seen; the definitions are compiled once, for float and double, into
 ///   the library `skelgen::skelgen` (src/instantiate/).
 /// - Header-only: where SKELGEN_HEADER_ONLY is defined (the target `skelgen::core` does that), each header includes its
-///   definitions, for any floating-point scalar, and nothing but OpenMesh's core is linked.
+///   definitions, for any floating-point scalar, and nothing of skelgen is linked.
 ///
 /// SKELGEN_INLINE marks functions that are no templates.
 #ifdef SKELGEN_HEADER_ONLY

@@ -10,6 +10,7 @@ namespace skelgen {
 enum class FailureReason {
     no_match, ///< this curve does not fit the template; a finer one, or the surface cut elsewhere, may
     no_body,  ///< the shape is no human body's, whatever the curve
+    too_long, ///< the same: it is too thin and long for one, and will be however its surface is mended
 };
 
 /// A failure that is to be expected, and what to tell the user.

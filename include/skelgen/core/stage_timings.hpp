@@ -12,4 +12,9 @@ struct StageTimings {
     double total = 0;
 };
 
+inline StageTimings operator+(const StageTimings& a, const StageTimings& b) {
+    return {a.surface + b.surface, a.curve + b.curve, a.embed + b.embed,
+            a.refine + b.refine,   a.sides + b.sides, a.total + b.total};
+}
+
 } // namespace skelgen

@@ -4,6 +4,7 @@
 
 #include <skelgen/curve/branch_sections.hpp>
 #include <skelgen/curve/branched_curve.hpp>
+#include <skelgen/curve/medial_balls.hpp>
 #include <skelgen/surface/body.hpp>
 
 namespace skelgen::curve {
@@ -39,11 +40,11 @@ struct CentredBranches {
 /// best centred, twigs go, and points outside the surface are moved into their sections. Where points or edges are
 /// outside before that, limbs that touch have been drawn together: all is done again with the pieces outside led around
 /// inside (`led_inside`), which is kept where it is better centred and then all inside. O(rounds k) sections.
-/// \param coarse a mesh of the body's surface whose inscribed balls show the ways inside: its own, or a coarser one.
+/// \param balls that show the ways inside: of the body's surface, or of a coarser one.
 /// \throws Error usage when an option is out of its range.
 template <typename Scalar>
 [[nodiscard]] CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
-                                                      const TriangleMesh<Scalar>& coarse,
+                                                      const MedialBalls<Scalar>& balls,
                                                       const BranchCentringOptions& options = {});
 
 } // namespace skelgen::curve

@@ -41,6 +41,9 @@ inline constexpr Scalar sure_section = Scalar(0.5);
 /// How far from the line a contour may be that does not go around it but is its branch's all the same, in spacings.
 inline constexpr int reach_in_spacings = 4;
 
+/// Points to both sides from which the tangent is taken that a section is normal to: none farther away changes it.
+inline constexpr Eigen::Index section_tangent_reach = 2;
+
 /// The section of a line across itself at one of its points, but for the first and the last one, which have no tangents
 /// of their own. `reach`: how far from the line a contour may be that does not go around it. Cost as of
 /// surface::contour_around.

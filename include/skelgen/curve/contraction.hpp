@@ -1,6 +1,7 @@
 #pragma once
 
 #include <skelgen/core/mesh.hpp>
+#include <skelgen/curve/medial_balls.hpp>
 
 namespace skelgen::curve {
 
@@ -33,10 +34,20 @@ struct Contraction {
     bool converged = false;  ///< the volume fell below the bound, or stopped falling; false too where there was none
 };
 
+/// The balls inside a surface that its contraction is drawn to. As medial_balls.
+template <typename Scalar>
+[[nodiscard]] MedialBalls<Scalar> contraction_balls(const TriangleMesh<Scalar>& mesh,
+                                                    const ContractionOptions& options = {});
+
 /// Contracts a surface by implicit mean-curvature flow towards its medial axis. `mesh` must be manifold and well-shaped
-/// (see build_proxy), faces outwards; any unit. The system keeps its sparsity: analysed once, factorised once per
-/// iteration. O(iterations n^1.5), a factorisation of a surface's graph each. \throws Error internal when a system
-/// cannot be solved; usage when an option is out of its range.
+/// (see build_proxy), faces outwards; any unit. `balls`: as contraction_balls. The system keeps its sparsity: analysed
+/// once, factorised once per iteration. O(iterations n^1.5), a factorisation of a surface's graph each. \throws Error
+/// internal when a system cannot be solved; usage when an option is out of its range.
+template <typename Scalar>
+[[nodiscard]] Contraction<Scalar> contract(const TriangleMesh<Scalar>& mesh, const MedialBalls<Scalar>& balls,
+                                           const ContractionOptions& options = {});
+
+/// The same with balls that are not needed any more.
 template <typename Scalar>
 [[nodiscard]] Contraction<Scalar> contract(const TriangleMesh<Scalar>& mesh, const ContractionOptions& options = {});
 

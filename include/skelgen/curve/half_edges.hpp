@@ -102,6 +102,7 @@ private:
     std::vector<bool> deleted_vertices_, deleted_edges_, deleted_faces_;
     std::vector<int> mark_; ///< per vertex the last question that it was a neighbour in
     int question_ = 0;
+    bool is_closed_ = true;
 };
 
 } // namespace skelgen::curve

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/surface/body.hpp>
 #include <skelgen/surface/contours.hpp>
@@ -23,13 +24,22 @@ struct CrossSection {
     Scalar thickness = 0; ///< length-weighted mean distance from the centroid to the contour
 };
 
+/// Unit normals of the faces, m x 3; zero rows for faces without area. O(m).
+template <typename Scalar>
+[[nodiscard]] Points<Scalar> face_normals(const TriangleMesh<Scalar>& mesh) {
+    Points<Scalar> normals(mesh.faces.rows(), 3);
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
+        core::set_point<Scalar>(normals, f, core::face_area_vector(mesh, f).normalized());
+    return normals;
+}
+
 /// Cuts an edge-manifold surface by planes; `adjacency` as from core::face_adjacency, `tree` of the same mesh. Holds
 /// references to the first two, which must outlive it: it cannot be made from temporaries.
 template <typename Scalar = double>
 class Slicer {
 public:
     Slicer(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency, surface::FaceTree<Scalar> tree)
-        : mesh_(mesh), adjacency_(adjacency), tree_(std::move(tree)) {}
+        : mesh_(mesh), adjacency_(adjacency), tree_(std::move(tree)), normals_(face_normals(mesh)) {}
     Slicer(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency)
         : Slicer(mesh, adjacency, surface::FaceTree<Scalar>(mesh)) {}
     explicit Slicer(const Body<Scalar>& body) : Slicer(body.mesh, body.adjacency, body.tree) {}
@@ -55,6 +65,7 @@ private:
     const TriangleMesh<Scalar>& mesh_;
     const Triangles& adjacency_;
     surface::FaceTree<Scalar> tree_;
+    Points<Scalar> normals_; ///< of the faces
 };
 
 /// Length-weighted centre of a contour on which a field has the value `level`: of those whose centre is no farther from

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/refinement/end_points.hpp>
@@ -13,19 +14,29 @@ template <typename Scalar>
 [[nodiscard]] std::optional<Vector3<Scalar>> fork_between(const TriangleMesh<Scalar>& mesh, const EndPoint<Scalar>& a,
                                                           const EndPoint<Scalar>& b);
 
-/// The shortest way over the surface from one limb's end to the other's, `reach` to both sides of the fork between
-/// them: a place (k x 3, in order) for each `step` by which the distances from the ends differ more. No rows when no
-/// path joins the ends. O(m reach / step) at worst, O(m) when `step` is no shorter than edges are.
+/// A place on the surface where a way from one limb's end to another's may pass from the one limb to the other.
 template <typename Scalar>
-[[nodiscard]] Points<Scalar> way_between(const TriangleMesh<Scalar>& mesh, const EndPoint<Scalar>& a,
-                                         const EndPoint<Scalar>& b, Scalar reach, Scalar step);
+struct Crossing {
+    int level = 0;         ///< by how many steps it is farther from the first end than from the second
+    Scalar way = 0;        ///< distance from the first end
+    Vector3<Scalar> place; ///< on an edge
+};
 
-/// Of the places on the way between two legs, the one highest along the trunk, whose axis runs through `place` along
-/// the unit vector `up`: there the legs part, even where one is bent, so that the way to its foot is shorter. A way
-/// along a raised thigh leads away from the axis as it rises: that counts as going down as far. `way` may not be
-/// empty. O(k).
+/// All crossings of edges between two limbs' ends, where the distances from these differ by a multiple of `step`, up to
+/// `reach` of either sense. None when no path joins the ends. O(m reach / step) at worst, O(m) when `step` is no
+/// shorter than edges are.
 template <typename Scalar>
-[[nodiscard]] Vector3<Scalar> highest_on(const Points<Scalar>& way, const Vector3<Scalar>& place,
+[[nodiscard]] std::vector<Crossing<Scalar>> crossings_between(const TriangleMesh<Scalar>& mesh,
+                                                              const EndPoint<Scalar>& a, const EndPoint<Scalar>& b,
+                                                              Scalar reach, Scalar step);
+
+/// Where two legs part below a trunk whose axis runs through `place` along the unit vector `up`. On each level the one
+/// that is lowest along the axis, if the way there is not the longer by more: legs that are raised meet at the front
+/// of the pelvis sooner than below it. Of the levels' places the highest, since one leg may be bent, so that the way to
+/// its foot is shorter; a place on a raised thigh is off the axis, which counts as lying down as far. `crossings` may
+/// not be empty. O(k).
+template <typename Scalar>
+[[nodiscard]] Vector3<Scalar> fork_along(const std::vector<Crossing<Scalar>>& crossings, const Vector3<Scalar>& place,
                                          const Vector3<Scalar>& up);
 
 } // namespace skelgen::refinement

@@ -76,12 +76,24 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] Scalar template_scale(const SkeletonTemplate& skeleton_template, Scalar geodesic_diameter);
 
+/// Centres of the rings around a limb at equal geodesic distance from its end, from `length` away in steps of `step`
+/// down to the end itself. Each is looked for near the last one: where the end touches another part of the body, that
+/// has rings at the same distance. O(m length / step).
+template <typename Scalar>
+[[nodiscard]] Points<Scalar> ring_centres(const Slicer<Scalar>& slicer, const EndPoint<Scalar>& end, Scalar length,
+                                          Scalar step);
+
 /// The limb with its centreline and attachment, from its end and `from_tip`: through the centres of the rings at equal
 /// geodesic distance from the end, which follow any bend and never stray to another part of the body, then recentred by
 /// perpendicular sections. O(length / step (n + m)).
 template <typename Scalar>
 [[nodiscard]] Limb<Scalar> draw_limb(Limb<Scalar> limb, const Slicer<Scalar>& slicer, const EndPoint<Scalar>& end,
                                      const CentrelineOptions& options = {});
+
+/// A limb whose joints have come nearer to its tip, on so much of the centreline that it has as it would be drawn with
+/// now. O(k).
+template <typename Scalar>
+[[nodiscard]] Limb<Scalar> shorten_line(Limb<Scalar> limb);
 
 /// All limbs of an embedded template, in the order of their ends, their joints at the template's distances.
 template <typename Scalar>

@@ -15,7 +15,7 @@ namespace skelgen::refinement {
 /// on registered bodies of five people, but for what is said otherwise.
 struct PelvisOptions {
     double hips_above_fork = 0.16; ///< height of the hips above where the legs part, along the pelvis's own up
-    double fork_rise = 0.05; ///< by how much the fork is higher per radian by which both thighs are flexed, whose skin
+    double fork_rise = 0.04; ///< by how much the fork is higher per radian by which both thighs are flexed, whose skin
                              ///< takes it along; calibrated on one person's squats
     double tilt =
         0.21; ///< tangent of the angle by which the trunk's line leans forward from a standing pelvis's own up

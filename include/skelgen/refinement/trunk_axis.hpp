@@ -2,9 +2,11 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/refinement/cross_section.hpp>
+#include <skelgen/refinement/fork.hpp>
 
 namespace skelgen::refinement {
 
@@ -19,6 +21,8 @@ struct TrunkAxis {
     Vector3<Scalar> across = Vector3<Scalar>::Zero();
     Scalar largest_section =
         std::numeric_limits<Scalar>::infinity(); ///< area from which on a section holds a thigh, too
+    /// Among which `fork` is, for who knows the pelvis's own up; none: it stays where it is.
+    std::vector<Crossing<Scalar>> crossings = {};
 };
 
 /// Finds the axis of the lower trunk by its sections a third to two thirds of a thigh above its fork, or higher where

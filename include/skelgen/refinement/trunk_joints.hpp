@@ -41,8 +41,8 @@ template <typename Scalar>
 /// Trunk: from the middle of the hips to the neck (or else to the middle of the shoulders, or else to `junction`, where
 /// the curve's arms branch off), joints at their rest-pose heights; the waist in the centre of its section, and the
 /// nearer to the hips the more they are flexed. Hips must have been placed, and neck and shoulders if there are any.
-/// With `lower_trunk` the root must have been placed, too, and stays where it is; and where the waist's section holds a
-/// raised thigh, the waist is on that axis at its height.
+/// With `lower_trunk` the root must have been placed, too, and stays where it is; and the larger the waist's section
+/// is, since it holds of a raised thigh, the nearer the waist is to that axis: on it from `largest_section` on.
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_trunk(Placement<Scalar> placement, const std::vector<Limb<Scalar>>& limbs,
                                             const Slicer<Scalar>& slicer, const Vector3<Scalar>& junction,

@@ -24,7 +24,8 @@ struct Body {
     core::SurfaceGraph<Scalar> graph; ///< as from core::surface_graph(mesh, adjacency)
     surface::FaceTree<Scalar> tree;   ///< of the mesh
     Similarity<Scalar> similarity;    ///< from the input's coordinates to the mesh's
-    std::vector<int> source;          ///< per vertex that of the input at the same place, -1 for those added
+    std::vector<int> source;          ///< per vertex that of the input at the same place (6e-8 apart at most where the
+                                      ///< input was no sound surface), -1 for those added
     std::vector<int> nearest;         ///< per vertex of the input the one that stands for it, -1 where it was left out;
                                       ///< empty where `source` says it all: no two of the input share one
     int dropped_pieces = 0;           ///< connected pieces smaller than this one, left out

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <skelgen/core/mesh.hpp>
+#include <skelgen/surface/similarity.hpp>
 
 namespace skelgen::surface {
 
@@ -15,6 +16,7 @@ struct CleanMesh {
                                     ///< the vertices are the input's
     std::vector<std::string> notes; ///< what was done and how much, one sentence each
     bool is_sound = false;          ///< it was one closed piece that looks outwards from the beginning
+    Similarity<Scalar> similarity = {}; ///< from the input's coordinates to the mesh's
 };
 
 /// Puts a mesh's connectivity right: vertices at equal places welded (then those nearer than a millionth of the size),
@@ -23,6 +25,12 @@ struct CleanMesh {
 /// it is. O(n log n). \throws Error bad_input when fewer than four faces are left.
 template <typename Scalar>
 [[nodiscard]] CleanMesh<Scalar> clean(const TriangleMesh<Scalar>& mesh);
+
+/// The same, but a mesh that needs any of it is brought into its own axes first (canonical_places), all places rounded
+/// to less than a millionth of the size: which rays meet an edge and which boxes meet then does not depend on how the
+/// input was turned. A mesh that needs nothing stays where it is.
+template <typename Scalar>
+[[nodiscard]] CleanMesh<Scalar> clean_in_own_axes(const TriangleMesh<Scalar>& mesh);
 
 } // namespace skelgen::surface
 

@@ -68,12 +68,18 @@ template <typename Scalar>
 [[nodiscard]] PlanarRelation<Scalar> relate(const Contour<Scalar>& contour, const Vector3<Scalar>& point,
                                             const Vector3<Scalar>& normal);
 
+/// A contour that was found around a point.
+template <typename Scalar = double>
+struct ContourAround : Contour<Scalar> {
+    PlanarRelation<Scalar> relation; ///< to that point
+};
+
 /// The contour around a point in the plane through it with that unit `normal`: the smallest one that encloses the
 /// point, else the one nearest to it, but no farther than `reach`; none when there is no such contour. `adjacency` and
 /// `tree` as above. O(log faces) for each face of the contour where it encloses the point and is closed, else for each
 /// of those that are in one direction from it or within reach.
 template <typename Scalar>
-[[nodiscard]] std::optional<Contour<Scalar>>
+[[nodiscard]] std::optional<ContourAround<Scalar>>
 contour_around(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency, const FaceTree<Scalar>& tree,
                const Vector3<Scalar>& point, const Vector3<Scalar>& normal, Scalar reach);
 

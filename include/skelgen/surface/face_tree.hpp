@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -30,18 +31,23 @@ public:
     [[nodiscard]] std::vector<int> faces_across(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& normal,
                                                 Scalar offset, const Vector3<Scalar>& place, Scalar reach) const;
 
-    /// Distance from a place to the surface; infinite when there is no face. O(log faces) where faces are no longer
-    /// than the distance.
-    [[nodiscard]] Scalar distance(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place) const;
+    /// Distance from a place to the surface, or `most` where it is no nearer; infinite when there is no face. O(log
+    /// faces) where faces are no longer than the distance.
+    [[nodiscard]] Scalar distance(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place,
+                                  Scalar most = std::numeric_limits<Scalar>::infinity()) const;
 
-    /// The first face that a ray from a place in a direction of length 1 meets, and how far that is; -1 and infinity
-    /// when it meets none. O(log faces) for each face that the ray comes near.
+    /// The vertex of a face that is nearest to a place, the lowest of equals; -1 when there is no face. As above.
+    [[nodiscard]] int nearest_vertex(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place) const;
+
+    /// The first face that a ray from a place in a direction of length 1 meets within `reach`, and how far that is; -1
+    /// and infinity when it meets none. O(log faces) for each face that the ray comes near.
     struct Hit {
         int face = -1;
         Scalar distance = std::numeric_limits<Scalar>::infinity();
     };
     [[nodiscard]] Hit first_along(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place,
-                                  const Vector3<Scalar>& direction) const;
+                                  const Vector3<Scalar>& direction,
+                                  Scalar reach = std::numeric_limits<Scalar>::infinity()) const;
 
     /// All faces that such a ray meets, in ascending order. As above.
     [[nodiscard]] std::vector<int> faces_along(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place,
@@ -79,6 +85,17 @@ private:
 
     std::shared_ptr<const Boxes> boxes_;
 };
+
+/// Squared distance from a place to a box, 0 inside; without a branch, as most questions to a tree are of this kind.
+template <typename Scalar>
+[[nodiscard]] Scalar squared_distance_to_box(const Vector3<Scalar>& place, const Eigen::AlignedBox<Scalar, 3>& box) {
+    Scalar squared = 0;
+    for (int k = 0; k < 3; ++k) {
+        const Scalar beyond = std::max(std::max(box.min()[k] - place[k], place[k] - box.max()[k]), Scalar(0));
+        squared += beyond * beyond;
+    }
+    return squared;
+}
 
 /// Distance from a place to a triangle, which may be degenerate.
 template <typename Scalar>

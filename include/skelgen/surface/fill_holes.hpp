@@ -19,9 +19,11 @@ struct FilledSurface {
 /// Closes the holes of a manifold surface but for those whose lids have more than `largest` of the surface's area. A
 /// lid goes on as the surface does around the hole (triangulate_rim); a fan around a new vertex in the middle of the
 /// rim closes holes with too many edges for that, more than 500 together, or where no such lid exists. O(n log n)
-/// besides.
+/// besides. `at_holes`: per vertex, whether it is one around a hole that may be closed; holes around which there are
+/// others stay open. Empty: all may be.
 template <typename Scalar>
-[[nodiscard]] FilledSurface<Scalar> fill_holes(const TriangleMesh<Scalar>& mesh, double largest);
+[[nodiscard]] FilledSurface<Scalar> fill_holes(const TriangleMesh<Scalar>& mesh, double largest,
+                                               const std::vector<bool>& at_holes = {});
 
 } // namespace skelgen::surface
 

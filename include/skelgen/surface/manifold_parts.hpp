@@ -26,6 +26,10 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] ManifoldParts<Scalar> largest_manifold_part(const TriangleMesh<Scalar>& mesh);
 
+/// The same of a mesh that `is_sound` (sound_faces.hpp), for less. O(n).
+template <typename Scalar>
+[[nodiscard]] ManifoldParts<Scalar> manifold_part_of_sound(const TriangleMesh<Scalar>& mesh);
+
 } // namespace skelgen::surface
 
 #ifdef SKELGEN_HEADER_ONLY

@@ -19,9 +19,9 @@ struct BodyFaces {
 /// it, or, grown to the body, two flat sides close to each other below everything else. Pieces whose boxes do not meet
 /// even when grown by a fiftieth of the size stand apart; so do two large ones of which no vertex is in or near the
 /// other. Of a mesh that is one piece without flat sides all faces stay. `component`: the body to keep, from 1 for the
-/// largest. O(n log n + pieces^2).
+/// largest. `is_one_piece`: it is known to be. O(n log n + pieces^2).
 template <typename Scalar>
-[[nodiscard]] BodyFaces faces_of_body(const TriangleMesh<Scalar>& mesh, int component = 1);
+[[nodiscard]] BodyFaces faces_of_body(const TriangleMesh<Scalar>& mesh, int component = 1, bool is_one_piece = false);
 
 /// A mesh without the vertices that no face uses, and where the others were.
 template <typename Scalar = double>

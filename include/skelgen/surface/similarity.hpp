@@ -21,6 +21,10 @@ struct Similarity {
     [[nodiscard]] Vector3<Scalar> direction_to_input(const Vector3<Scalar>& d) const {
         return rotation.transpose() * d;
     }
+    /// This one, and then another.
+    [[nodiscard]] Similarity then(const Similarity& next) const {
+        return {next.rotation * rotation, to_input(next.origin), next.scale * scale};
+    }
 };
 
 } // namespace skelgen

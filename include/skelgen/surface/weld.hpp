@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/mesh.hpp>
 
 namespace skelgen::surface {
@@ -26,6 +28,27 @@ template <typename Scalar>
 /// it beyond. O(faces).
 template <typename Scalar>
 [[nodiscard]] Triangles faces_within_reach(const TriangleMesh<Scalar>& mesh);
+
+/// Which vertices faces use, and which of these become one.
+struct Welding {
+    std::vector<int> used;
+    core::DisjointSets groups;
+
+    /// Are all of a mesh's vertices used and left apart?
+    [[nodiscard]] bool keeps(Eigen::Index vertices) const {
+        const auto n = static_cast<std::size_t>(vertices);
+        return used.size() == n && groups.count() == n;
+    }
+};
+
+/// The welds that `weld` makes. \throws Error, and O, as it.
+template <typename Scalar>
+[[nodiscard]] Welding find_welds(const TriangleMesh<Scalar>& mesh, Scalar tolerance,
+                                 const std::vector<bool>& apart = {});
+
+/// The mesh with these welds made. O(n).
+template <typename Scalar>
+[[nodiscard]] WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>& mesh, Welding welding);
 
 /// Makes one vertex of those at equal places, then of those in chains of steps up to `tolerance` (in the mesh's unit),
 /// and leaves out what no face uses; the first of each group stays, and all keep their order. `apart` (one entry for

@@ -8,6 +8,7 @@ namespace skelgen::synth {
 
 /// What a synthetic body can wear or carry.
 enum class Garment {
+    axe, ///< in the right hand, as staff and sword are
     boots,
     coat, ///< loose, from the neck to the knees, with sleeves
     hat,
@@ -16,11 +17,13 @@ enum class Garment {
     mittens,   ///< round ones that make paws of the hands
     rucksack,
     skirt, ///< to the knees; thighs disappear in it
-    tail,  ///< behind the pelvis, a third as long as the body is high
+    staff, ///< as long as the body is high
+    sword,
+    tail, ///< behind the pelvis, a third as long as the body is high
     trousers
 };
 
-/// The spellings in files and on the command line, in alphabetical order: "boots", "coat", ... "long-hair", ...
+/// The spellings in files and on the command line, in alphabetical order: "axe", "boots", ... "long-hair", ...
 [[nodiscard]] std::vector<std::string> garment_names();
 
 /// \throws Error usage naming the known garments.

@@ -19,6 +19,7 @@ struct BodyShape {
     double limb_girth = 1;     ///< factor on the thickness of arms and legs, 0.6 to 2
     double shoulder_width = 1; ///< factor, 0.6 to 1.6
     double hip_width = 1;      ///< factor, 0.6 to 1.6
+    double mouth = 0;          ///< 0: closed lips; else open with a cavity behind them, 1: as far as the throat
 };
 
 /// \throws Error usage naming the field, its value and its range.

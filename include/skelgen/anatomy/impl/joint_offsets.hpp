@@ -11,7 +11,7 @@ namespace detail {
 /// Calibrated, see apply_joint_offsets(); as parts of the thigh, the upper arm and the bone from chest to neck.
 struct JointOffsets {
     double knee_forward = 0.034, knee_outward = 0.021, straight_knee_up = 0.0125, bent_knee_down = 0.04;
-    double hip_outwards = 0.02;
+    double bent_elbow_down = 0.03;
     double shoulder_forward = 0.035, shoulder_outwards = 0.035;
     double neck_backward = 0.065;
 };
@@ -44,12 +44,16 @@ public:
              (straight * part(offsets_.straight_knee_up) - (1 - straight) * part(offsets_.bent_knee_down)) * up);
     }
 
-    /// A hip is a little farther down its thigh than the thigh's line goes on to.
-    void move_hip(Side side) {
+    /// The more an elbow is bent, the farther its fold lies towards the shoulder from the joint.
+    void move_elbow(Side side) {
         using enum JointRole;
-        Vector3<Scalar>* const hip_at = find(hip, side);
-        const Vector3<Scalar>* const knee_at = find(knee, side);
-        if (hip_at && knee_at) *hip_at += part(offsets_.hip_outwards) * (*knee_at - *hip_at);
+        Vector3<Scalar>* const elbow_at = find(elbow, side);
+        const Vector3<Scalar>*const shoulder_at = find(shoulder, side), *const wrist_at = find(wrist, side);
+        if (!elbow_at || !shoulder_at || !wrist_at) return;
+        const Vector3<Scalar> upper = (*shoulder_at - *elbow_at).normalized();
+        const Vector3<Scalar> lower = (*elbow_at - *wrist_at).normalized(), up = (upper + lower).normalized();
+        const Scalar length = (*shoulder_at - *elbow_at).norm(), straight = std::max(Scalar(0), upper.dot(lower));
+        *elbow_at -= length * (1 - straight) * part(offsets_.bent_elbow_down) * up;
     }
 
     /// The back of a neck and the front of the shoulders, by where shoulders, trunk and neck face.
@@ -99,7 +103,7 @@ KinematicSkeleton<Scalar> apply_joint_offsets(KinematicSkeleton<Scalar> skeleton
     detail::JointMover<Scalar> joints(std::move(skeleton), skeleton_template);
     for (const Side side : {Side::left, Side::right}) {
         joints.move_knee(side);
-        joints.move_hip(side);
+        joints.move_elbow(side);
     }
     joints.move_shoulder_girdle();
     return std::move(joints).result();

@@ -5,13 +5,20 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <skelgen/applications/body_coordinates.hpp>
+#include <skelgen/applications/bone_orientations.hpp>
 #include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/bounded_stretch.hpp>
 #include <skelgen/applications/heat_weights.hpp>
+#include <skelgen/applications/limb_regions.hpp>
+#include <skelgen/applications/posing.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/precision.hpp>
+#include <skelgen/surface/weld.hpp>
 
 namespace skelgen::applications {
 namespace detail {
@@ -73,20 +80,74 @@ private:
     std::vector<int> faces_;
 };
 
-/// The bones in the coordinates of a body, as what heats it: those that end on its surface somewhat shorter, since a
-/// place on the surface sees nothing of the body, or all, as rounding has it.
+/// The bones as what heats a body, in its coordinates: those that end on its surface somewhat shorter, since a place on
+/// the surface sees nothing of the body, or all, as rounding has it.
 template <typename Scalar>
-std::vector<Bone<Scalar>> heating_bones(std::vector<Bone<Scalar>> bones, const Body<Scalar>& body,
+std::vector<Bone<Scalar>> heating_bones(const KinematicSkeleton<Scalar>& skeleton,
                                         const SkeletonTemplate& skeleton_template) {
     constexpr Scalar kept = Scalar(0.9);
-    for (Bone<Scalar>& bone : bones) {
+    std::vector<Bone<Scalar>> bones = bones_of(skeleton, skeleton_template);
+    for (Bone<Scalar>& bone : bones)
         if (ends_limb(skeleton_template.joint(bone.joint).role)) bone.to = bone.from + kept * (bone.to - bone.from);
-        bone.from = body.similarity.to_canonical(bone.from);
-        bone.to = body.similarity.to_canonical(bone.to);
-        bone.radius_from /= body.similarity.scale;
-        bone.radius_to /= body.similarity.scale;
-    }
     return bones;
+}
+
+/// `without_islands` for a mesh whose vertices may be split along seams.
+template <typename Scalar>
+JointWeights without_islands_of_input(JointWeights weights, const TriangleMesh<Scalar>& mesh) {
+    const auto welded = surface::weld(mesh, Scalar(0));
+    JointWeights joined = JointWeights::Zero(welded.mesh.vertices.rows(), weights.cols());
+    for (std::size_t v = 0; v < welded.placed.size(); ++v)
+        if (welded.placed[v] >= 0) joined.row(welded.placed[v]) = weights.row(static_cast<Eigen::Index>(v));
+    joined = without_islands(std::move(joined), welded.mesh.faces);
+    for (std::size_t v = 0; v < welded.placed.size(); ++v)
+        if (welded.placed[v] >= 0) weights.row(static_cast<Eigen::Index>(v)) = joined.row(welded.placed[v]);
+    return weights;
+}
+
+/// The weights of the vertices of a body from all of its poses. \throws Error no_skeleton where no bone is seen.
+template <typename Scalar>
+JointWeights weights_in(const std::vector<HeatedPose<Scalar>>& poses, const SkeletonTemplate& skeleton_template,
+                        const LimbRegions& regions) {
+    const Outcome<JointWeights> heat = heat_weights(poses, static_cast<int>(skeleton_template.joints.size()), regions);
+    if (!heat) throw Error(ErrorCode::no_skeleton, heat.failure().what);
+    return following_one_limb(concentrated(*heat), skeleton_template);
+}
+
+/// The weights of the vertices of a body, whose skeleton is in its own coordinates: as it is and at rest alike. Skin is
+/// stretched outside of a bent joint and squeezed inside of it: weights that are smooth where it is bent alone are not
+/// once it is straight.
+template <typename Scalar>
+JointWeights body_weights(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
+                          const SkeletonTemplate& skeleton_template) {
+    const LimbRegions regions = limb_regions(body, skeleton, skeleton_template);
+    const HeatedPose<Scalar> as_is{body, heating_bones(skeleton, skeleton_template)};
+    const JointWeights first = weights_in<Scalar>({as_is}, skeleton_template, regions);
+
+    const Orientations<Scalar> now = bone_orientations(skeleton, skeleton_template);
+    const auto motion =
+        motions<Scalar>(skeleton, now,
+                        orientations_in(RestPose::t_pose, skeleton_template, now,
+                                        Eigen::Quaternion<Scalar>(Eigen::Quaternion<Scalar>::Identity())),
+                        Vector3<Scalar>::Zero());
+    Body<Scalar> rest = body;
+    const auto held_by = [&](const JointWeights& weights) {
+        return skinned<Scalar>(body.mesh.vertices, strongest_influences<Scalar>(weights.cast<Scalar>()), motion);
+    };
+    rest.mesh.vertices = held_by(first);
+    rest.tree = surface::FaceTree<Scalar>(rest.mesh);
+    const KinematicSkeleton<Scalar> at_rest = moved(skeleton, skeleton_template, motion);
+    JointWeights weights =
+        weights_in<Scalar>({as_is, {rest, heating_bones(at_rest, skeleton_template)}}, skeleton_template, regions);
+    const Triangles& faces = body.mesh.faces;
+    constexpr int passes = 4; // each changes how the body is at rest a little
+    for (int pass = 0; pass < passes; ++pass) {
+        rest.mesh.vertices = held_by(weights);
+        weights = with_bounded_stretch<Scalar>(std::move(weights),
+                                               {{body.mesh.vertices, skeleton}, {rest.mesh.vertices, at_rest}}, faces,
+                                               skeleton_template, regions.of_joint);
+    }
+    return without_islands(std::move(weights), faces);
 }
 
 } // namespace detail
@@ -117,24 +178,19 @@ std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>& body, const Tria
 template <typename Scalar>
 Skin<Scalar> bind(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
                   const SkeletonTemplate& skeleton_template) {
-    const auto joints = static_cast<int>(skeleton.joints.size());
-    const std::vector<Bone<Scalar>> bones = bones_of(skeleton, skeleton_template);
-    if (2 * detail::joints_inside(body, skeleton) <= joints)
+    if (2 * detail::joints_inside(body, skeleton) <= static_cast<int>(skeleton.joints.size()))
         throw Error(ErrorCode::no_skeleton, "the skeleton does not lie in the mesh: take that which was found in it");
-    const Outcome<JointWeights> heat =
-        heat_weights(body, detail::heating_bones(bones, body, skeleton_template), joints);
-    if (!heat) throw Error(ErrorCode::no_skeleton, heat.failure().what);
-    const JointWeights weights =
-        without_islands(following_one_limb(concentrated(*heat), skeleton_template), body.mesh.faces);
+    const JointWeights weights = detail::body_weights(body, surface::to_body(body, skeleton), skeleton_template);
 
-    Eigen::MatrixX<Scalar> carried = Eigen::MatrixX<Scalar>::Zero(mesh.vertices.rows(), weights.cols());
+    JointWeights carried = JointWeights::Zero(mesh.vertices.rows(), weights.cols());
     const std::vector<SurfacePlace<Scalar>> places = places_on(body, mesh);
     for (Eigen::Index v = 0; v < carried.rows(); ++v) {
         const auto& [face, share] = places[static_cast<std::size_t>(v)];
         for (int k = 0; k < 3; ++k)
-            carried.row(v) += share[k] * weights.row(body.mesh.faces(face, k)).template cast<Scalar>();
+            carried.row(v) += static_cast<core::Accumulator>(share[k]) * weights.row(body.mesh.faces(face, k));
     }
-    return strongest_influences<Scalar>(carried);
+    carried = detail::without_islands_of_input(following_one_limb(std::move(carried), skeleton_template), mesh);
+    return strongest_influences<Scalar>(carried.cast<Scalar>());
 }
 
 } // namespace skelgen::applications

@@ -33,20 +33,28 @@ bool is_seen_from(const Vector3<Scalar>& place, const Vector3<Scalar>& vertex, c
     return body.tree.first_along(body.mesh, place, direction).distance >= nearly * distance;
 }
 
-/// The nearest bones in sight of a vertex: several where it is as near to them, as beside the joint where they meet.
-/// Those behind several others are not looked for: they would hardly warm it.
-template <typename Scalar>
+/// May the bone of a joint heat a vertex?
+inline bool may_heat(const LimbRegions& regions, int joint, std::size_t vertex) {
+    if (regions.of_joint.empty() || regions.of_vertex[vertex] < 0) return true;
+    const int limb = regions.of_joint[static_cast<std::size_t>(joint)];
+    return limb < 0 || limb == regions.of_vertex[vertex];
+}
+
+/// The nearest bones in sight of a vertex, of those that `is_candidate` names: several where it is as near to them, as
+/// beside the joint where they meet. Those behind several others are not looked for: they would hardly warm it.
+template <typename Scalar, typename Candidate>
 HeatSources<Scalar> nearest_bones_in_sight(const Vector3<Scalar>& vertex, const std::vector<Bone<Scalar>>& bones,
-                                           const Body<Scalar>& body) {
+                                           const Body<Scalar>& body, const Candidate& is_candidate) {
     constexpr std::size_t looks = 6;
     constexpr Scalar as_near = Scalar(1.0001); // BP07
-    struct Candidate {
+    struct Near {
         Scalar relative, distance;
         int joint;
         Vector3<Scalar> place;
     };
-    std::vector<Candidate> candidates;
+    std::vector<Near> candidates;
     for (const Bone<Scalar>& bone : bones) {
+        if (!is_candidate(bone.joint)) continue;
         const auto near = core::nearest_on_segment<Scalar, 3>(vertex, bone.from, bone.to);
         const Scalar radius = bone.radius_from + near.along * (bone.radius_to - bone.radius_from);
         const Vector3<Scalar> place = bone.from + near.along * (bone.to - bone.from);
@@ -54,7 +62,7 @@ HeatSources<Scalar> nearest_bones_in_sight(const Vector3<Scalar>& vertex, const 
     }
     const auto tried = static_cast<std::ptrdiff_t>(std::min(looks, candidates.size()));
     std::partial_sort(candidates.begin(), candidates.begin() + tried, candidates.end(),
-                      [](const Candidate& a, const Candidate& b) { return a.relative < b.relative; });
+                      [](const Near& a, const Near& b) { return a.relative < b.relative; });
     HeatSources<Scalar> out;
     Scalar nearest = 0;
     for (auto candidate = candidates.begin(); candidate != candidates.begin() + tried; ++candidate) {
@@ -94,40 +102,71 @@ struct Limbs {
 
 } // namespace detail
 
+namespace detail {
+
+/// What a body's bones give to it: per vertex area over squared distance, and of that what comes from each joint.
+struct HeatSupply {
+    Eigen::VectorX<core::Accumulator> sum;
+    JointWeights of_joint;
+};
+
 template <typename Scalar>
-Outcome<JointWeights> heat_weights(const Body<Scalar>& body, const std::vector<Bone<Scalar>>& bones, int joints) {
+HeatSupply heat_supply(const Body<Scalar>& body, const std::vector<Bone<Scalar>>& bones, int joints,
+                       const LimbRegions& regions) {
     using core::Accumulator;
     const Eigen::Index n = body.mesh.vertices.rows();
     const Eigen::VectorX<Accumulator> areas = core::vertex_areas(body.mesh);
     const Accumulator largest_supply = areas.sum() / core::rounding<Accumulator>(); // at no distance from a bone
-
-    Eigen::VectorX<Accumulator> supply = Eigen::VectorX<Accumulator>::Zero(n); // area / distance^2
-    JointWeights heat = JointWeights::Zero(n, joints);
+    HeatSupply out{Eigen::VectorX<Accumulator>::Zero(n), JointWeights::Zero(n, joints)};
     for (Eigen::Index v = 0; v < n; ++v) {
-        const auto sources = detail::nearest_bones_in_sight(core::point(body.mesh.vertices, v), bones, body);
+        const auto sources = nearest_bones_in_sight(core::point(body.mesh.vertices, v), bones, body, [&](int joint) {
+            return may_heat(regions, joint, static_cast<std::size_t>(v));
+        });
         if (sources.joints.empty()) continue;
         const auto distance = static_cast<Accumulator>(sources.distance), squared = distance * distance;
-        supply[v] = areas[v] < largest_supply * squared ? areas[v] / squared : largest_supply;
+        out.sum[v] = areas[v] < largest_supply * squared ? areas[v] / squared : largest_supply;
         for (const int joint : sources.joints)
-            heat(v, joint) += supply[v] / static_cast<Accumulator>(sources.joints.size());
+            out.of_joint(v, joint) += out.sum[v] / static_cast<Accumulator>(sources.joints.size());
     }
-    if (!(supply.maxCoeff() > 0))
+    return out;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+Outcome<JointWeights> heat_weights(const std::vector<HeatedPose<Scalar>>& poses, int joints,
+                                   const LimbRegions& regions) {
+    using core::Accumulator;
+    Eigen::SparseMatrix<Accumulator> matrix;
+    detail::HeatSupply supply;
+    for (const HeatedPose<Scalar>& pose : poses) {
+        const Eigen::SparseMatrix<Accumulator> laplacian = surface_laplacian(pose.body.mesh);
+        const detail::HeatSupply more = detail::heat_supply(pose.body, pose.bones, joints, regions);
+        if (&pose == &poses.front()) {
+            matrix = laplacian;
+            supply = more;
+        } else {
+            matrix += laplacian;
+            supply.sum += more.sum;
+            supply.of_joint += more.of_joint;
+        }
+    }
+    if (!(supply.sum.maxCoeff() > 0))
         return Failure{FailureReason::no_body, "the skeleton is not in the body: no bone is seen from the surface"};
 
-    Eigen::SparseMatrix<Accumulator> matrix = surface_laplacian(body.mesh);
-    matrix.diagonal() += supply;
+    matrix.diagonal() += supply.sum;
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<Accumulator>> solver(matrix);
     if (solver.info() != Eigen::Success)
         throw Error(ErrorCode::internal, "the heat of the bones could not be solved for: a matrix is singular");
-    JointWeights weights = solver.solve(heat).cwiseMax(0);
+    JointWeights weights = solver.solve(supply.of_joint).cwiseMax(0);
     const Eigen::VectorX<Accumulator> sums = weights.rowwise().sum();
     return JointWeights(weights.array().colwise() / sums.array());
 }
 
 SKELGEN_INLINE JointWeights concentrated(const JointWeights& weights) {
-    const JointWeights squares = weights.array().square();
-    const Eigen::VectorX<core::Accumulator> sums = squares.rowwise().sum();
-    return squares.array().colwise() / sums.array();
+    const JointWeights cubes = weights.array().cube();
+    const Eigen::VectorX<core::Accumulator> sums = cubes.rowwise().sum();
+    return cubes.array().colwise() / sums.array();
 }
 
 SKELGEN_INLINE JointWeights following_one_limb(JointWeights weights, const SkeletonTemplate& skeleton_template) {

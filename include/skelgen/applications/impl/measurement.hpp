@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -40,7 +41,7 @@ inline constexpr std::array<NamedBone, 8> sided_bones{{{"clavicle", "chest", "sh
                                                        {"foot", "ankle", "foot", true, true}}};
 
 /// Where a girth is taken: across the line from one joint to another or to an end point, from `begin` to `end` along it
-/// (0 and 1: at the joints), and which of the girths there counts.
+/// (0 and 1: at the joints; hips: between them), and which of the girths there counts.
 struct GirthPlace {
     enum class Choice { largest, smallest };
     const char* name;
@@ -50,15 +51,17 @@ struct GirthPlace {
     Choice choice;
     std::vector<std::string> parts; ///< that a section may run through; those of a limb without their side
     const char* before = nullptr;   ///< the joint before `from`: the section halves the angle there
+    bool is_tilted = false;         ///< sections tilted forward and back count, too
+    double share = 0;               ///< of a section's faces that the first of the parts has at least
 };
 
 inline const std::vector<GirthPlace>& trunk_girths() {
     using Choice = GirthPlace::Choice;
     static const std::vector<GirthPlace> places{
         {"head", "neck", "head_top", 0.35, 0.65, Choice::largest, {"head"}},
-        {"neck", "neck", "head_top", 0.05, 0.3, Choice::smallest, {"head", "neck", "chest"}},
-        {"chest", "waist", "chest", 0.35, 0.85, Choice::largest, {"abdomen", "chest", "shoulder"}},
-        {"waist", "waist", "chest", -0.2, 0.35, Choice::smallest, {"pelvis", "abdomen", "chest"}},
+        {"neck", "neck", "head_top", 0.0, 0.4, Choice::smallest, {"head", "neck", "chest"}, nullptr, true},
+        {"chest", "hips", "neck", 0.42, 0.62, Choice::largest, {"abdomen", "chest", "shoulder"}},
+        {"waist", "hips", "neck", 0.22, 0.42, Choice::smallest, {"pelvis", "abdomen", "chest"}},
         {"hip", "crotch", "waist", -0.3, 0.5, Choice::largest, {"pelvis", "abdomen", "thigh"}}};
     return places;
 }
@@ -66,7 +69,17 @@ inline const std::vector<GirthPlace>& trunk_girths() {
 inline const std::vector<GirthPlace>& sided_girths() {
     using Choice = GirthPlace::Choice;
     static const std::vector<GirthPlace> places{
-        {"upper_arm", "shoulder", "elbow", 0.5, 0.5, Choice::largest, {"upper_arm"}},
+        // Where an arm is thick its begin reaches this far on the inner side.
+        {"upper_arm",
+         "shoulder",
+         "elbow",
+         0.5,
+         0.5,
+         Choice::largest,
+         {"upper_arm", "shoulder", "chest"},
+         nullptr,
+         false,
+         0.5},
         {"elbow", "elbow", "wrist", 0.0, 0.0, Choice::largest, {"upper_arm", "forearm"}, "shoulder"},
         {"forearm", "elbow", "wrist", 0.1, 0.4, Choice::largest, {"forearm"}},
         {"wrist", "elbow", "wrist", 0.85, 1.05, Choice::smallest, {"forearm", "hand"}},
@@ -78,17 +91,35 @@ inline const std::vector<GirthPlace>& sided_girths() {
     return places;
 }
 
+/// The parts that sections of one place may run through, and the one that they are of; one entry for each part.
+struct SectionParts {
+    std::vector<bool> allowed, own;
+    double share = 0; ///< of a section's faces that have to be of its own part
+};
+
 /// The girth at one place across a direction, in the body's unit; none where the section is missing or runs through
-/// another part than those that it may (`allowed`, one entry for each part).
+/// another part than those that it may, or too little through its own.
 template <typename Scalar>
-std::optional<Scalar> girth_at(const Body<Scalar>& body, const Segmentation& parts, const std::vector<bool>& allowed,
+std::optional<Scalar> girth_at(const Body<Scalar>& body, const Segmentation& parts, const SectionParts& wanted,
                                const Vector3<Scalar>& place, const Vector3<Scalar>& direction) {
     constexpr Scalar reach = Scalar(0.02); // of a joint that has come out of a thin limb
     const auto contour = surface::contour_around(body.mesh, body.adjacency, body.tree, place, direction, reach);
     if (!contour) return std::nullopt;
-    for (const int face : contour->faces)
-        if (!allowed[static_cast<std::size_t>(parts.face_part[static_cast<std::size_t>(face)])]) return std::nullopt;
+    double own = 0;
+    for (const int face : contour->faces) {
+        const auto part = static_cast<std::size_t>(parts.face_part[static_cast<std::size_t>(face)]);
+        if (!wanted.allowed[part]) return std::nullopt;
+        if (wanted.own[part]) own += 1 / static_cast<double>(contour->faces.size());
+    }
+    if (own < wanted.share) return std::nullopt;
     return tape_length(contour->points, direction);
+}
+
+/// Where the line begins or ends that girths are across.
+template <typename Scalar>
+Vector3<Scalar> girth_end(const KinematicSkeleton<Scalar>& skeleton, const std::string& name) {
+    if (name != "hips") return end_place(skeleton, name, name);
+    return (joint_place(skeleton, "left_hip") + joint_place(skeleton, "right_hip")) / 2;
 }
 
 /// The girth that counts among those at a place; `side` in front of the names of joints and parts that have one.
@@ -102,23 +133,31 @@ std::optional<Scalar> girth_of(const Body<Scalar>& body, const KinematicSkeleton
                    (side.empty() && part == "right_" + name);
         });
     };
-    std::vector<bool> allowed;
-    for (const std::string& part : parts.parts) allowed.push_back(is_allowed(part));
-    const Vector3<Scalar> from = joint_place(skeleton, side + place.from);
-    const Vector3<Scalar> to = end_place(skeleton, side + place.to, side + place.to);
+    SectionParts wanted{{}, {}, place.share};
+    for (const std::string& part : parts.parts) {
+        wanted.allowed.push_back(is_allowed(part));
+        wanted.own.push_back(part == side + place.parts.front());
+    }
+    const Vector3<Scalar> from = girth_end(skeleton, side + place.from), to = girth_end(skeleton, side + place.to);
     Vector3<Scalar> direction = (to - from).stableNormalized();
     if (place.before != nullptr)
         direction =
             (direction + (from - joint_place(skeleton, side + place.before)).stableNormalized()).stableNormalized();
-    const int last = place.end > place.begin ? steps : 0;
+    const Vector3<Scalar> left =
+        (joint_place(skeleton, "left_shoulder") - joint_place(skeleton, "right_shoulder")).stableNormalized();
+    const int last = place.end > place.begin ? steps : 0, tilts = place.is_tilted ? 3 : 0;
     std::optional<Scalar> chosen;
-    for (int i = 0; i <= last; ++i) {
-        const auto along = static_cast<Scalar>(place.begin + (place.end - place.begin) * i / steps);
-        const auto girth = girth_at<Scalar>(body, parts, allowed, from + along * (to - from), direction);
-        if (!girth) continue;
-        const bool counts =
-            !chosen || (place.choice == GirthPlace::Choice::largest ? *girth > *chosen : *girth < *chosen);
-        if (counts) chosen = girth;
+    for (int tilt = -tilts; tilt <= tilts; ++tilt) {
+        const Eigen::AngleAxis<Scalar> turn(Scalar(tilt) * static_cast<Scalar>(std::numbers::pi / 18), left);
+        for (int i = 0; i <= last; ++i) {
+            const auto along = static_cast<Scalar>(place.begin + (place.end - place.begin) * i / steps);
+            const auto girth =
+                girth_at<Scalar>(body, parts, wanted, from + along * (to - from), Vector3<Scalar>(turn * direction));
+            if (!girth) continue;
+            const bool counts =
+                !chosen || (place.choice == GirthPlace::Choice::largest ? *girth > *chosen : *girth < *chosen);
+            if (counts) chosen = girth;
+        }
     }
     return chosen;
 }

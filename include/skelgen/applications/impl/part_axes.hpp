@@ -29,16 +29,28 @@ std::vector<PartAxis<Scalar>> part_axes(const KinematicSkeleton<Scalar>& skeleto
     const auto end = [&](const std::string& name, const std::string& joint) {
         return Point{end_place(skeleton, name, joint), Scalar(0)};
     };
-    const Scalar half = Scalar(0.5);
     const Point crotch = at("crotch"), waist = at("waist"), chest = at("chest"), neck = at("neck"), head = at("head");
-    const Point hip_bone = between(crotch, waist, half), ribs = between(waist, chest, half);
-    const Point throat = between(neck, head, half); // the jaw hangs below the head's joint
+    const Point hips = between(at("left_hip"), at("right_hip"), Scalar(0.5));
+    const Point throat = between(neck, head, Scalar(0.5)); // the jaw hangs below the head's joint
+    // The joints of the trunk are where it bends, not where something ends: parts meet at fixed shares of the way from
+    // between the hips over the waist to the neck, which is found again in other poses to less than any joint between.
+    constexpr Scalar top_of_pelvis = Scalar(0.22), top_of_abdomen = Scalar(0.48); // of people who stand
+    const Scalar lower = (waist.place - hips.place).norm(), upper = (neck.place - waist.place).norm();
+    const auto on_trunk = [&](Scalar share) {
+        const Scalar way = share * (lower + upper);
+        return way < lower ? between(hips, waist, way / lower) : between(waist, neck, (way - lower) / upper);
+    };
+    const Point hip_bone = on_trunk(top_of_pelvis), ribs = on_trunk(top_of_abdomen);
+    const bool waist_is_low =
+        lower<top_of_pelvis*(lower + upper), waist_is_high = lower> top_of_abdomen * (lower + upper);
     std::vector<PartAxis<Scalar>> axes;
-    axes.push_back({trunk_part("pelvis"), LimbEnd::none, crotch, hip_bone});
-    axes.push_back({trunk_part("abdomen"), LimbEnd::none, hip_bone, waist});
-    axes.push_back({trunk_part("abdomen"), LimbEnd::none, waist, ribs});
-    axes.push_back({trunk_part("chest"), LimbEnd::none, ribs, chest});
-    axes.push_back({trunk_part("chest"), LimbEnd::none, chest, neck});
+    const auto along_trunk = [&](const char* part, const Point& from, const Point& to, bool over_waist) {
+        axes.push_back({trunk_part(part), LimbEnd::none, from, over_waist ? waist : to});
+        if (over_waist) axes.push_back({trunk_part(part), LimbEnd::none, waist, to});
+    };
+    along_trunk("pelvis", hips, hip_bone, waist_is_low);
+    along_trunk("abdomen", hip_bone, ribs, !waist_is_low && !waist_is_high);
+    along_trunk("chest", ribs, neck, waist_is_high);
     axes.push_back({trunk_part("neck"), LimbEnd::none, neck, throat});
     axes.push_back({trunk_part("head"), LimbEnd::none, throat, head});
     axes.push_back({trunk_part("head"), LimbEnd::none, head, end("head_top", "head")});

@@ -26,6 +26,19 @@ Scalar lowest_along(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& up)
     return lowest;
 }
 
+/// Mean of the way from the joints of one skeleton to those of another, of those that both have.
+template <typename Scalar>
+Vector3<Scalar> mean_way(const KinematicSkeleton<Scalar>& from, const KinematicSkeleton<Scalar>& to) {
+    Vector3<Scalar> sum = Vector3<Scalar>::Zero();
+    int count = 0;
+    for (std::size_t j = 0; j < from.joints.size(); ++j) {
+        if (!from.joints[j].is_present || !to.joints[j].is_present) continue;
+        sum += to.joints[j].position - from.joints[j].position;
+        ++count;
+    }
+    return count > 0 ? Vector3<Scalar>(sum / static_cast<Scalar>(count)) : sum;
+}
+
 } // namespace detail
 
 template <typename Scalar>
@@ -35,7 +48,9 @@ PosedBody<Scalar> pose_like(const TriangleMesh<Scalar>& mesh, const Body<Scalar>
     const Orientations<Scalar> from = bone_orientations(skeleton, skeleton_template);
     const Orientations<Scalar> to = bone_orientations(model, skeleton_template);
     const Skin<Scalar> skin = bind(mesh, body, skeleton, skeleton_template);
-    const auto motion = motions<Scalar>(skeleton, from, to, model.joints.front().position);
+    auto motion = motions<Scalar>(skeleton, from, to, model.joints.front().position);
+    const Vector3<Scalar> way = detail::mean_way(moved(skeleton, skeleton_template, motion), model);
+    for (RigidMotion<Scalar>& of_joint : motion) of_joint.translation += way;
     return {{skinned(mesh.vertices, skin, motion), mesh.faces}, moved(skeleton, skeleton_template, motion)};
 }
 
@@ -48,12 +63,12 @@ Floor<Scalar> floor_of(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton
     floor.up = Vector3<Scalar>::Unit(axis) * (skeleton.frame.up[axis] < 0 ? Scalar(-1) : Scalar(1));
     floor.height = detail::lowest_along(mesh, floor.up);
     const Scalar near = height_by_bones(skeleton, skeleton_template) / 10;
-    floor.is_stood_on = true;
     for (const Side side : {Side::left, Side::right}) {
         const int foot = find_joint(skeleton_template, JointRole::foot, side);
-        const Vector3<Scalar> joint = skeleton.joints[static_cast<std::size_t>(foot)].position;
-        for (const Vector3<Scalar>& place : {joint, bone_end(skeleton, skeleton_template, foot)})
-            floor.is_stood_on = floor.is_stood_on && floor.up.dot(place) - floor.height <= near;
+        const Joint<Scalar>& joint = skeleton.joints[static_cast<std::size_t>(foot)];
+        const auto is_down = [&](const Vector3<Scalar>& place) { return floor.up.dot(place) - floor.height <= near; };
+        if (joint.is_present && is_down(joint.position) && is_down(bone_end(skeleton, skeleton_template, foot)))
+            floor.is_stood_on = true;
     }
     return floor;
 }

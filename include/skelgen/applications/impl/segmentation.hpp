@@ -7,9 +7,12 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
+#include <optional>
 #include <string_view>
 #include <utility>
 
+#include <skelgen/applications/alignment.hpp>
 #include <skelgen/applications/body_coordinates.hpp>
 #include <skelgen/applications/part_axes.hpp>
 #include <skelgen/applications/surface_labels.hpp>
@@ -18,6 +21,7 @@
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/options.hpp>
+#include <skelgen/surface/contours.hpp>
 
 namespace skelgen::applications {
 namespace detail {
@@ -33,16 +37,28 @@ std::vector<int> end_vertices(const Body<Scalar>& body, const KinematicSkeleton<
     return out;
 }
 
-/// For each vertex the end of the body that is nearest along the surface.
+/// Distances along the surface from each end of the body, by LimbEnd; none of `none`.
 template <typename Scalar>
-std::vector<LimbEnd> nearest_ends(const Body<Scalar>& body, const std::vector<int>& end_vertices) {
-    std::vector<core::Source<Scalar>> sources;
+using EndDistances = std::vector<std::vector<Scalar>>;
+
+template <typename Scalar>
+EndDistances<Scalar> end_distances(const Body<Scalar>& body, const std::vector<int>& end_vertices) {
+    EndDistances<Scalar> out(1);
     for (std::size_t end = 1; end < end_vertices.size(); ++end)
-        sources.push_back({Scalar(0), static_cast<int>(end), end_vertices[end]});
-    std::vector<LimbEnd> ends;
-    for (const int label : core::nearest_source(body.graph, sources))
-        ends.push_back(label < 0 ? LimbEnd::none : static_cast<LimbEnd>(label));
-    return ends;
+        out.push_back(core::distances_from(body.graph, {end_vertices[end]}));
+    return out;
+}
+
+/// May a vertex belong to the limb that ends there? No other end is nearer; of arms, which are as far from the hand at
+/// their roots as from the crown, the head does not count.
+template <typename Scalar>
+bool may_be_of(LimbEnd limb, const EndDistances<Scalar>& distances, std::size_t v) {
+    const bool is_arm = limb == LimbEnd::left_hand || limb == LimbEnd::right_hand;
+    for (std::size_t end = 1; end < distances.size(); ++end) {
+        if (is_arm && static_cast<LimbEnd>(end) == LimbEnd::head) continue;
+        if (distances[end][v] < distances[static_cast<std::size_t>(limb)][v]) return false;
+    }
+    return true;
 }
 
 /// For each vertex the part of the nearest axis among those that `is_candidate` names for it.
@@ -62,26 +78,16 @@ int nearest_part(const Vector3<Scalar>& place, const std::vector<PartAxis<Scalar
     return part;
 }
 
-/// Distance along the surface from the nearest vertex of which `is_source` holds; infinite without any.
-template <typename Scalar, typename IsSource>
-std::vector<Scalar> distance_from(const core::SurfaceGraph<Scalar>& graph, const IsSource& is_source) {
-    std::vector<int> sources;
-    for (int v = 0; v < graph.size(); ++v)
-        if (is_source(v)) sources.push_back(v);
-    return core::distances_from(graph, sources);
-}
-
 /// For each vertex the part of the nearest axis. A limb is in one piece: what of a trunk's side is nearer to an arm
 /// that hangs beside it belongs to the trunk all the same.
 template <typename Scalar>
 std::vector<int> nearest_parts(const Body<Scalar>& body, const std::vector<PartAxis<Scalar>>& axes,
-                               const std::vector<int>& end_vertices) {
-    const std::vector<LimbEnd> ends = nearest_ends(body, end_vertices);
+                               const std::vector<int>& end_vertices, const EndDistances<Scalar>& distances) {
     const auto place = [&](std::size_t v) { return core::point(body.mesh.vertices, static_cast<Eigen::Index>(v)); };
     std::vector<int> parts;
-    for (std::size_t v = 0; v < ends.size(); ++v)
+    for (std::size_t v = 0; v < body.graph.neighbours.size(); ++v)
         parts.push_back(nearest_part(place(v), axes, [&](const PartAxis<Scalar>& axis) {
-            return axis.end == LimbEnd::none || axis.end == ends[v];
+            return axis.end == LimbEnd::none || may_be_of(axis.end, distances, v);
         }));
     std::vector<LimbEnd> end_of_part(part_names(PartSet::bones).size(), LimbEnd::none);
     for (const PartAxis<Scalar>& axis : axes) end_of_part[static_cast<std::size_t>(axis.part)] = axis.end;
@@ -104,38 +110,177 @@ std::vector<int> nearest_parts(const Body<Scalar>& body, const std::vector<PartA
     return parts;
 }
 
-/// Gives the trunk's vertices near an arm to the shoulder, and what was a shoulder's elsewhere to the trunk.
+inline bool is_of_spine(int part) {
+    return part == trunk_part("chest") || part == trunk_part("abdomen") || part == trunk_part("pelvis");
+}
+
+/// Where the trunk is divided: across the pelvis's own direction above the hips, and across the line from there to the
+/// neck. Planes, as bodies with a belly have their joints far in front of what is behind.
 template <typename Scalar>
-std::vector<int> with_shoulders(const std::vector<int>& parts, const Body<Scalar>& body,
-                                const std::vector<PartAxis<Scalar>>& axes, double reach) {
-    const auto is_shoulder = [](int part) {
-        return part == sided_part("shoulder", 0) || part == sided_part("shoulder", 1);
-    };
-    const auto is_trunk = [&](int part) {
-        return is_shoulder(part) || part == trunk_part("chest") || part == trunk_part("abdomen");
-    };
-    const auto is_part = [&](int part) {
-        return [&parts, part](int v) { return parts[static_cast<std::size_t>(v)] == part; };
-    };
-    std::vector<int> out = parts;
-    for (std::size_t v = 0; v < out.size(); ++v)
-        if (is_shoulder(parts[v]))
-            out[v] = nearest_part(core::point(body.mesh.vertices, static_cast<Eigen::Index>(v)), axes,
-                                  [&](const PartAxis<Scalar>& axis) {
-                                      return axis.part == trunk_part("chest") || axis.part == trunk_part("abdomen") ||
-                                             axis.part == trunk_part("pelvis");
-                                  });
-    for (std::size_t s = 0; s < sides.size(); ++s) {
-        const std::vector<Scalar> from_arm = distance_from(body.graph, is_part(sided_part("upper_arm", s)));
-        Scalar to_neck = std::numeric_limits<Scalar>::infinity();
-        for (std::size_t v = 0; v < parts.size(); ++v)
-            if (parts[v] == trunk_part("neck")) to_neck = std::min(to_neck, from_arm[v]);
-        if (to_neck == std::numeric_limits<Scalar>::infinity()) continue;
-        for (std::size_t v = 0; v < parts.size(); ++v)
-            if (is_trunk(parts[v]) && from_arm[v] < static_cast<Scalar>(reach) * to_neck)
-                out[v] = sided_part("shoulder", s);
+struct TrunkBorders {
+    Vector3<Scalar> hips, pelvis_up, spine; ///< between the hips; of length 1; from there to the neck
+    Scalar length = 0;                      ///< from the hips over the waist to the neck
+
+    [[nodiscard]] int part_of(const Vector3<Scalar>& place) const {
+        constexpr Scalar top_of_pelvis = Scalar(0.22), top_of_abdomen = Scalar(0.475); // of people who stand
+        const Vector3<Scalar> from_hips = place - hips;
+        const Scalar above_pelvis = from_hips.dot(pelvis_up) - top_of_pelvis * length;
+        const Scalar above_abdomen = from_hips.dot(spine) / spine.norm() - top_of_abdomen * spine.norm();
+        if (above_abdomen > 0 && above_abdomen > -above_pelvis) return trunk_part("chest");
+        return trunk_part(above_pelvis > 0 ? "abdomen" : "pelvis");
     }
-    return out;
+};
+
+template <typename Scalar>
+TrunkBorders<Scalar> trunk_borders(const KinematicSkeleton<Scalar>& skeleton) {
+    const Vector3<Scalar> hips = (joint_place(skeleton, "left_hip") + joint_place(skeleton, "right_hip")) / 2;
+    const Vector3<Scalar> waist = joint_place(skeleton, "waist"), neck = joint_place(skeleton, "neck");
+    return {hips, pelvis_directions(skeleton).up.stableNormalized(), neck - hips,
+            (waist - hips).norm() + (neck - waist).norm()};
+}
+
+/// Lets arms begin below their shoulders, and gives what is between the arm and the trunk's end to the shoulder.
+template <typename Scalar>
+std::vector<int> with_shoulders(std::vector<int> parts, const Body<Scalar>& body,
+                                const KinematicSkeleton<Scalar>& skeleton, const EndDistances<Scalar>& distances,
+                                const SegmentationOptions& options) {
+    constexpr Scalar reach = Scalar(0.5); // of a shoulder around its joint, in upper arms
+    constexpr Scalar lean = Scalar(0.6);  // of an arm's begin towards the collarbone; 1 would halve the angle
+    const TrunkBorders<Scalar> trunk = trunk_borders(skeleton);
+    const Vector3<Scalar> chest = joint_place(skeleton, "chest"), neck = joint_place(skeleton, "neck");
+    const Vector3<Scalar> middle = (chest + neck) / 2;
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+        const std::string side(sides[s]);
+        const LimbEnd hand = s == 0 ? LimbEnd::left_hand : LimbEnd::right_hand;
+        const int upper_arm = sided_part("upper_arm", s), shoulder = sided_part("shoulder", s);
+        const Vector3<Scalar> joint = joint_place(skeleton, side + "shoulder");
+        const Vector3<Scalar> arm = joint_place(skeleton, side + "elbow") - joint, collar = joint - middle;
+        const Vector3<Scalar> across =
+            (arm.stableNormalized() + lean * (joint - chest).stableNormalized()).stableNormalized();
+        for (std::size_t v = 0; v < parts.size(); ++v) {
+            const Vector3<Scalar> place = core::point(body.mesh.vertices, static_cast<Eigen::Index>(v));
+            const bool above_arm = (place - joint).dot(across) < static_cast<Scalar>(options.upper_arm) * arm.norm();
+            const bool leaves_arm = parts[v] == upper_arm && above_arm;
+            if (!leaves_arm && parts[v] != shoulder && !is_of_spine(parts[v])) continue;
+            const bool is_shoulder =
+                (place - joint).norm() < reach * arm.norm() && may_be_of(hand, distances, v) &&
+                (place - middle).dot(collar) > static_cast<Scalar>(options.shoulder) * collar.squaredNorm();
+            parts[v] = is_shoulder ? shoulder : trunk.part_of(place);
+        }
+    }
+    return parts;
+}
+
+/// Lets thighs begin where the legs fork.
+template <typename Scalar>
+std::vector<int> with_thighs(std::vector<int> parts, const Body<Scalar>& body,
+                             const KinematicSkeleton<Scalar>& skeleton, const EndDistances<Scalar>& distances,
+                             double begin) {
+    constexpr Scalar reach = Scalar(0.6), slope = Scalar(0.4); // of a thigh; of the groin, outwards and up
+    const Vector3<Scalar> left = joint_place(skeleton, "left_hip") - joint_place(skeleton, "right_hip");
+    const Vector3<Scalar> down = -pelvis_directions(skeleton).up.stableNormalized();
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+        const std::string side(sides[s]);
+        const LimbEnd foot = s == 0 ? LimbEnd::left_foot : LimbEnd::right_foot;
+        const int thigh_part = sided_part("thigh", s);
+        const Vector3<Scalar> hip = joint_place(skeleton, side + "hip");
+        const Vector3<Scalar> thigh = joint_place(skeleton, side + "knee") - hip;
+        const Vector3<Scalar> outwards = (s == 0 ? left : Vector3<Scalar>(-left)).stableNormalized();
+        const Vector3<Scalar> across =
+            (slope * outwards + (down + thigh.stableNormalized()).stableNormalized()).stableNormalized();
+        for (std::size_t v = 0; v < parts.size(); ++v) {
+            if (parts[v] != thigh_part && parts[v] != trunk_part("pelvis")) continue;
+            const Vector3<Scalar> from_hip = core::point(body.mesh.vertices, static_cast<Eigen::Index>(v)) - hip;
+            if (from_hip.norm() > reach * thigh.norm() || !may_be_of(foot, distances, v)) continue;
+            const bool is_thigh = from_hip.dot(across) > static_cast<Scalar>(begin) * left.norm();
+            parts[v] = is_thigh ? thigh_part : trunk_part("pelvis");
+        }
+    }
+    return parts;
+}
+
+/// How far from a limb's end its surface is around a place on its bone, and how thick the limb is there.
+template <typename Scalar>
+struct LimbLevel {
+    Scalar distance = 0, radius = 0;
+};
+
+template <typename Scalar>
+std::optional<LimbLevel<Scalar>> limb_level(const Body<Scalar>& body, const std::vector<Scalar>& to_end,
+                                            const Vector3<Scalar>& place, const Vector3<Scalar>& across) {
+    constexpr Scalar reach = Scalar(0.02); // of a joint that has come out of a thin limb
+    if (across.isZero()) return std::nullopt;
+    const auto section = surface::contour_around(body.mesh, body.adjacency, body.tree, place, across, reach);
+    if (!section) return std::nullopt;
+    LimbLevel<Scalar> level;
+    for (const int face : section->faces)
+        level.distance +=
+            to_end[static_cast<std::size_t>(body.mesh.faces(face, 0))] / static_cast<Scalar>(section->faces.size());
+    for (std::size_t i = 0; i < section->points.size(); ++i)
+        level.radius += (section->points[(i + 1) % section->points.size()] - section->points[i]).norm() /
+                        static_cast<Scalar>(2 * std::numbers::pi);
+    return level;
+}
+
+/// Where the bones of a bent limb come near each other, a vertex belongs to the one that is as far from the limb's end:
+/// none that is farther from it than the joint, by more than most of the limb's radius, to what is beyond the joint,
+/// and none that is nearer to what is before it.
+template <typename Scalar>
+std::vector<int> without_folds(std::vector<int> parts, const Body<Scalar>& body,
+                               const KinematicSkeleton<Scalar>& skeleton, const EndDistances<Scalar>& distances) {
+    struct Fold {
+        const char *before, *joint, *after; ///< joints
+        const char *upper, *lower;          ///< parts
+        std::array<LimbEnd, 2> ends;
+    };
+    static constexpr std::array<Fold, 2> folds{
+        {{"shoulder", "elbow", "wrist", "upper_arm", "forearm", {LimbEnd::left_hand, LimbEnd::right_hand}},
+         {"hip", "knee", "ankle", "thigh", "calf", {LimbEnd::left_foot, LimbEnd::right_foot}}}};
+    constexpr Scalar slack = Scalar(0.7); // of the radius: how far geodesic rings lean where a limb is straight
+    for (const Fold& fold : folds)
+        for (std::size_t s = 0; s < sides.size(); ++s) {
+            const std::string side(sides[s]);
+            const Vector3<Scalar> joint = joint_place(skeleton, side + fold.joint);
+            const Vector3<Scalar> across = ((joint - joint_place(skeleton, side + fold.before)).stableNormalized() +
+                                            (joint_place(skeleton, side + fold.after) - joint).stableNormalized())
+                                               .stableNormalized();
+            const std::vector<Scalar>& to_end = distances[static_cast<std::size_t>(fold.ends[s])];
+            const auto level = limb_level(body, to_end, joint, across);
+            if (!level) continue;
+            const int upper = sided_part(fold.upper, s), lower = sided_part(fold.lower, s);
+            for (std::size_t v = 0; v < parts.size(); ++v) {
+                if (parts[v] == lower && to_end[v] > level->distance + slack * level->radius)
+                    parts[v] = upper;
+                else if (parts[v] == upper && to_end[v] < level->distance - slack * level->radius)
+                    parts[v] = lower;
+            }
+        }
+    return parts;
+}
+
+/// Takes the trunk's side from an arm that hangs beside it: what is farther from the hand than the arm's begin, by more
+/// than its thickness, is the trunk's.
+template <typename Scalar>
+std::vector<int> without_flanks(std::vector<int> parts, const Body<Scalar>& body,
+                                const KinematicSkeleton<Scalar>& skeleton, const EndDistances<Scalar>& distances,
+                                double begin) {
+    const TrunkBorders<Scalar> trunk = trunk_borders(skeleton);
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+        const std::string side(sides[s]);
+        const Vector3<Scalar> joint = joint_place(skeleton, side + "shoulder");
+        const Vector3<Scalar> arm = joint_place(skeleton, side + "elbow") - joint;
+        const std::vector<Scalar>& to_end =
+            distances[static_cast<std::size_t>(s == 0 ? LimbEnd::left_hand : LimbEnd::right_hand)];
+        const auto level = limb_level<Scalar>(body, to_end, joint + static_cast<Scalar>(0.5 + begin / 2) * arm,
+                                              arm.stableNormalized());
+        if (!level) continue;
+        const Scalar farthest = level->distance + static_cast<Scalar>(0.5 - begin / 2) * arm.norm() + 2 * level->radius;
+        for (std::size_t v = 0; v < parts.size(); ++v)
+            for (const char* part : {"upper_arm", "forearm", "hand"})
+                if (parts[v] == sided_part(part, s) && to_end[v] > farthest)
+                    parts[v] = trunk.part_of(core::point(body.mesh.vertices, static_cast<Eigen::Index>(v)));
+    }
+    return parts;
 }
 
 /// Each part of the set `bones` as one of the set `body`.
@@ -151,11 +296,25 @@ inline std::vector<int> merged_parts() {
     return out;
 }
 
+/// Of each part the one on the other side; itself where it has none.
+inline std::vector<int> mirrored_parts(const std::vector<std::string>& names) {
+    std::vector<int> out;
+    for (const std::string& name : names) {
+        std::string other = name;
+        if (name.starts_with(sides[0])) other = std::string(sides[1]) + name.substr(sides[0].size());
+        if (name.starts_with(sides[1])) other = std::string(sides[0]) + name.substr(sides[1].size());
+        out.push_back(static_cast<int>(std::find(names.begin(), names.end(), other) - names.begin()));
+    }
+    return out;
+}
+
 } // namespace detail
 
 SKELGEN_INLINE void validate(const SegmentationOptions& options) {
     core::require_in_range("segmentation.smoothing", options.smoothing, 0.001, 0.2);
-    core::require_in_range("segmentation.shoulder", options.shoulder, 0.0, 1.0);
+    core::require_in_range("segmentation.upper_arm", options.upper_arm, 0.0, 1.0);
+    core::require_in_range("segmentation.shoulder", options.shoulder, 0.0, 2.0);
+    core::require_in_range("segmentation.thigh", options.thigh, 0.0, 1.0);
 }
 
 SKELGEN_INLINE std::vector<std::string> part_names(PartSet set) {
@@ -176,8 +335,13 @@ Segmentation segment(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& 
     validate(options);
     const KinematicSkeleton<Scalar> inside = surface::to_body(body, skeleton);
     const std::vector<PartAxis<Scalar>> axes = part_axes(inside);
-    std::vector<int> parts = detail::nearest_parts(body, axes, detail::end_vertices(body, inside));
-    parts = detail::with_shoulders(parts, body, axes, options.shoulder);
+    const std::vector<int> ends = detail::end_vertices(body, inside);
+    const detail::EndDistances<Scalar> distances = detail::end_distances(body, ends);
+    std::vector<int> parts = detail::nearest_parts(body, axes, ends, distances);
+    parts = detail::without_flanks(parts, body, inside, distances, options.upper_arm);
+    parts = detail::with_shoulders(parts, body, inside, distances, options);
+    parts = detail::with_thighs(parts, body, inside, distances, options.thigh);
+    parts = detail::without_folds(parts, body, inside, distances);
     if (set == PartSet::body) {
         const std::vector<int> merged = detail::merged_parts();
         for (int& part : parts) part = merged[static_cast<std::size_t>(part)];
@@ -186,7 +350,8 @@ Segmentation segment(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& 
     out.parts = part_names(set);
     const double size = std::sqrt(static_cast<double>(core::surface_area(body.mesh)));
     const auto count = static_cast<int>(out.parts.size());
-    out.vertex_part = in_one_piece(body, smoothed_labels(body, parts, count, options.smoothing * size), count);
+    out.vertex_part = in_one_piece(
+        body, smoothed_labels(body, parts, detail::mirrored_parts(out.parts), options.smoothing * size), count);
     out.face_part = face_labels(body.mesh.faces, out.vertex_part);
     return out;
 }

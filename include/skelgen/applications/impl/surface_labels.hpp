@@ -7,14 +7,17 @@
 #include <utility>
 
 #include <skelgen/applications/part_shares.hpp>
+#include <skelgen/applications/short_borders.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/precision.hpp>
 
 namespace skelgen::applications {
 
 template <typename Scalar>
-std::vector<int> smoothed_labels(const Body<Scalar>& body, const std::vector<int>& labels, int count, double length) {
-    const Eigen::MatrixX<core::Accumulator> shares = part_shares(body, labels, count, length);
+std::vector<int> smoothed_labels(const Body<Scalar>& body, const std::vector<int>& labels,
+                                 const std::vector<int>& mirrored, double length) {
+    const Eigen::MatrixX<core::Accumulator> shares =
+        part_shares(body, labels, static_cast<int>(mirrored.size()), length);
     std::vector<int> out;
     out.reserve(labels.size());
     for (Eigen::Index v = 0; v < shares.rows(); ++v) {
@@ -22,47 +25,78 @@ std::vector<int> smoothed_labels(const Body<Scalar>& body, const std::vector<int
         shares.row(v).maxCoeff(&most);
         out.push_back(static_cast<int>(most));
     }
-    return out;
+    return with_short_borders(body, std::move(out), shares, length, mirrored);
 }
 
+namespace detail {
+
+/// The pieces that vertices of one label hang together in, in the order of their first vertices.
 template <typename Scalar>
-std::vector<int> in_one_piece(const Body<Scalar>& body, const std::vector<int>& labels, int count) {
-    std::vector<int> piece_of(labels.size(), -1);
+std::vector<std::vector<int>> label_pieces(const Body<Scalar>& body, const std::vector<int>& labels) {
+    std::vector<bool> seen(labels.size(), false);
     std::vector<std::vector<int>> pieces;
     for (std::size_t start = 0; start < labels.size(); ++start) {
-        if (piece_of[start] >= 0) continue;
-        const auto piece = static_cast<int>(pieces.size());
+        if (seen[start]) continue;
         std::vector<int> members{static_cast<int>(start)};
-        piece_of[start] = piece;
+        seen[start] = true;
         for (std::size_t i = 0; i < members.size(); ++i)
             for (const auto& [next, length] : body.graph.neighbours[static_cast<std::size_t>(members[i])])
-                if (piece_of[static_cast<std::size_t>(next)] < 0 &&
-                    labels[static_cast<std::size_t>(next)] == labels[start]) {
-                    piece_of[static_cast<std::size_t>(next)] = piece;
+                if (!seen[static_cast<std::size_t>(next)] && labels[static_cast<std::size_t>(next)] == labels[start]) {
+                    seen[static_cast<std::size_t>(next)] = true;
                     members.push_back(next);
                 }
         pieces.push_back(std::move(members));
     }
-    const auto label_of = [&](std::size_t piece) { return labels[static_cast<std::size_t>(pieces[piece].front())]; };
-    std::vector<int> largest(static_cast<std::size_t>(count), -1);
-    for (std::size_t piece = 0; piece < pieces.size(); ++piece) {
-        int& most = largest[static_cast<std::size_t>(label_of(piece))];
-        if (most < 0 || pieces[piece].size() > pieces[static_cast<std::size_t>(most)].size())
-            most = static_cast<int>(piece);
-    }
+    return pieces;
+}
+
+/// The label that most of what borders on a piece has; -1 where nothing does.
+template <typename Scalar>
+int label_around(const Body<Scalar>& body, const std::vector<int>& labels, int count, const std::vector<int>& piece) {
+    const int own = labels[static_cast<std::size_t>(piece.front())];
+    std::vector<int> votes(static_cast<std::size_t>(count), 0);
+    for (const int v : piece)
+        for (const auto& [next, length] : body.graph.neighbours[static_cast<std::size_t>(v)])
+            if (const int other = labels[static_cast<std::size_t>(next)]; other != own)
+                ++votes[static_cast<std::size_t>(other)];
+    const auto most = std::max_element(votes.begin(), votes.end());
+    return *most == 0 ? -1 : static_cast<int>(most - votes.begin());
+}
+
+} // namespace detail
+
+template <typename Scalar>
+std::vector<int> in_one_piece(const Body<Scalar>& body, const std::vector<int>& labels, int count) {
     std::vector<int> out = labels;
-    for (std::size_t piece = 0; piece < pieces.size(); ++piece) {
-        if (largest[static_cast<std::size_t>(label_of(piece))] == static_cast<int>(piece)) continue;
-        std::vector<int> votes(static_cast<std::size_t>(count), 0);
-        for (const int v : pieces[piece])
-            for (const auto& [next, length] : body.graph.neighbours[static_cast<std::size_t>(v)])
-                if (labels[static_cast<std::size_t>(next)] != label_of(piece))
-                    ++votes[static_cast<std::size_t>(labels[static_cast<std::size_t>(next)])];
-        const auto most = std::max_element(votes.begin(), votes.end());
-        if (*most == 0) continue; // a surface of its own
-        for (const int v : pieces[piece]) out[static_cast<std::size_t>(v)] = static_cast<int>(most - votes.begin());
+    for (;;) {
+        // The smallest first: a strip of another label may be all that divides a part.
+        const std::vector<std::vector<int>> pieces = detail::label_pieces(body, out);
+        const auto label_of = [&](const std::vector<int>& piece) {
+            return out[static_cast<std::size_t>(piece.front())];
+        };
+        std::vector<std::size_t> largest(static_cast<std::size_t>(count), 0);
+        for (const std::vector<int>& piece : pieces) {
+            std::size_t& most = largest[static_cast<std::size_t>(label_of(piece))];
+            most = std::max(most, piece.size());
+        }
+        std::vector<bool> has_largest(static_cast<std::size_t>(count), false);
+        const std::vector<int>* smallest = nullptr;
+        int label = -1;
+        for (const std::vector<int>& piece : pieces) {
+            const auto own = static_cast<std::size_t>(label_of(piece));
+            if (piece.size() == largest[own] && !has_largest[own]) {
+                has_largest[own] = true;
+                continue;
+            }
+            if (smallest != nullptr && piece.size() >= smallest->size()) continue;
+            const int around = detail::label_around(body, out, count, piece);
+            if (around < 0) continue; // a surface of its own
+            smallest = &piece;
+            label = around;
+        }
+        if (smallest == nullptr) return out;
+        for (const int v : *smallest) out[static_cast<std::size_t>(v)] = label;
     }
-    return out;
 }
 
 SKELGEN_INLINE std::vector<int> face_labels(const Triangles& faces, const std::vector<int>& vertex_labels) {

@@ -3,6 +3,7 @@
 #include <skelgen/core/curve_graph.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -63,47 +64,48 @@ template <typename Scalar>
 std::vector<std::pair<Scalar, int>> nearest_by_slots(const SurfaceGraph<Scalar>& graph,
                                                      std::vector<Source<Scalar>> sources) {
     constexpr Scalar most_slots = 4096;
+    using Claim = Source<Scalar>;
     std::vector<std::pair<Scalar, int>> best(graph.neighbours.size(), {std::numeric_limits<Scalar>::infinity(), -1});
+    const auto is_best = [&](const Claim& claim) {
+        return best[static_cast<std::size_t>(claim.node)] == std::pair(claim.distance, claim.label);
+    };
+    const auto take_if_better = [&](const Claim& claim) {
+        std::pair<Scalar, int>& known = best[static_cast<std::size_t>(claim.node)];
+        if (claim.distance > known.first) return false; // as most are
+        if (known.second >= 0 && known <= std::pair(claim.distance, claim.label)) return false;
+        known = {claim.distance, claim.label};
+        return true;
+    };
+    for (const Claim& source : sources) take_if_better(source);
+    std::erase_if(sources, [&](const Claim& source) { return !is_best(source); });
     if (sources.empty()) return best;
     std::sort(sources.begin(), sources.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });
-    Accumulator sum = 0;
-    Scalar longest = 0;
-    for (const auto& [node, length] : graph.neighbours.entries()) {
-        sum += length;
-        longest = std::max(longest, length);
-    }
-    const auto mean = static_cast<Scalar>(sum / static_cast<Accumulator>(graph.neighbours.entries().size() + 1));
+    const Scalar longest = graph.neighbours.longest(), mean = graph.neighbours.mean();
     const Scalar width = std::max(mean / 2, longest / most_slots), base = sources.front().distance;
-    const std::size_t slots = width > 0 ? static_cast<std::size_t>(longest / width) + 2 : std::size_t(1);
-    const auto slot_of = [&](Scalar distance) {
-        return width > 0 ? static_cast<std::size_t>((distance - base) / width) : std::size_t(0);
-    };
-    struct Claim {
-        Scalar distance;
-        int label, node;
-    };
+    const Scalar per_length = width > 0 ? 1 / width : Scalar(0);
+    const std::size_t slots = std::bit_ceil(static_cast<std::size_t>(longest * per_length) + 2);
+    const auto slot_of = [&](Scalar distance) { return static_cast<std::size_t>((distance - base) * per_length); };
     std::vector<std::vector<Claim>> waiting(slots); // slot k, k + slots, ... in one
     std::size_t pending = 0;
-    const auto claim = [&](Scalar distance, int label, int node) {
-        std::pair<Scalar, int>& known = best[static_cast<std::size_t>(node)];
-        if (known.second >= 0 && (known.first < distance || (known.first == distance && known.second <= label))) return;
-        known = {distance, label};
-        waiting[slot_of(distance) % slots].push_back({distance, label, node});
-        ++pending;
-    };
     auto source = sources.begin();
     for (std::size_t slot = 0; pending > 0 || source != sources.end(); ++slot) {
         if (pending == 0) slot = slot_of(source->distance);
-        for (; source != sources.end() && slot_of(source->distance) <= slot; ++source)
-            claim(source->distance, source->label, source->node);
-        std::vector<Claim>& here = waiting[slot % slots];
+        std::vector<Claim>& here = waiting[slot & (slots - 1)];
+        for (; source != sources.end() && slot_of(source->distance) <= slot; ++source) {
+            here.push_back(*source);
+            ++pending;
+        }
         while (!here.empty()) {
             const Claim next = here.back();
             here.pop_back();
             --pending;
-            if (best[static_cast<std::size_t>(next.node)] != std::pair(next.distance, next.label)) continue;
-            for (const auto& [w, length] : graph.neighbours[static_cast<std::size_t>(next.node)])
-                claim(next.distance + length, next.label, w);
+            if (!is_best(next)) continue;
+            for (const auto& [w, length] : graph.neighbours[static_cast<std::size_t>(next.node)]) {
+                const Claim claim{next.distance + length, next.label, w};
+                if (!take_if_better(claim)) continue;
+                waiting[slot_of(claim.distance) & (slots - 1)].push_back(claim);
+                ++pending;
+            }
         }
     }
     return best;

@@ -14,17 +14,17 @@
 namespace skelgen::core {
 namespace detail {
 
-/// Distance between the far corners c and d of two faces that share the edge a b, unfolded into one plane; infinite
-/// when the straight line between them would leave the two faces.
+/// Distance between the far corners c and d of two faces that share the edge a b, of that length, unfolded into one
+/// plane; infinite when the straight line between them would leave the two faces.
 template <typename Scalar>
-Scalar unfolded_distance(const Vector3<Scalar>& a, const Vector3<Scalar>& b, const Vector3<Scalar>& c,
+Scalar unfolded_distance(const Vector3<Scalar>& a, const Vector3<Scalar>& b, Scalar length, const Vector3<Scalar>& c,
                          const Vector3<Scalar>& d) {
-    const Vector3<Scalar> axis = (b - a).normalized();
+    const Vector3<Scalar> axis = length > 0 ? Vector3<Scalar>((b - a) / length) : Vector3<Scalar>(b - a);
     const Scalar cx = (c - a).dot(axis), dx = (d - a).dot(axis);
     const Scalar cy = ((c - a) - cx * axis).norm(), dy = ((d - a) - dx * axis).norm();
     const Scalar crossing = cy + dy > 0 ? cx + (dx - cx) * cy / (cy + dy) : cx;
-    if (crossing < 0 || crossing > (b - a).norm()) return std::numeric_limits<Scalar>::infinity();
-    return std::hypot(dx - cx, cy + dy);
+    if (crossing < 0 || crossing > length) return std::numeric_limits<Scalar>::infinity();
+    return std::sqrt((dx - cx) * (dx - cx) + (cy + dy) * (cy + dy));
 }
 
 } // namespace detail
@@ -48,13 +48,14 @@ SurfaceGraph<Scalar> surface_graph(const TriangleMesh<Scalar>& mesh, const Trian
         for (int k = 0; k < 3; ++k) {
             const int a = mesh.faces(f, k), b = mesh.faces(f, (k + 1) % 3), g = adjacency(f, k);
             if (g >= 0 && g < f) continue; // once per edge
-            link(a, b, (at(a) - at(b)).norm());
+            const Scalar length = (at(b) - at(a)).norm();
+            link(a, b, length);
             if (g < 0) continue;
             const int c = mesh.faces(f, (k + 2) % 3);
             int d = mesh.faces(g, 0);
             for (int corner = 1; corner < 3; ++corner)
                 if (d == a || d == b) d = mesh.faces(g, corner);
-            const Scalar across = detail::unfolded_distance<Scalar>(at(a), at(b), at(c), at(d));
+            const Scalar across = detail::unfolded_distance<Scalar>(at(a), at(b), length, at(c), at(d));
             if (std::isfinite(across)) link(c, d, across);
         }
     for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];

@@ -20,24 +20,25 @@ template <typename Scalar>
 inline constexpr Scalar longest_cap = Scalar(4);
 
 /// Thickness of a limb where its cap begins, seen from its end: of the first section that is as far from the end as it
-/// is thick; 0 when there is none.
+/// is thick; 0 when there is none. `backwards`: the sections begin at the other end.
 template <typename Scalar>
 Scalar cap_thickness(const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>& arc,
-                     const std::vector<BranchSection<Scalar>>& sections) {
+                     const std::vector<BranchSection<Scalar>>& sections, bool backwards) {
     constexpr auto doubtful = Scalar(0.3);
     for (std::size_t i = 1; i + 1 < sections.size(); ++i) {
+        const BranchSection<Scalar>& section = sections[backwards ? sections.size() - 1 - i : i];
         const Scalar from_end = arc[static_cast<Eigen::Index>(i)];
-        if (sections[i].weight > doubtful && from_end >= sections[i].thickness) return sections[i].thickness;
+        if (section.weight > doubtful && from_end >= section.thickness) return section.thickness;
     }
     return 0;
 }
 
-/// A line that begins at its end, with sections in the same order.
+/// A line that begins at its end, with its sections, that are in the order of the line or the other way round.
 template <typename Scalar>
 Points<Scalar> with_end_on_axis(const Points<Scalar>& line, const std::vector<BranchSection<Scalar>>& sections,
-                                const Body<Scalar>& body) {
+                                bool backwards, const Body<Scalar>& body) {
     const auto arc = core::arc_lengths(line);
-    const Scalar length = arc[arc.size() - 1], cap = cap_thickness(arc, sections);
+    const Scalar length = arc[arc.size() - 1], cap = cap_thickness(arc, sections, backwards);
     if (!(cap > 0)) return line;
     const Scalar stand = std::min(cap, length / 2), behind = std::min(stand + cap, length);
     const Vector3<Scalar> place = core::point_at(line, arc, stand);
@@ -71,12 +72,12 @@ BranchedCurve<Scalar> ends_on_axes(BranchedCurve<Scalar> branched,
     for (std::size_t b = 0; b < branched.branches.size(); ++b) {
         Branch<Scalar>& branch = branched.branches[b];
         if (is_end(branch.from)) {
-            branch.line = detail::with_end_on_axis(branch.line, sections[b], body);
+            branch.line = detail::with_end_on_axis(branch.line, sections[b], false, body);
             branched.knots[static_cast<std::size_t>(branch.from)] = core::point(branch.line, 0);
         }
         if (is_end(branch.to)) {
-            const std::vector<BranchSection<Scalar>> backwards(sections[b].rbegin(), sections[b].rend());
-            branch.line = detail::reversed(detail::with_end_on_axis(detail::reversed(branch.line), backwards, body));
+            branch.line =
+                detail::reversed(detail::with_end_on_axis(detail::reversed(branch.line), sections[b], true, body));
             branched.knots[static_cast<std::size_t>(branch.to)] = core::point(branch.line, branch.line.rows() - 1);
         }
     }

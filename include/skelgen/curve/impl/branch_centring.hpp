@@ -9,6 +9,7 @@
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/options.hpp>
+#include <skelgen/core/parallel.hpp>
 #include <skelgen/core/polyline.hpp>
 #include <skelgen/core/precision.hpp>
 #include <skelgen/curve/attachment.hpp>
@@ -28,9 +29,19 @@ using SectionsOfBranches = std::vector<std::vector<BranchSection<Scalar>>>;
 template <typename Scalar>
 SectionsOfBranches<Scalar> all_sections(const BranchedCurve<Scalar>& branched, const Body<Scalar>& body,
                                         Scalar spacing) {
+    constexpr std::size_t in_a_row = 8;
     SectionsOfBranches<Scalar> out;
-    for (const Branch<Scalar>& branch : branched.branches)
-        out.push_back(sections_across(body, branch.line, reach_in_spacings * spacing));
+    std::vector<std::pair<std::size_t, Eigen::Index>> points;
+    for (std::size_t b = 0; b < branched.branches.size(); ++b) {
+        const Eigen::Index count = branched.branches[b].line.rows();
+        out.emplace_back(static_cast<std::size_t>(count));
+        for (Eigen::Index i = 1; i + 1 < count; ++i) points.emplace_back(b, i);
+    }
+    core::parallel_for(points.size(), in_a_row, [&](std::size_t p) {
+        const auto [b, i] = points[p];
+        out[b][static_cast<std::size_t>(i)] =
+            section_across(body, branched.branches[b].line, i, reach_in_spacings * spacing);
+    });
     return out;
 }
 
@@ -43,10 +54,18 @@ inline constexpr Scalar shared_part = Scalar(0.6);
 /// in the rounds in which points come to their places and in the last ones; calibrated on generated tubes.
 inline constexpr double straight_at_first = 0.04, straight_at_last = 0.01;
 
-/// Sections that count as little as they are the branch's own near the junctions where axes meet.
+/// Sections that count as little as they are the branch's own near the junctions where axes meet; without contours.
 template <typename Scalar>
-SectionsOfBranches<Scalar> beyond_junctions(SectionsOfBranches<Scalar> sections, const BranchedCurve<Scalar>& branched,
-                                            const Body<Scalar>& body, const PlacesOfKnots<Scalar>& junctions) {
+SectionsOfBranches<Scalar> beyond_junctions(const SectionsOfBranches<Scalar>& given,
+                                            const BranchedCurve<Scalar>& branched, const Body<Scalar>& body,
+                                            const PlacesOfKnots<Scalar>& junctions) {
+    SectionsOfBranches<Scalar> sections;
+    for (const auto& of_branch : given) {
+        sections.emplace_back();
+        for (const BranchSection<Scalar>& section : of_branch)
+            sections.back().push_back(
+                {section.centre, section.normal, section.thickness, section.weight, section.encloses, {}});
+    }
     for (std::size_t b = 0; b < sections.size(); ++b)
         for (const bool at_end : {false, true}) {
             const Branch<Scalar>& branch = branched.branches[b];
@@ -179,16 +198,19 @@ CentredBranches<Scalar> centred(BranchedCurve<Scalar> branched, const Body<Scala
 template <typename Scalar>
 bool any_leap(const BranchedCurve<Scalar>& branched, const Body<Scalar>& body, Scalar spacing) {
     for (const Branch<Scalar>& branch : branched.branches) {
+        Scalar longest = 0; // of the edges: balls no smaller cover any of them
+        for (Eigen::Index i = 1; i < branch.line.rows(); ++i)
+            longest = std::max(longest, (branch.line.row(i) - branch.line.row(i - 1)).norm());
         Scalar ball = 0; // at the point before
         for (Eigen::Index i = 1; i + 1 < branch.line.rows(); ++i) {
             const Vector3<Scalar> from = branch.line.row(i - 1), to = branch.line.row(i);
             const Scalar length = (to - from).norm(), ball_before = ball;
-            ball = body.tree.distance(body.mesh, to);
+            ball = body.tree.distance(body.mesh, to, 2 * longest);
             if (i == 1 || ball_before + ball >= length) continue;
             const Vector3<Scalar> middle = (from + to) / 2, along = (to - from) / length;
             const auto contour = surface::contour_around(body.mesh, body.adjacency, body.tree, middle, along,
                                                          reach_in_spacings * spacing);
-            if (!contour || !surface::relate(*contour, middle, along).encloses) return true;
+            if (!contour || !contour->relation.encloses) return true;
         }
     }
     return false;
@@ -221,12 +243,29 @@ bool all_inside(const CentredBranches<Scalar>& curve, const Body<Scalar>& body, 
     return !any_leap(curve.branched, body, spacing);
 }
 
+/// The sections of a line some of whose points have been moved: anew where those are that a section follows.
+template <typename Scalar>
+std::vector<BranchSection<Scalar>> sections_anew(std::vector<BranchSection<Scalar>> sections,
+                                                 const Points<Scalar>& before, const Points<Scalar>& line,
+                                                 const Body<Scalar>& body, Scalar spacing) {
+    for (Eigen::Index i = 1; i + 1 < line.rows(); ++i) {
+        const Eigen::Index first = std::max<Eigen::Index>(0, i - section_tangent_reach);
+        const Eigen::Index count = std::min(line.rows(), i + section_tangent_reach + 1) - first;
+        if (line.middleRows(first, count) != before.middleRows(first, count))
+            sections[static_cast<std::size_t>(i)] = section_across(body, line, i, reach_in_spacings * spacing);
+    }
+    return sections;
+}
+
 /// All that lies outside pulled inside, as far as that goes.
 template <typename Scalar>
 CentredBranches<Scalar> all_pulled_inside(CentredBranches<Scalar> curve, const Body<Scalar>& body, Scalar spacing) {
     for (int round = 0; round < pulls && any_outside(curve.sections); ++round) {
+        const BranchedCurve<Scalar> before = curve.branched;
         curve.branched = pulled_inside(std::move(curve.branched), curve.sections, spacing);
-        curve.sections = all_sections(curve.branched, body, spacing);
+        for (std::size_t b = 0; b < curve.sections.size(); ++b)
+            curve.sections[b] = sections_anew(std::move(curve.sections[b]), before.branches[b].line,
+                                              curve.branched.branches[b].line, body, spacing);
     }
     return curve;
 }
@@ -242,7 +281,7 @@ SKELGEN_INLINE void validate(const BranchCentringOptions& options) {
 
 template <typename Scalar>
 CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
-                                        const TriangleMesh<Scalar>& coarse, const BranchCentringOptions& options) {
+                                        const MedialBalls<Scalar>& balls, const BranchCentringOptions& options) {
     validate(options);
     const Scalar spacing = std::max(static_cast<Scalar>(options.spacing) * core::bounding_diagonal(body.mesh.vertices),
                                     detail::total_length(branched) / detail::most_points);
@@ -254,13 +293,13 @@ CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Bo
 
     branched = resampled(std::move(branched), spacing / 2);
     const auto sections = detail::all_sections(branched, body, spacing);
-    branched = led_inside(std::move(branched), sections, coarse);
+    branched = led_inside(std::move(branched), sections, balls);
     CentredBranches<Scalar> led = detail::centred(std::move(branched), body, tips, options, spacing);
-    const bool led_is_better = detail::mean_off_centre(led) < detail::mean_off_centre(out);
-    out = detail::all_pulled_inside(std::move(out), body, spacing);
-    led = detail::all_pulled_inside(std::move(led), body, spacing);
-    if (led_is_better && detail::all_inside(led, body, spacing)) return led;
-    return out;
+    if (detail::mean_off_centre(led) < detail::mean_off_centre(out)) {
+        led = detail::all_pulled_inside(std::move(led), body, spacing);
+        if (detail::all_inside(led, body, spacing)) return led;
+    }
+    return detail::all_pulled_inside(std::move(out), body, spacing);
 }
 
 } // namespace skelgen::curve

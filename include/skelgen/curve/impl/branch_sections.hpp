@@ -15,9 +15,6 @@
 namespace skelgen::curve {
 namespace detail {
 
-/// Points to both sides from which a tangent is taken.
-inline constexpr Eigen::Index section_tangent_reach = 2;
-
 /// A section whose centre is this much farther from the line than the nearest surface is half in doubt: it may be that
 /// of the part that the branch runs into. Calibrated on generated tubes and bodies.
 template <typename Scalar>
@@ -39,33 +36,37 @@ Scalar certainty(Scalar ratio) {
 }
 
 template <typename Scalar>
-BranchSection<Scalar> measured(surface::Contour<Scalar> contour, const Vector3<Scalar>& place,
+BranchSection<Scalar> measured(surface::ContourAround<Scalar> contour, const Vector3<Scalar>& place,
                                const Vector3<Scalar>& tangent) {
-    const std::size_t n = contour.points.size();
-    const auto next = [&](std::size_t i) -> const Vector3<Scalar>& { return contour.points[i + 1 < n ? i + 1 : 0]; };
+    const std::vector<Vector3<Scalar>>& points = contour.points;
     BranchSection<Scalar> out;
     out.normal = tangent;
     Scalar length = 0;
-    std::vector<Scalar> lengths(n); // of the segments
-    for (std::size_t i = 0; i < n; ++i) {
-        const Scalar l = lengths[i] = (next(i) - contour.points[i]).norm();
-        out.centre += l / 2 * (contour.points[i] + next(i));
+    std::vector<Scalar> lengths; // of the segments that end at each point
+    lengths.reserve(points.size());
+    const Vector3<Scalar>* before = &points.back();
+    for (const Vector3<Scalar>& point : points) {
+        const Scalar l = (point - *before).norm();
+        lengths.push_back(l);
+        out.centre += l * (*before + point);
         length += l;
+        before = &point;
     }
     if (!(length > 0)) return {}; // a plane that touches a vertex
-    out.centre /= length;
+    out.centre /= 2 * length;
     Scalar from_centre = std::numeric_limits<Scalar>::infinity();
-    for (std::size_t i = 0; i < n; ++i) {
-        const Vector3<Scalar> middle = (contour.points[i] + next(i)) / 2;
-        out.thickness += lengths[i] / length * (middle - out.centre).norm();
-        from_centre = std::min(from_centre, (contour.points[i] - out.centre).squaredNorm());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vector3<Scalar> middle = (*before + points[i]) / 2;
+        out.thickness += lengths[i] * (middle - out.centre).norm();
+        from_centre = std::min(from_centre, (points[i] - out.centre).squaredNorm());
+        before = &points[i];
     }
+    out.thickness /= length;
     from_centre = std::sqrt(from_centre);
-    const surface::PlanarRelation<Scalar> relation = surface::relate(contour, place, tangent);
-    out.encloses = relation.encloses;
+    out.encloses = contour.relation.encloses;
     // Outside, being near the surface says nothing.
     const Scalar clearance =
-        out.encloses ? std::max(relation.distance, flat_clearance<Scalar> * out.thickness) : out.thickness;
+        out.encloses ? std::max(contour.relation.distance, flat_clearance<Scalar> * out.thickness) : out.thickness;
     const Scalar shift = (out.centre - place).norm();
     out.weight = certainty(shift / (doubtful_shift<Scalar> * clearance)) *
                  certainty(out.thickness / (doubtful_spread<Scalar> * std::max(from_centre, out.thickness / 100)));
@@ -79,7 +80,7 @@ template <typename Scalar>
 BranchSection<Scalar> section_across(const Body<Scalar>& body, const Points<Scalar>& line, Eigen::Index point,
                                      std::type_identity_t<Scalar> reach) {
     const Vector3<Scalar> place = core::point(line, point);
-    const Vector3<Scalar> tangent = core::tangent_at(line, point, detail::section_tangent_reach);
+    const Vector3<Scalar> tangent = core::tangent_at(line, point, section_tangent_reach);
     auto contour = surface::contour_around(body.mesh, body.adjacency, body.tree, place, tangent, reach);
     return contour ? detail::measured(*std::move(contour), place, tangent) : BranchSection<Scalar>{};
 }

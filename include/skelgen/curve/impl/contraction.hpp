@@ -13,7 +13,6 @@
 #include <skelgen/core/options.hpp>
 #include <skelgen/core/precision.hpp>
 #include <skelgen/curve/laplacian.hpp>
-#include <skelgen/curve/medial_balls.hpp>
 
 namespace skelgen::curve {
 namespace detail {
@@ -77,7 +76,13 @@ SKELGEN_INLINE void validate(const ContractionOptions& options) {
 }
 
 template <typename Scalar>
-Contraction<Scalar> contract(const TriangleMesh<Scalar>& mesh, const ContractionOptions& options) {
+MedialBalls<Scalar> contraction_balls(const TriangleMesh<Scalar>& mesh, const ContractionOptions& options) {
+    return medial_balls(mesh, static_cast<Scalar>(options.largest_medial_radius) * std::sqrt(core::surface_area(mesh)));
+}
+
+template <typename Scalar>
+Contraction<Scalar> contract(const TriangleMesh<Scalar>& mesh, const MedialBalls<Scalar>& balls,
+                             const ContractionOptions& options) {
     validate(options);
     // The system is double whatever the mesh: weights, factor, and the vertices that it is solved for again and again.
     // Cotangents of collapsing triangles are up to thousands of times the attraction, which in float would be lost in
@@ -88,9 +93,6 @@ Contraction<Scalar> contract(const TriangleMesh<Scalar>& mesh, const Contraction
     TriangleMesh<Accumulator> contracted{mesh.vertices.template cast<Accumulator>(), mesh.faces};
     const detail::Weights initial_areas = detail::one_ring_areas(contracted);
     const Accumulator initial_volume = std::abs(core::enclosed_volume(contracted));
-    const auto largest_radius =
-        static_cast<Scalar>(options.largest_medial_radius) * std::sqrt(core::surface_area(mesh));
-    const MedialBalls<Scalar> balls = medial_balls(mesh, largest_radius);
     const auto least_ratio = static_cast<Scalar>(options.volume_ratio);
     const auto most_remaining = static_cast<Scalar>(1 - options.least_progress);
 
@@ -123,6 +125,12 @@ Contraction<Scalar> contract(const TriangleMesh<Scalar>& mesh, const Contraction
     }
     out.vertices = contracted.vertices.template cast<Scalar>();
     return out;
+}
+
+template <typename Scalar>
+Contraction<Scalar> contract(const TriangleMesh<Scalar>& mesh, const ContractionOptions& options) {
+    validate(options);
+    return contract(mesh, contraction_balls(mesh, options), options);
 }
 
 } // namespace skelgen::curve

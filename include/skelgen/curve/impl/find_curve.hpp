@@ -39,13 +39,14 @@ inline CurveOptions at_detail(CurveOptions options) {
 
 /// A contraction that does not come to its end draws limbs in: it begins again, held more firmly to the balls inside.
 template <typename Scalar>
-Contraction<Scalar> contract_to_the_end(const TriangleMesh<Scalar>& proxy, ContractionOptions options) {
+Contraction<Scalar> contract_to_the_end(const TriangleMesh<Scalar>& proxy, const MedialBalls<Scalar>& balls,
+                                        ContractionOptions options) {
     constexpr int starts = 3;
     constexpr double firmer = 5;
-    Contraction<Scalar> thin = contract(proxy, options);
+    Contraction<Scalar> thin = contract(proxy, balls, options);
     for (int start = 1; start < starts && !thin.converged && options.iterations > 1; ++start) {
         options.medial_weight = std::max(options.medial_weight, 1.0) * firmer;
-        thin = contract(proxy, options);
+        thin = contract(proxy, balls, options);
     }
     return thin;
 }
@@ -97,7 +98,8 @@ CurveResult<Scalar> find_curve(const Body<Scalar>& body, const CurveOptions& wan
     const CurveOptions options = detail::at_detail(wanted);
 
     const Proxy<Scalar> proxy = build_proxy(body.mesh, options.proxy);
-    const Contraction<Scalar> thin = detail::contract_to_the_end(proxy.mesh, options.contraction);
+    const MedialBalls<Scalar> balls = contraction_balls(proxy.mesh, options.contraction);
+    const Contraction<Scalar> thin = detail::contract_to_the_end(proxy.mesh, balls, options.contraction);
 
     CurveSkeleton<Scalar> curve = connectivity_surgery(thin.vertices, proxy.mesh.faces, options.surgery);
     curve = centre_nodes(curve, proxy.mesh, thin.vertices);
@@ -108,8 +110,7 @@ CurveResult<Scalar> find_curve(const Body<Scalar>& body, const CurveOptions& wan
     SplitCurve<Scalar> split = split_branches(curve);
     std::vector<int> origin = node_of_vertex(curve, body.mesh.vertices.rows());
     for (int& node : origin) node = split.origin_of_node[static_cast<std::size_t>(node)];
-    curve = curve_with_regions(centre_branches(std::move(split.branched), body, proxy.mesh, options.centring), body,
-                               origin);
+    curve = curve_with_regions(centre_branches(std::move(split.branched), body, balls, options.centring), body, origin);
 
     const bool is_point = detail::is_compact(curve);
     if (is_point) curve = detail::centre_point(body);

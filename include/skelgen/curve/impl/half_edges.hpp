@@ -90,6 +90,7 @@ SKELGEN_INLINE HalfEdges::HalfEdges(const Points<core::Accumulator>& vertices, c
     std::vector<int> boundary(first_.size(), -1);
     for (int s = 0; s < static_cast<int>(sides_.size()); ++s) {
         if (!is_boundary(s)) continue;
+        is_closed_ = false;
         if (boundary[at(from(s))] >= 0) detail::throw_not_manifold();
         boundary[at(from(s))] = first_[at(from(s))] = s;
     }
@@ -127,6 +128,7 @@ SKELGEN_INLINE int HalfEdges::add_face() {
 }
 
 SKELGEN_INLINE void HalfEdges::begin_at_boundary(int vertex) {
+    if (is_closed_) return; // and stays so
     any_around(vertex, [&](int s) {
         if (!is_boundary(s)) return false;
         first_[at(vertex)] = s;

@@ -4,37 +4,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/curve/medial_balls.hpp>
 
 namespace skelgen::curve {
 namespace detail {
 
-/// Inscribed balls as a graph, in which those are neighbours whose vertices are, and which overlap.
+/// Inscribed balls as a graph, in which those are neighbours whose vertices are, and which overlap: a node per ball,
+/// lengths between centres.
 template <typename Scalar>
-struct BallGraph {
-    MedialBalls<Scalar> balls;
-    core::CurveGraph<Scalar> graph; ///< a node per ball, lengths between centres
-};
-
-template <typename Scalar>
-BallGraph<Scalar> ball_graph(const TriangleMesh<Scalar>& mesh) {
-    // No ball is larger than a sphere of the surface's area.
-    const Scalar largest = std::sqrt(core::surface_area(mesh) / std::numbers::pi_v<Scalar>) / 2;
-    BallGraph<Scalar> out{medial_balls(mesh, largest), {}};
-    out.graph.neighbours.resize(static_cast<std::size_t>(mesh.vertices.rows()));
-    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
+core::CurveGraph<Scalar> ball_graph(const MedialBalls<Scalar>& balls) {
+    core::CurveGraph<Scalar> out;
+    out.neighbours.resize(static_cast<std::size_t>(balls.radii.size()));
+    for (Eigen::Index f = 0; f < balls.faces.rows(); ++f)
         for (int k = 0; k < 3; ++k) { // each edge twice: from its faces on both sides
-            const int u = mesh.faces(f, k), v = mesh.faces(f, (k + 1) % 3);
-            const Scalar length = (core::point(out.balls.centres, u) - core::point(out.balls.centres, v)).norm();
-            if (length < out.balls.radii[u] + out.balls.radii[v])
-                out.graph.neighbours[static_cast<std::size_t>(u)].emplace_back(v, length);
+            const int u = balls.faces(f, k), v = balls.faces(f, (k + 1) % 3);
+            const Scalar length = (core::point(balls.centres, u) - core::point(balls.centres, v)).norm();
+            if (length < balls.radii[u] + balls.radii[v])
+                out.neighbours[static_cast<std::size_t>(u)].emplace_back(v, length);
         }
     return out;
 }
@@ -55,17 +46,17 @@ int ball_around(const MedialBalls<Scalar>& balls, const Vector3<Scalar>& place) 
 
 /// The way from one place inside to another, both included, k x 3.
 template <typename Scalar>
-std::optional<Points<Scalar>> way_inside(const BallGraph<Scalar>& graph, const Vector3<Scalar>& from,
-                                         const Vector3<Scalar>& to) {
-    const int first = ball_around(graph.balls, from), last = ball_around(graph.balls, to);
+std::optional<Points<Scalar>> way_inside(const MedialBalls<Scalar>& balls, const core::CurveGraph<Scalar>& graph,
+                                         const Vector3<Scalar>& from, const Vector3<Scalar>& to) {
+    const int first = ball_around(balls, from), last = ball_around(balls, to);
     if (first < 0 || last < 0) return std::nullopt;
-    const auto paths = core::shortest_paths(graph.graph, first);
+    const auto paths = core::shortest_paths(graph, first);
     if (!std::isfinite(paths.distance[static_cast<std::size_t>(last)])) return std::nullopt;
     const std::vector<int> nodes = paths.path_to(last);
     Points<Scalar> way(static_cast<Eigen::Index>(nodes.size()) + 2, 3);
     way.row(0) = from.transpose();
     for (std::size_t i = 0; i < nodes.size(); ++i)
-        way.row(static_cast<Eigen::Index>(i) + 1) = graph.balls.centres.row(nodes[i]);
+        way.row(static_cast<Eigen::Index>(i) + 1) = balls.centres.row(nodes[i]);
     way.row(way.rows() - 1) = to.transpose();
     return way;
 }
@@ -95,8 +86,8 @@ std::optional<LinePiece> outside_piece(const std::vector<BranchSection<Scalar>>&
 template <typename Scalar>
 BranchedCurve<Scalar> led_inside(BranchedCurve<Scalar> branched,
                                  const std::vector<std::vector<BranchSection<Scalar>>>& sections,
-                                 const TriangleMesh<Scalar>& mesh) {
-    std::optional<detail::BallGraph<Scalar>> graph;
+                                 const MedialBalls<Scalar>& balls) {
+    std::optional<core::CurveGraph<Scalar>> graph;
     for (std::size_t b = 0; b < sections.size(); ++b) {
         const Points<Scalar> line = branched.branches[b].line;
         Points<Scalar> led(0, 3);
@@ -108,9 +99,9 @@ BranchedCurve<Scalar> led_inside(BranchedCurve<Scalar> branched,
         };
         for (auto piece = detail::outside_piece(sections[b], 0); piece;
              piece = detail::outside_piece(sections[b], piece->last)) {
-            if (!graph) graph = detail::ball_graph(mesh);
-            const auto way =
-                detail::way_inside<Scalar>(*graph, core::point(line, piece->first), core::point(line, piece->last));
+            if (!graph) graph = detail::ball_graph(balls);
+            const auto way = detail::way_inside<Scalar>(balls, *graph, core::point(line, piece->first),
+                                                        core::point(line, piece->last));
             if (!way) continue;
             append(line.middleRows(kept, piece->first - kept));
             append(way->topRows(way->rows() - 1));

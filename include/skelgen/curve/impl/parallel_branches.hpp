@@ -20,16 +20,16 @@ template <typename Scalar>
 Eigen::Index shared_points(const Points<Scalar>& a, const Points<Scalar>& b, const Body<Scalar>& body) {
     const Eigen::Index most = std::min(a.rows(), b.rows()) - 1;
     Eigen::Index shared = 0;
-    Scalar radius = 0, length = 0;
+    Scalar length = 0;
+    const auto middle = [&](Eigen::Index i) -> Vector3<Scalar> { return (core::point(a, i) + core::point(b, i)) / 2; };
     for (Eigen::Index i = 1; i < most; ++i) {
         const Vector3<Scalar> p = core::point(a, i), q = core::point(b, i);
-        const Scalar there = body.tree.distance(body.mesh, Vector3<Scalar>((p + q) / 2));
-        if (!((p - q).norm() < side_by_side<Scalar> * there)) break;
-        radius = there;
+        const Scalar apart = (p - q).norm(), least = apart / side_by_side<Scalar>;
+        if (!(apart < side_by_side<Scalar> * body.tree.distance(body.mesh, middle(i), 2 * least))) break;
         length += (p - core::point(a, i - 1)).norm();
         shared = i;
     }
-    return length > radius ? shared : 0;
+    return shared > 0 && length > body.tree.distance(body.mesh, middle(shared)) ? shared : 0;
 }
 
 /// One pair merged; whether there was one.

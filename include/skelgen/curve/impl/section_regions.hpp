@@ -43,7 +43,7 @@ void claim_balls(Claims<Scalar>& claims, const CurveSkeleton<Scalar>& curve, con
     for (std::size_t k = 0; k < has_section.size(); ++k) {
         if (has_section[k]) continue;
         const Vector3<Scalar> place = core::point(curve.nodes, static_cast<Eigen::Index>(k));
-        const int v = core::nearest_vertex(body.mesh, place);
+        const int v = body.tree.nearest_vertex(body.mesh, place);
         claims.push_back(
             {(core::point(body.mesh.vertices, v) - place).norm() - curve.radii[k], static_cast<int>(k), v});
     }

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <queue>
 #include <utility>
 #include <vector>
 
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/options.hpp>
 #include <skelgen/core/precision.hpp>
@@ -41,174 +43,213 @@ Scalar squared_distance(const Quadric<Scalar>& quadric, const Vector3<Scalar>& p
     return sum;
 }
 
-/// The contracted mesh as a complex of vertices, edges and faces that shrinks to a graph.
+/// The contracted mesh as a complex of vertices, edges and faces that shrinks to a graph. Each vertex knows the
+/// cheapest of the collapses that take it along one of its edges, and all vertices queue with theirs.
 template <typename Scalar>
 class Complex {
 public:
     Complex(const Points<Scalar>& points, const Triangles& faces, const SurgeryOptions& options)
         : points_(points), shape_weight_(static_cast<Scalar>(options.shape_weight)),
-          sampling_weight_(static_cast<Scalar>(options.sampling_weight)), neighbours_(count(points)),
-          faces_of_(count(points)), quadrics_(count(points), Quadric<Scalar>::Zero()), regions_(count(points)),
-          reach_(count(points), 0), version_(count(points), 0), alive_(count(points), true), faces_left_(faces.rows()) {
+          sampling_weight_(static_cast<Scalar>(options.sampling_weight)), vertices_(count(points)),
+          faces_left_(faces.rows()) {
+        constexpr std::size_t usual = 8; // edges and faces of a vertex of a regular mesh, and a few more
+        for (Vertex& vertex : vertices_) {
+            vertex.edges.reserve(usual);
+            vertex.faces.reserve(usual);
+        }
         faces_.reserve(static_cast<std::size_t>(faces.rows()));
         for (Eigen::Index f = 0; f < faces.rows(); ++f) {
             faces_.push_back({faces(f, 0), faces(f, 1), faces(f, 2)});
             for (const int v : faces_.back()) {
-                faces_of_[at(v)].push_back(static_cast<int>(f));
+                at(v).faces.push_back(static_cast<int>(f));
                 for (const int w : faces_.back())
-                    if (w != v) insert_sorted(neighbours_[at(v)], w);
+                    if (w != v) link(v, w);
             }
         }
-        for (std::size_t v = 0; v < neighbours_.size(); ++v) {
-            regions_[v].push_back(static_cast<int>(v));
-            for (const int w : neighbours_[v])
-                quadrics_[v] += line_quadric<Scalar>(point(static_cast<int>(v)), point(w));
+        const auto n = static_cast<int>(vertices_.size());
+        for (int v = 0; v < n; ++v) {
+            for (const Edge& edge : at(v).edges) at(v).quadric += line_quadric<Scalar>(point(v), point(edge.to));
+            at(v).own_error = squared_distance<Scalar>(at(v).quadric, point(v));
+            measure_reach(v);
         }
-        for (std::size_t v = 0; v < neighbours_.size(); ++v) measure_reach(static_cast<int>(v));
-        for (std::size_t v = 0; v < neighbours_.size(); ++v) push_edges_of(static_cast<int>(v));
+        for (int v = 0; v < n; ++v) {
+            for (Edge& edge : at(v).edges) edge.cost = cost(v, edge);
+            find_cheapest(v);
+        }
     }
 
     void collapse_all_faces() {
         while (faces_left_ > 0 && !queue_.empty()) {
             const Candidate next = queue_.top();
             queue_.pop();
-            if (is_current(next) && shares_a_face(next.from, next.to)) collapse(next.from, next.to);
+            Vertex& vertex = at(next.vertex);
+            if (vertex.is_gone() || vertex.queued != next.cost) continue;
+            vertex.queued = forbidden;
+            Edge& edge = vertex.edges[static_cast<std::size_t>(vertex.cheapest)];
+            if (shares_a_face(next.vertex, edge.to)) {
+                collapse(next.vertex, edge.to);
+            } else { // part of the graph, until its ends change
+                edge.cost = forbidden;
+                find_cheapest(next.vertex);
+            }
         }
     }
 
     [[nodiscard]] CurveSkeleton<Scalar> graph() const {
         CurveSkeleton<Scalar> out;
-        std::vector<int> index(alive_.size(), -1);
-        for (std::size_t v = 0; v < alive_.size(); ++v)
-            if (alive_[v]) {
-                index[v] = static_cast<int>(out.regions.size());
-                out.regions.push_back(regions_[v]);
-                std::sort(out.regions.back().begin(), out.regions.back().end());
-            }
-        out.nodes.resize(static_cast<Eigen::Index>(out.regions.size()), 3);
-        for (std::size_t v = 0; v < alive_.size(); ++v) {
-            if (!alive_[v]) continue;
-            out.nodes.row(index[v]) = points_.row(static_cast<Eigen::Index>(v));
-            for (const int w : neighbours_[v])
-                if (at(w) > v) out.edges.push_back({index[v], index[at(w)]});
+        std::vector<int> index(vertices_.size(), -1);
+        int count = 0;
+        for (std::size_t v = 0; v < vertices_.size(); ++v)
+            if (!vertices_[v].is_gone()) index[v] = count++;
+        out.nodes.resize(count, 3);
+        out.regions.resize(static_cast<std::size_t>(count));
+        for (std::size_t v = 0; v < vertices_.size(); ++v) {
+            auto stays = static_cast<int>(v);
+            while (at(stays).is_gone()) stays = at(stays).heir;
+            const int node = index[static_cast<std::size_t>(stays)];
+            out.regions[static_cast<std::size_t>(node)].push_back(static_cast<int>(v));
+            if (vertices_[v].is_gone()) continue;
+            out.nodes.row(node) = points_.row(static_cast<Eigen::Index>(v));
+            for (const Edge& edge : vertices_[v].edges)
+                if (edge.to > stays) out.edges.push_back({node, index[static_cast<std::size_t>(edge.to)]});
         }
         return out;
     }
 
 private:
+    static constexpr Scalar forbidden = std::numeric_limits<Scalar>::infinity();
+
+    struct Edge {
+        int to;
+        Scalar length;
+        Scalar cost; ///< of the collapse to there
+    };
+    struct Vertex {
+        std::vector<Edge> edges; ///< in ascending order of their ends
+        std::vector<int> faces;
+        Quadric<Scalar> quadric = Quadric<Scalar>::Zero();
+        Scalar own_error = 0;      ///< of its quadric at the vertex itself
+        Scalar reach = 0;          ///< sum of its edges' lengths
+        int cheapest = -1;         ///< of its edges, the first of equals; -1 where none may collapse
+        Scalar queued = forbidden; ///< cost with which it waits in the queue
+        int heir = -1;             ///< the vertex that it has collapsed to
+
+        [[nodiscard]] bool is_gone() const { return heir >= 0; }
+    };
     struct Candidate {
         Scalar cost;
-        int from, to, from_version, to_version;
+        int vertex;
         bool operator<(const Candidate& other) const { // cheapest on top; ties by index, for reproducible results
-            if (cost != other.cost) return cost > other.cost;
-            return from != other.from ? from > other.from : to > other.to;
+            return cost != other.cost ? cost > other.cost : vertex > other.vertex;
         }
     };
 
-    static std::size_t at(int v) { return static_cast<std::size_t>(v); }
+    Vertex& at(int v) { return vertices_[static_cast<std::size_t>(v)]; }
+    const Vertex& at(int v) const { return vertices_[static_cast<std::size_t>(v)]; }
     static std::size_t count(const Points<Scalar>& points) { return static_cast<std::size_t>(points.rows()); }
-    [[nodiscard]] Vector3<Scalar> point(int v) const { return points_.row(v); }
+    [[nodiscard]] Vector3<Scalar> point(int v) const { return core::point(points_, v); }
 
-    static void insert_sorted(std::vector<int>& list, int value) {
-        const auto place = std::lower_bound(list.begin(), list.end(), value);
-        if (place == list.end() || *place != value) list.insert(place, value);
+    /// The edge from v to w or, where there is none, the one before which it belongs.
+    typename std::vector<Edge>::iterator place_of(int v, int w) {
+        std::vector<Edge>& edges = at(v).edges;
+        return std::find_if(edges.begin(), edges.end(), [&](const Edge& edge) { return edge.to >= w; });
     }
-    static void erase_sorted(std::vector<int>& list, int value) {
-        const auto place = std::lower_bound(list.begin(), list.end(), value);
-        if (place != list.end() && *place == value) list.erase(place);
+    void link(int v, int w) {
+        const auto place = place_of(v, w);
+        if (place != at(v).edges.end() && place->to == w) return;
+        at(v).edges.insert(place, {w, (point(v) - point(w)).norm(), forbidden});
+    }
+    void unlink(int v, int w) {
+        const auto place = place_of(v, w);
+        if (place != at(v).edges.end() && place->to == w) at(v).edges.erase(place);
     }
 
-    [[nodiscard]] Scalar cost(int from, int to) const {
-        const Scalar shape = squared_distance<Scalar>(quadrics_[at(from)], point(to)) +
-                             squared_distance<Scalar>(quadrics_[at(to)], point(to));
-        return shape_weight_ * shape + sampling_weight_ * (point(from) - point(to)).norm() * reach_[at(from)];
+    [[nodiscard]] Scalar cost(int from, const Edge& edge) const {
+        const Scalar shape = squared_distance<Scalar>(at(from).quadric, point(edge.to)) + at(edge.to).own_error;
+        return shape_weight_ * shape + sampling_weight_ * edge.length * at(from).reach;
     }
 
-    /// After its neighbours have changed.
+    /// After its edges have changed.
     void measure_reach(int v) {
         Scalar sum = 0;
-        for (const int k : neighbours_[at(v)]) sum += (point(v) - point(k)).norm();
-        reach_[at(v)] = sum;
+        for (const Edge& edge : at(v).edges) sum += edge.length;
+        at(v).reach = sum;
     }
 
-    void push_edges_of(int v) {
-        for (const int w : neighbours_[at(v)]) queue_.push({cost(v, w), v, w, version_[at(v)], version_[at(w)]});
+    /// After the costs of its edges have changed.
+    void find_cheapest(int v) {
+        Vertex& vertex = at(v);
+        vertex.cheapest = -1;
+        Scalar least = forbidden;
+        for (std::size_t i = 0; i < vertex.edges.size(); ++i) {
+            if (!(vertex.edges[i].cost < least)) continue;
+            least = vertex.edges[i].cost;
+            vertex.cheapest = static_cast<int>(i);
+        }
+        if (least != vertex.queued && vertex.cheapest >= 0) queue_.push({least, v});
+        vertex.queued = least;
     }
 
-    [[nodiscard]] bool is_current(const Candidate& c) const {
-        return alive_[at(c.from)] && alive_[at(c.to)] && version_[at(c.from)] == c.from_version &&
-               version_[at(c.to)] == c.to_version;
+    [[nodiscard]] bool has_corner(int face, int v) const {
+        const std::array<int, 3>& corners = faces_[static_cast<std::size_t>(face)];
+        return corners[0] == v || corners[1] == v || corners[2] == v;
     }
 
     [[nodiscard]] bool shares_a_face(int a, int b) const {
-        return std::any_of(faces_of_[at(a)].begin(), faces_of_[at(a)].end(), [&](int f) {
-            const std::array<int, 3>& face = faces_[at(f)];
-            return std::find(face.begin(), face.end(), b) != face.end();
-        });
+        return std::any_of(at(a).faces.begin(), at(a).faces.end(), [&](int f) { return has_corner(f, b); });
     }
 
     void remove_face(int f) {
-        for (const int v : faces_[at(f)]) std::erase(faces_of_[at(v)], f);
+        for (const int v : faces_[static_cast<std::size_t>(f)]) std::erase(at(v).faces, f);
         --faces_left_;
     }
 
+    /// Those with both vertices vanish, as do those that another face then covers.
     void move_faces(int from, int to) {
-        const std::vector<int> touched = faces_of_[at(from)];
+        const std::vector<int> touched = at(from).faces;
         for (const int f : touched) {
-            std::array<int, 3>& face = faces_[at(f)];
-            if (std::find(face.begin(), face.end(), to) != face.end()) {
+            std::array<int, 3>& face = faces_[static_cast<std::size_t>(f)];
+            const bool is_covered =
+                has_corner(f, to) || std::any_of(at(to).faces.begin(), at(to).faces.end(), [&](int g) {
+                    return std::all_of(face.begin(), face.end(), [&](int v) { return v == from || has_corner(g, v); });
+                });
+            if (is_covered) {
                 remove_face(f);
                 continue;
             }
             std::replace(face.begin(), face.end(), from, to);
-            std::array<int, 3> key = face;
-            std::sort(key.begin(), key.end());
-            const bool doubled = std::any_of(faces_of_[at(to)].begin(), faces_of_[at(to)].end(), [&](int g) {
-                std::array<int, 3> other = faces_[at(g)];
-                std::sort(other.begin(), other.end());
-                return other == key;
-            });
-            if (doubled) {
-                std::replace(face.begin(), face.end(), to, from);
-                remove_face(f);
-                continue;
-            }
-            faces_of_[at(to)].push_back(f);
+            at(to).faces.push_back(f);
         }
-        faces_of_[at(from)].clear();
+        at(from).faces.clear();
     }
 
     void collapse(int from, int to) {
         move_faces(from, to);
-        for (const int w : neighbours_[at(from)]) {
-            erase_sorted(neighbours_[at(w)], from);
-            if (w == to) continue;
-            insert_sorted(neighbours_[at(w)], to);
-            insert_sorted(neighbours_[at(to)], w);
-            measure_reach(w);
+        for (const Edge& edge : at(from).edges) {
+            unlink(edge.to, from);
+            if (edge.to == to) continue;
+            link(edge.to, to);
+            link(to, edge.to);
+            measure_reach(edge.to);
         }
         measure_reach(to);
-        neighbours_[at(from)].clear();
-        quadrics_[at(to)] += quadrics_[at(from)];
-        regions_[at(to)].insert(regions_[at(to)].end(), regions_[at(from)].begin(), regions_[at(from)].end());
-        regions_[at(from)].clear();
-        alive_[at(from)] = false;
-
-        ++version_[at(to)];
-        push_edges_of(to);
-        for (const int w : neighbours_[at(to)]) queue_.push({cost(w, to), w, to, version_[at(w)], version_[at(to)]});
+        at(from).edges.clear();
+        at(from).heir = to;
+        at(to).quadric += at(from).quadric;
+        at(to).own_error = squared_distance<Scalar>(at(to).quadric, point(to));
+        for (Edge& edge : at(to).edges) {
+            edge.cost = cost(to, edge);
+            const auto back = place_of(edge.to, to);
+            back->cost = cost(edge.to, *back);
+            find_cheapest(edge.to);
+        }
+        find_cheapest(to);
     }
 
     const Points<Scalar>& points_;
     Scalar shape_weight_, sampling_weight_;
     std::vector<std::array<int, 3>> faces_;
-    std::vector<std::vector<int>> neighbours_; ///< sorted
-    std::vector<std::vector<int>> faces_of_;
-    std::vector<Quadric<Scalar>> quadrics_;
-    std::vector<std::vector<int>> regions_;
-    std::vector<Scalar> reach_; ///< sum of the lengths of a vertex's edges
-    std::vector<int> version_;
-    std::vector<bool> alive_;
+    std::vector<Vertex> vertices_;
     Eigen::Index faces_left_;
     std::priority_queue<Candidate> queue_;
 };

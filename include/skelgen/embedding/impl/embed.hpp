@@ -72,6 +72,31 @@ inline std::vector<int> without_merged(const std::vector<int>& path, const std::
     return out;
 }
 
+/// Per node of the curve, is it matched, or on a branch that ends within a limb or the trunk as these are matched: in
+/// the ball around one of their nodes? Such a branch is drawn by a bulge, as of a belly, and is no limb.
+template <typename Scalar>
+std::vector<bool> matched_or_hidden(const CurveSkeleton<Scalar>& curve, const Embedding& embedding) {
+    const core::CurveGraph<Scalar> graph = core::curve_graph(curve);
+    std::vector<bool> out(graph.neighbours.size(), false);
+    for (const Chain& chain : embedding.chains)
+        for (const int node : chain.nodes) out[at(node)] = true;
+    const std::vector<bool> on_chain = out;
+    const auto is_hidden = [&](int node) {
+        for (int other = 0; other < graph.size(); ++other)
+            if (on_chain[at(other)] &&
+                (core::point(curve.nodes, node) - core::point(curve.nodes, other)).norm() < curve.radii[at(other)])
+                return true;
+        return false;
+    };
+    for (int leaf = 0; leaf < graph.size(); ++leaf)
+        if (graph.degree(leaf) == 1 && !on_chain[at(leaf)] && is_hidden(leaf))
+            for (const int node : core::branch(graph, leaf, graph.neighbours[at(leaf)].front().first)) {
+                if (on_chain[at(node)]) break;
+                out[at(node)] = true;
+            }
+    return out;
+}
+
 inline Failure in_several_pieces() {
     return {FailureReason::no_match, "no human body: its curve skeleton is in several pieces"};
 }
@@ -133,11 +158,11 @@ template <typename Scalar>
 Scalar unmatched_reach(const CurveSkeleton<Scalar>& curve, const Embedding& embedding) {
     core::CurveGraph<Scalar> graph = core::curve_graph(curve);
     Scalar matched = 0;
+    for (const Chain& chain : embedding.chains) matched += core::path_length(curve, chain.nodes);
+    const std::vector<bool> is_accounted = detail::matched_or_hidden(curve, embedding);
     std::vector<std::pair<int, Scalar>> on_chains;
-    for (const Chain& chain : embedding.chains) {
-        matched += core::path_length(curve, chain.nodes);
-        for (const int node : chain.nodes) on_chains.emplace_back(node, Scalar(0));
-    }
+    for (int node = 0; node < graph.size(); ++node)
+        if (is_accounted[detail::at(node)]) on_chains.emplace_back(node, Scalar(0));
     graph.neighbours.push_back(std::move(on_chains)); // a node at no distance from all of them
     Scalar reach = 0;
     for (const Scalar d : core::shortest_paths(graph, graph.size() - 1).distance)
@@ -147,14 +172,11 @@ Scalar unmatched_reach(const CurveSkeleton<Scalar>& curve, const Embedding& embe
 
 template <typename Scalar>
 Scalar unmatched_share(const CurveSkeleton<Scalar>& curve, const Embedding& embedding) {
-    std::vector<bool> on_chain(static_cast<std::size_t>(curve.nodes.rows()), false);
     Scalar matched = 0, unmatched = 0;
-    for (const Chain& chain : embedding.chains) {
-        matched += core::path_length(curve, chain.nodes);
-        for (const int node : chain.nodes) on_chain[detail::at(node)] = true;
-    }
+    for (const Chain& chain : embedding.chains) matched += core::path_length(curve, chain.nodes);
+    const std::vector<bool> is_accounted = detail::matched_or_hidden(curve, embedding);
     for (const auto& [a, b] : curve.edges)
-        if (!on_chain[detail::at(a)] || !on_chain[detail::at(b)]) unmatched += core::path_length(curve, {a, b});
+        if (!is_accounted[detail::at(a)] || !is_accounted[detail::at(b)]) unmatched += core::path_length(curve, {a, b});
     return matched > 0 ? unmatched / matched : Scalar(0);
 }
 

@@ -5,10 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <initializer_list>
+#include <optional>
 #include <utility>
 
+#include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/embedding/embed.hpp>
 #include <skelgen/embedding/missing_limbs.hpp>
+#include <skelgen/embedding/reduced_graph.hpp>
 
 namespace skelgen::embedding {
 namespace detail {
@@ -30,12 +35,88 @@ inline constexpr double well_fitted_figure = 0.004;
 /// less than 0.1.
 inline constexpr double left_over = 0.15;
 
+/// What a figure whose legs go on from its trunk wears and carries distorts the template so much more: a staff, a
+/// cloak.
+inline constexpr double fitted_figure = 0.01;
+
+/// Multiples of an adult's lengths beside the trunk, a little beyond those above: where the trunk ends on a curve
+/// varies.
+inline constexpr Proportions least_proportions{0.6, 0.3, 0.25, 1}, most_proportions{2.5, 1.2, 1.1, 1};
+
+/// Along the bones from a joint of the trunk to a limb's end.
+inline double limb_length(const SkeletonTemplate& skeleton_template, int from, int end) {
+    const TemplateJoint& last = skeleton_template.joint(end);
+    double length = last.tip ? (*last.tip - last.position).norm() : 0;
+    for (int j = end; j != from && j > 0; j = skeleton_template.joint(j).parent)
+        length += rest_length(skeleton_template, j, skeleton_template.joint(j).parent);
+    return length;
+}
+
+/// What a proportion has to be for a limb to be so long, where twice that of `once` makes it `twice`.
+inline double proportion(double wanted, double once, double twice, double least, double most) {
+    const double growing = twice - once;
+    return growing > 0 ? std::clamp((wanted - (once - growing)) / growing, least, most) : 1;
+}
+
+/// The unit vector from one joint's node to another's.
+template <typename Scalar>
+Vector3<Scalar> direction(const CurveSkeleton<Scalar>& curve, const Embedding& embedding, int from, int to) {
+    return (core::point(curve.nodes, embedding.node_of_joint[at(to)]) -
+            core::point(curve.nodes, embedding.node_of_joint[at(from)]))
+        .stableNormalized();
+}
+
 } // namespace detail
+
+template <typename Scalar>
+Proportions proportions_of(const CurveSkeleton<Scalar>& curve, const Embedding& embedding,
+                           const SkeletonTemplate& skeleton_template) {
+    using enum JointRole;
+    const core::CurveGraph<Scalar> graph = core::curve_graph(curve);
+    const int upper = find_joint(skeleton_template, chest), top = find_joint(skeleton_template, head);
+    const auto node = [&](int joint) { return embedding.node_of_joint[detail::at(joint)]; };
+    const auto from_upper = core::shortest_paths(graph, node(upper)).distance;
+    const auto from_root = core::shortest_paths(graph, node(0)).distance;
+    const double trunk = detail::limb_length(skeleton_template, 0, upper);
+    const double unit = static_cast<double>(from_upper[detail::at(node(0))]) / trunk;
+    if (!(unit > 0)) return {};
+    const SkeletonTemplate larger = with_proportions(skeleton_template, {2, 2, 2, 1});
+    const auto fitted = [&](int from, std::initializer_list<int> ends, double least, double most) {
+        const auto& distance = from == 0 ? from_root : from_upper;
+        double sum = 0;
+        for (const int end : ends) sum += static_cast<double>(distance[detail::at(node(end))]);
+        const int end = *ends.begin();
+        return detail::proportion(sum / (static_cast<double>(ends.size()) * unit),
+                                  detail::limb_length(skeleton_template, from, end),
+                                  detail::limb_length(larger, from, end), least, most);
+    };
+    const auto &least = detail::least_proportions, &most = detail::most_proportions;
+    const auto end = [&](JointRole role, Side side) { return find_joint(skeleton_template, role, side); };
+    return {fitted(upper, {top}, least.head, most.head),
+            fitted(upper, {end(hand, Side::left), end(hand, Side::right)}, least.arms, most.arms),
+            fitted(0, {end(foot, Side::left), end(foot, Side::right)}, least.legs, most.legs), 1};
+}
+
+template <typename Scalar>
+bool legs_go_on(const CurveSkeleton<Scalar>& curve, const Embedding& embedding,
+                const SkeletonTemplate& skeleton_template) {
+    // Cosines: drawn figures, standing, have 0.67 at least, wolves, horses and boars 0.5 at most on one leg.
+    constexpr auto least = static_cast<Scalar>(0.6);
+    using enum JointRole;
+    const int upper = find_joint(skeleton_template, chest), left_end = find_joint(skeleton_template, foot, Side::left),
+              right_end = find_joint(skeleton_template, foot, Side::right);
+    for (const int joint : {upper, 0, left_end, right_end})
+        if (embedding.node_of_joint[detail::at(joint)] < 0) return false;
+    const auto direction = [&](int from, int to) { return detail::direction(curve, embedding, from, to); };
+    const Vector3<Scalar> down = direction(upper, 0), left = direction(0, left_end), right = direction(0, right_end);
+    return down.dot(left) >= least && down.dot(right) >= least && left.dot(right) >= least;
+}
 
 SKELGEN_INLINE SkeletonTemplate with_proportions(const SkeletonTemplate& skeleton_template,
                                                  const Proportions& proportions) {
     using enum JointRole;
     SkeletonTemplate out = skeleton_template;
+    out.is_adapted = true;
     for (std::size_t j = 0; j < out.joints.size(); ++j) {
         TemplateJoint& joint = out.joints[j];
         const TemplateJoint& before = skeleton_template.joints[j];
@@ -56,6 +137,42 @@ SKELGEN_INLINE SkeletonTemplate with_proportions(const SkeletonTemplate& skeleto
     return out;
 }
 
+namespace detail {
+
+template <typename Scalar>
+bool is_more_than_left_over(const CurveSkeleton<Scalar>& curve, const Embedding& found) {
+    return static_cast<double>(unmatched_share(curve, found)) > left_over;
+}
+
+/// A template with proportions of the curve's own, and how much it is distorted there, per pair.
+struct CurvesTemplate {
+    SkeletonTemplate skeleton_template;
+    double distortion = 0;
+};
+
+/// Proportions, the embedding that these make likely, its proportions in turn, and so on while it is distorted less.
+template <typename Scalar>
+std::optional<CurvesTemplate> with_curves_proportions(const CurveSkeleton<Scalar>& curve,
+                                                      const SkeletonTemplate& skeleton_template,
+                                                      Proportions proportions, const MatchingOptions& options) {
+    constexpr int most_rounds = 4;
+    std::optional<CurvesTemplate> best;
+    for (int round = 0; round < most_rounds; ++round) {
+        SkeletonTemplate other = with_proportions(skeleton_template, proportions);
+        const auto found = embed(curve, other, options);
+        if (!found || !legs_go_on(curve, *found, other)) break;
+        const double distortion = distortion_per_pair(*found);
+        if (best && !(distortion < best->distortion)) break;
+        best = CurvesTemplate{std::move(other), distortion};
+        const double hips = proportions.hips;
+        proportions = proportions_of(curve, *found, skeleton_template);
+        proportions.hips = hips;
+    }
+    return best;
+}
+
+} // namespace detail
+
 template <typename Scalar>
 FittingTemplate fitting_proportions(const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template,
                                     const MatchingOptions& options) {
@@ -70,11 +187,20 @@ FittingTemplate fitting_proportions(const CurveSkeleton<Scalar>& curve, const Sk
         SkeletonTemplate other = with_proportions(skeleton_template, proportions);
         const auto found = embed(curve, other, options);
         if (!found || !(distortion_per_pair(*found) < least)) continue;
-        if (static_cast<double>(unmatched_share(curve, *found)) > detail::left_over) continue;
+        if (detail::is_more_than_left_over(curve, *found)) continue;
         least = distortion_per_pair(*found);
         out = {std::move(other), true, false};
     }
-    out.fits_badly = !out.is_odd;
+    if (!out.is_odd && distortion_per_pair(*whole) > detail::fitted_figure) {
+        least = detail::fitted_figure;
+        for (const Proportions& start : detail::other_proportions) {
+            auto fitted = detail::with_curves_proportions(curve, skeleton_template, start, options);
+            if (!fitted || !(fitted->distortion < least)) continue;
+            least = fitted->distortion;
+            out = {std::move(fitted->skeleton_template), true, false};
+        }
+    }
+    out.fits_badly = !out.is_odd || least > detail::well_fitted_figure;
     return out;
 }
 

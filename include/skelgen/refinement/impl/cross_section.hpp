@@ -16,7 +16,7 @@ namespace skelgen::refinement {
 namespace detail {
 
 template <typename Scalar>
-CrossSection<Scalar> measure_contour(const surface::Contour<Scalar>& contour, const TriangleMesh<Scalar>& mesh,
+CrossSection<Scalar> measure_contour(const surface::Contour<Scalar>& contour, const Points<Scalar>& face_normals,
                                      const Vector3<Scalar>& normal) {
     const std::size_t n = contour.points.size();
     CrossSection<Scalar> out;
@@ -28,23 +28,22 @@ CrossSection<Scalar> measure_contour(const surface::Contour<Scalar>& contour, co
     Scalar area = 0;
     for (std::size_t i = 0; i < n; ++i) {
         const auto row = static_cast<Eigen::Index>(i);
-        const Vector3<Scalar>&p = contour.points[i], q = contour.points[(i + 1) % n];
-        out.points.row(row) = p.transpose();
-        out.normals.row(row) = core::face_area_vector(mesh, contour.faces[i]).normalized().transpose();
-        out.lengths[row] = (q - p).norm();
+        const Vector3<Scalar>&p = contour.points[i], &q = contour.points[i + 1 < n ? i + 1 : 0];
+        core::set_point(out.points, row, p);
+        core::set_point(out.normals, row, core::point(face_normals, contour.faces[i]));
+        const Scalar length = out.lengths[row] = (q - p).norm();
         const Scalar twice = normal.dot((p - base).cross(q - base));
         area += twice / 2;
         moment += twice / 6 * ((p - base) + (q - base));
-        mean += out.lengths[row] * (p + q) / 2;
+        mean += length * (p + q) / 2;
     }
     out.perimeter = out.lengths.sum();
     out.area = std::abs(area);
     const bool has_area = out.area > core::rounding<Scalar>() * out.perimeter * out.perimeter;
     out.centroid = has_area ? Vector3<Scalar>(base + moment / area) : Vector3<Scalar>(mean / out.perimeter);
-    for (Eigen::Index i = 0; i < out.points.rows(); ++i) {
-        const Vector3<Scalar> middle =
-            (out.points.row(i) + out.points.row((i + 1) % out.points.rows())).transpose() / 2;
-        out.thickness += out.lengths[i] / out.perimeter * (middle - out.centroid).norm();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vector3<Scalar> middle = (contour.points[i] + contour.points[i + 1 < n ? i + 1 : 0]) / 2;
+        out.thickness += out.lengths[static_cast<Eigen::Index>(i)] / out.perimeter * (middle - out.centroid).norm();
     }
     return out;
 }
@@ -56,7 +55,7 @@ std::optional<CrossSection<Scalar>> Slicer<Scalar>::around(const Vector3<Scalar>
                                                            Scalar reach) const {
     const auto contour = surface::contour_around(mesh_, adjacency_, tree_, point, normal, reach);
     if (!contour) return std::nullopt;
-    CrossSection<Scalar> section = detail::measure_contour(*contour, mesh_, normal);
+    CrossSection<Scalar> section = detail::measure_contour(*contour, normals_, normal);
     if (!(section.perimeter > 0)) return std::nullopt; // a plane that touches a vertex
     return section;
 }

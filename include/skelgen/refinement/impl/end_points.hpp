@@ -8,6 +8,7 @@
 
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/parallel.hpp>
 
 namespace skelgen::refinement {
 namespace detail {
@@ -59,20 +60,23 @@ std::vector<EndPoint<Scalar>> find_end_points(const Body<Scalar>& body, const Cu
     std::vector<EndPoint<Scalar>> leaves;
     for (const embedding::Chain& chain : embedding.chains) {
         if (skeleton_template.joint(chain.joints.back()).role == JointRole::chest) continue;
-        const int vertex = core::nearest_vertex(body.mesh, core::point(curve.nodes, chain.nodes.back()));
-        leaves.push_back({chain.joints.back(), vertex, detail::distances_from(body.graph, vertex)});
+        const int vertex = body.tree.nearest_vertex(body.mesh, core::point(curve.nodes, chain.nodes.back()));
+        leaves.push_back({chain.joints.back(), vertex, {}});
     }
+    core::parallel_for(leaves.size(), 1, [&](std::size_t i) {
+        leaves[i].distance = detail::distances_from(body.graph, leaves[i].vertex);
+    });
     const Scalar radius = detail::end_reach<Scalar> * geodesic_diameter(leaves);
-    std::vector<EndPoint<Scalar>> ends;
-    for (const EndPoint<Scalar>& leaf : leaves) {
+    std::vector<EndPoint<Scalar>> ends(leaves.size());
+    core::parallel_for(leaves.size(), 1, [&](std::size_t i) {
+        const EndPoint<Scalar>& leaf = leaves[i];
         const Eigen::VectorX<Scalar> far = detail::remoteness(leaf, leaves, skeleton_template);
         int best = leaf.vertex;
         for (Eigen::Index v = 0; v < far.size(); ++v)
             if (leaf.distance[v] <= radius && std::isfinite(far[v]) && far[v] > far[best]) best = static_cast<int>(v);
-        ends.push_back(
-            {leaf.joint, best, best == leaf.vertex ? leaf.distance : detail::distances_from(body.graph, best)});
-        ends.back().rim = detail::nearest_rim(body.rims, ends.back().distance);
-    }
+        ends[i] = {leaf.joint, best, best == leaf.vertex ? leaf.distance : detail::distances_from(body.graph, best)};
+        ends[i].rim = detail::nearest_rim(body.rims, ends[i].distance);
+    });
     return ends;
 }
 

@@ -165,8 +165,9 @@ Scalar flat_end(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, cons
 template <typename Scalar>
 Scalar open_end(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, const EndPoint<Scalar>& end,
                 Scalar length) {
+    if (end.rim.empty()) return 0;
     const auto own = detail::limb_end(mesh, limb, length);
-    if (!own || end.rim.empty()) return 0;
+    if (!own) return 0;
     if (detail::distance_to_rim(end) > detail::end_size<Scalar> * own->thickness) return 0;
     const Vector3<Scalar> area = detail::area_within(mesh.vertices, end.rim);
     const Scalar seen = std::abs(area.dot(own->along));

@@ -151,4 +151,41 @@ Placement<Scalar> place_girdle(Placement<Scalar> placement, const Limb<Scalar>& 
     return placement;
 }
 
+namespace detail {
+
+/// Of the places on a line so far from another place the one farther along it; where there are none the nearest one.
+template <typename Scalar>
+Vector3<Scalar> farther_place_at(const Line<Scalar>& line, const Vector3<Scalar>& centre, Scalar distance) {
+    const Scalar nearest = (centre - line.point).dot(line.direction), off = distance_to(line, centre);
+    const Scalar half = std::sqrt(std::max(Scalar(0), distance * distance - off * off));
+    return line.point + (nearest + half) * line.direction;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+Placement<Scalar> place_shoulder_by_trunk(Placement<Scalar> placement, const Limb<Scalar>& limb,
+                                          const Vector3<Scalar>& fork, const BendOptions& bend,
+                                          const BoneLineOptions& bone_line) {
+    if (!placement.skeleton_template().is_adapted || limb.joints.size() < 3) return placement;
+    const int shoulder = limb.joints[0], elbow = limb.joints[1], wrist = limb.joints[2];
+    const int neck = placement.find(JointRole::neck);
+    if (placement.role(shoulder) != JointRole::shoulder || neck < 0 || is_bare(placement.skeleton_template(), neck))
+        return placement;
+    // An upper arm that shows too little of itself goes on as the forearm comes.
+    const Vector3<Scalar> onwards = (placement.at(wrist) - placement.at(elbow)).stableNormalized();
+    const Line<Scalar> line = fit_first_bone(limb, bone_line).value_or(Line<Scalar>{placement.at(elbow), onwards});
+    const Scalar trunk = (placement.at(neck) - fork).norm() / placement.rest_distance(neck, 0);
+    const Vector3<Scalar> place =
+        detail::farther_place_at(line, placement.at(neck), trunk * placement.rest_distance(shoulder, neck));
+    const Vector3<Scalar> moved = place - placement.at(shoulder);
+    const Vector3<Scalar> upper = placement.at(elbow) - place, lower = placement.at(wrist) - placement.at(elbow);
+    placement.put(shoulder, place);
+    const Scalar bent = detail::degrees_between<Scalar>(upper.normalized(), lower.normalized());
+    if (bent > static_cast<Scalar>(bend.full)) return placement;
+    const Scalar fore = placement.rest_distance(elbow, wrist);
+    placement.put(elbow, placement.at(elbow) + fore / (placement.rest_distance(shoulder, elbow) + fore) * moved);
+    return placement;
+}
+
 } // namespace skelgen::refinement

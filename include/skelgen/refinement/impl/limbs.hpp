@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include <skelgen/core/parallel.hpp>
 #include <skelgen/embedding/reduced_graph.hpp>
 
 namespace skelgen::refinement {
@@ -44,30 +45,23 @@ Scalar find_attachment(const Centreline<Scalar>& line, Scalar own, Scalar stretc
     return line.arc[0];
 }
 
-/// Centres of the rings around a limb, from `length` away from its end down to the end itself. Each is looked for near
-/// the last one: where the end touches another part of the body, that has rings at the same distance.
-template <typename Scalar>
-Points<Scalar> ring_centres(const Slicer<Scalar>& slicer, const EndPoint<Scalar>& end, Scalar length, Scalar step) {
-    const surface::LevelSets<Scalar> sets =
-        slicer.level_sets(end.distance.cwiseMin(2 * length)); // finite where no path leads
-    std::vector<Vector3<Scalar>> centres{slicer.mesh().vertices.row(end.vertex).transpose()};
-    const int rings = static_cast<int>(std::ceil(length / step - Scalar(0.5)));
-    for (int ring = rings; ring-- > 0;)
-        if (const auto centre =
-                level_set_centre<Scalar>(sets, length - static_cast<Scalar>(ring) * step, centres.back(), 2 * step))
-            centres.push_back(*centre);
-    Points<Scalar> out(static_cast<Eigen::Index>(centres.size()), 3);
-    for (std::size_t i = 0; i < centres.size(); ++i)
-        out.row(out.rows() - 1 - static_cast<Eigen::Index>(i)) = centres[i].transpose();
-    return out;
-}
-
 /// The limb's first bone is surely the limb's own up to its middle; nearer its outer joint, a folded elbow or knee
 /// widens the sections. Three tenths of the bone, ending in its middle, are the reference.
 template <typename Scalar>
 Scalar attachment_of(const Limb<Scalar>& limb) {
     const Scalar top = limb.from_tip.front(), next = limb.from_tip.size() > 1 ? limb.from_tip[1] : 0;
     return find_attachment(limb.line, next + Scalar(0.5) * (top - next), Scalar(0.3) * (top - next));
+}
+
+/// The centreline from no farther than `length` from its last point on.
+template <typename Scalar>
+Centreline<Scalar> outer_part(const Centreline<Scalar>& line, Scalar length) {
+    const Eigen::Index size = line.arc.size();
+    Eigen::Index first = 0;
+    while (first + 2 < size && line.arc[size - 1] - line.arc[first] > length) ++first;
+    const Eigen::Index kept = size - first;
+    return {line.points.bottomRows(kept), line.arc.tail(kept).array() - line.arc[first], line.thickness.tail(kept),
+            line.area.tail(kept), line.flatness.tail(kept)};
 }
 
 /// The joints of the limb that `end` ends, outwards, without the one it branches off from.
@@ -92,11 +86,33 @@ Scalar template_scale(const SkeletonTemplate& skeleton_template, Scalar geodesic
 }
 
 template <typename Scalar>
+Points<Scalar> ring_centres(const Slicer<Scalar>& slicer, const EndPoint<Scalar>& end, Scalar length, Scalar step) {
+    const surface::LevelSets<Scalar> sets =
+        slicer.level_sets(end.distance.cwiseMin(2 * length)); // finite where no path leads
+    std::vector<Vector3<Scalar>> centres{slicer.mesh().vertices.row(end.vertex).transpose()};
+    const int rings = static_cast<int>(std::ceil(length / step - Scalar(0.5)));
+    for (int ring = rings; ring-- > 0;)
+        if (const auto centre =
+                level_set_centre<Scalar>(sets, length - static_cast<Scalar>(ring) * step, centres.back(), 2 * step))
+            centres.push_back(*centre);
+    Points<Scalar> out(static_cast<Eigen::Index>(centres.size()), 3);
+    for (std::size_t i = 0; i < centres.size(); ++i)
+        out.row(out.rows() - 1 - static_cast<Eigen::Index>(i)) = centres[i].transpose();
+    return out;
+}
+
+template <typename Scalar>
 Limb<Scalar> draw_limb(Limb<Scalar> limb, const Slicer<Scalar>& slicer, const EndPoint<Scalar>& end,
                        const CentrelineOptions& options) {
     const Scalar length = detail::drawn_length<Scalar> * limb.from_tip.front();
-    limb.line =
-        draw_centreline(slicer, detail::ring_centres(slicer, end, length, static_cast<Scalar>(options.step)), options);
+    limb.line = draw_centreline(slicer, ring_centres(slicer, end, length, static_cast<Scalar>(options.step)), options);
+    limb.attachment = detail::attachment_of(limb);
+    return limb;
+}
+
+template <typename Scalar>
+Limb<Scalar> shorten_line(Limb<Scalar> limb) {
+    limb.line = detail::outer_part(limb.line, detail::drawn_length<Scalar> * limb.from_tip.front());
     limb.attachment = detail::attachment_of(limb);
     return limb;
 }
@@ -105,19 +121,20 @@ template <typename Scalar>
 std::vector<Limb<Scalar>> trace_limbs(const Slicer<Scalar>& slicer, const std::vector<EndPoint<Scalar>>& ends,
                                       const SkeletonTemplate& skeleton_template, Scalar scale,
                                       const CentrelineOptions& options) {
-    std::vector<Limb<Scalar>> limbs;
-    for (const EndPoint<Scalar>& end_point : ends) {
+    std::vector<Limb<Scalar>> limbs(ends.size());
+    core::parallel_for(ends.size(), 1, [&](std::size_t i) {
+        const EndPoint<Scalar>& end_point = ends[i];
         const TemplateJoint& end = skeleton_template.joint(end_point.joint);
         Limb<Scalar> limb;
         limb.joints = detail::joints_up_to(skeleton_template, end_point.joint);
         limb.from_tip.resize(limb.joints.size());
         double distance = end.tip ? (*end.tip - end.position).norm() : 0;
-        for (std::size_t i = limb.joints.size(); i-- > 0;) {
-            limb.from_tip[i] = scale * static_cast<Scalar>(distance);
-            distance += rest_length(skeleton_template, limb.joints[i], skeleton_template.joint(limb.joints[i]).parent);
+        for (std::size_t j = limb.joints.size(); j-- > 0;) {
+            limb.from_tip[j] = scale * static_cast<Scalar>(distance);
+            distance += rest_length(skeleton_template, limb.joints[j], skeleton_template.joint(limb.joints[j]).parent);
         }
-        limbs.push_back(draw_limb(std::move(limb), slicer, end_point, options));
-    }
+        limbs[i] = draw_limb(std::move(limb), slicer, end_point, options);
+    });
     return limbs;
 }
 

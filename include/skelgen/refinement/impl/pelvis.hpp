@@ -183,14 +183,16 @@ private:
         };
         const Scalar above_fork =
             static_cast<Scalar>(options_.hips_above_fork) - static_cast<Scalar>(options_.fork_rise) * flexion;
-        const Scalar by_fork = ((axis_.place - axis_.fork).dot(pelvis.up) - above_fork * thigh_) / chord.dot(pelvis.up);
+        const Vector3<Scalar> fork =
+            axis_.crossings.empty() ? axis_.fork : fork_along(axis_.crossings, axis_.place, pelvis.up);
+        const Scalar by_fork = ((axis_.place - fork).dot(pelvis.up) - above_fork * thigh_) / chord.dot(pelvis.up);
         const Vector3<Scalar> side = to_hip(pelvis);
         Scalar below = by_fork;
         for (int round = 0; round < rounds; ++round) {
             // Far from where the thighs' lengths put the hips, it is rather the hem of a coat than the fork of the
             // legs.
-            const Scalar off = below - by_fork, fork = precision(options_.fork_deviation);
-            const Scalar weight = fork / (1 + fork * off * off / static_cast<Scalar>(far_off));
+            const Scalar off = below - by_fork, exact = precision(options_.fork_deviation);
+            const Scalar weight = exact / (1 + exact * off * off / static_cast<Scalar>(far_off));
             Scalar gradient = weight * off, curvature = weight;
             for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
                 const Vector3<Scalar> hip_at = axis_.place - below * chord + (leg == 0 ? side : Vector3<Scalar>(-side));

@@ -137,7 +137,8 @@ StretchRatios<Scalar> search_ratios(const std::vector<StretchCost<Scalar>>& cost
         const int i = outwards(row);
         StretchRatios<Scalar> next{centre.bone + static_cast<Scalar>(i) * step, centre.outer, 0};
         for (std::size_t k = 0; k < costs.size() && next.cost < best.cost; ++k) {
-            Scalar least = std::numeric_limits<Scalar>::infinity();
+            Scalar least = best.cost - next.cost; // what costs more does not come to be the best
+            bool is_found = false;
             for (int column = 0; column <= 2 * steps; ++column) {
                 const Scalar outer = centre.outer[k] + static_cast<Scalar>(outwards(column)) * step;
                 if (costs[k].of_lengths(outer, next.bone) >= least) continue;
@@ -145,9 +146,10 @@ StretchRatios<Scalar> search_ratios(const std::vector<StretchCost<Scalar>>& cost
                 if (cost < least) {
                     least = cost;
                     next.outer[k] = outer;
+                    is_found = true;
                 }
             }
-            next.cost += least;
+            next.cost = is_found ? next.cost + least : std::numeric_limits<Scalar>::infinity();
         }
         if (next.cost < best.cost) best = next;
     }

@@ -3,6 +3,7 @@
 #include <skelgen/refinement/refine.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -39,6 +40,15 @@ Limb<Scalar> stretched(Limb<Scalar> limb, Scalar factor, const Slicer<Scalar>& s
     return draw_limb(std::move(limb), slicer, end, options);
 }
 
+/// Does a head's throat lie as low as an adult's, three quarters of the way from top to neck, or nearly so? What is
+/// thin higher up is a face between hands.
+template <typename Scalar>
+bool is_below_face(const Limb<Scalar>& limb, const HeadShape<Scalar>& head) {
+    constexpr Scalar lowest_face = Scalar(0.6); // a working value
+    const Vector3<Scalar> top = tip_of(limb), neck = point_on(limb, arc_of(limb, 0));
+    return (top - *head.throat).dot(head.up) > lowest_face * (top - neck).norm();
+}
+
 /// A head may be so much larger than the template's that its slices, above the place where the template has the neck,
 /// show no head at all: the limb drawn for the first of ever larger heads that is seen to end in a throat, and is no
 /// smaller than that. None where there is no such one, as with hair, hats and hands on heads.
@@ -49,7 +59,7 @@ std::optional<Limb<Scalar>> with_far_larger_head(const Limb<Scalar>& limb, const
     for (Scalar factor = step; factor < most; factor *= step) {
         Limb<Scalar> larger = stretched(limb, factor, slicer, end, options.centreline);
         const auto head = head_of(larger, slicer, options.head);
-        if (head && head->throat && head->size >= 1) return larger;
+        if (head && head->throat && head->size >= 1 && is_below_face(larger, *head)) return larger;
     }
     return std::nullopt;
 }
@@ -89,6 +99,38 @@ Limb<Scalar> with_fitting_head(Limb<Scalar> limb, const Slicer<Scalar>& slicer, 
     return limb;
 }
 
+/// Rings around the trunk nearer to the fork than this, in thighs, hold thighs, too. A working value.
+template <typename Scalar>
+inline constexpr Scalar lowest_ring = Scalar(0.4);
+
+/// Places roughly through the trunk, upwards from above the fork to below the neck: the centres of its rings at equal
+/// distance from the top of the head, which are the same however the curve was found; without a head, or with an
+/// adapted template, which tells no lengths, the curve's nodes.
+template <typename Scalar>
+std::vector<Vector3<Scalar>>
+places_along_trunk(const std::vector<Limb<Scalar>>& limbs, const std::vector<EndPoint<Scalar>>& ends,
+                   const Slicer<Scalar>& slicer, const CurveSkeleton<Scalar>& curve,
+                   const embedding::Embedding& embedding, const SkeletonTemplate& skeleton_template,
+                   const Vector3<Scalar>& fork, Scalar thigh) {
+    constexpr auto step = static_cast<Scalar>(CentrelineOptions{}.step);
+    std::vector<Vector3<Scalar>> places;
+    const int nearest = core::nearest_vertex(slicer.mesh(), fork);
+    for (std::size_t i = 0; i < limbs.size(); ++i) {
+        const Scalar lowest = ends[i].distance[nearest] - lowest_ring<Scalar> * thigh;
+        const bool is_measured = is_head(limbs[i], skeleton_template) && !skeleton_template.is_adapted;
+        if (!is_measured || !std::isfinite(lowest)) continue;
+        const Points<Scalar> rings = ring_centres(slicer, ends[i], lowest, step);
+        const auto below_neck = static_cast<Eigen::Index>(std::ceil((lowest - limbs[i].from_tip.front()) / step));
+        for (Eigen::Index r = 0; r < std::min(below_neck, rings.rows()); ++r) places.push_back(core::point(rings, r));
+    }
+    if (!places.empty()) return places;
+    const int chest = find_joint(skeleton_template, JointRole::chest);
+    for (const embedding::Chain& chain : embedding.chains)
+        if (chain.joints.back() == chest)
+            for (const int node : chain.nodes) places.push_back(core::point(curve.nodes, node));
+    return places;
+}
+
 /// The axis of the lower trunk; none without two legs.
 template <typename Scalar>
 std::optional<TrunkAxis<Scalar>>
@@ -96,27 +138,23 @@ trunk_axis_of(const std::vector<Limb<Scalar>>& limbs, const std::vector<EndPoint
               const Slicer<Scalar>& slicer, const CurveSkeleton<Scalar>& curve, const embedding::Embedding& embedding,
               const SkeletonTemplate& skeleton_template, Scalar scale) {
     const std::vector<std::size_t> legs = find_legs(limbs, skeleton_template);
-    std::optional<Vector3<Scalar>> neck;
-    for (const Limb<Scalar>& limb : limbs)
-        if (is_head(limb, skeleton_template)) neck = point_on(limb, arc_of(limb, 0));
     if (legs.empty()) return std::nullopt;
     const auto fork = fork_between(slicer.mesh(), ends[legs[0]], ends[legs[1]]);
     if (!fork) return std::nullopt;
-    const int chest = find_joint(skeleton_template, JointRole::chest);
-    const auto trunk = std::find_if(embedding.chains.begin(), embedding.chains.end(),
-                                    [&](const embedding::Chain& chain) { return chain.joints.back() == chest; });
-    if (trunk == embedding.chains.end()) return std::nullopt;
-    Points<Scalar> line(static_cast<Eigen::Index>(trunk->nodes.size()) + (neck ? 2 : 1), 3);
-    line.row(0) = fork->transpose();
-    for (std::size_t i = 0; i < trunk->nodes.size(); ++i)
-        line.row(static_cast<Eigen::Index>(i) + 1) = curve.nodes.row(trunk->nodes[i]);
-    if (neck) line.row(line.rows() - 1) = neck->transpose();
     const Scalar thigh = scale * rest_length_of_first_bone(limbs[legs[0]], skeleton_template);
+    std::vector<Vector3<Scalar>> places =
+        places_along_trunk(limbs, ends, slicer, curve, embedding, skeleton_template, *fork, thigh);
+    if (places.empty()) return std::nullopt;
+    places.insert(places.begin(), *fork);
+    for (const Limb<Scalar>& limb : limbs)
+        if (is_head(limb, skeleton_template)) places.push_back(point_on(limb, arc_of(limb, 0)));
+    Points<Scalar> line(static_cast<Eigen::Index>(places.size()), 3);
+    for (std::size_t i = 0; i < places.size(); ++i) core::set_point(line, static_cast<Eigen::Index>(i), places[i]);
     auto axis = find_trunk_axis(slicer, line, thigh);
     if (!axis) return axis;
     // Half a thigh to both sides of the fork, in fortieths of it: more than a bent knee or an unlike end moves it.
-    const Points<Scalar> way = way_between(slicer.mesh(), ends[legs[0]], ends[legs[1]], thigh, Scalar(0.05) * thigh);
-    axis->fork = highest_on(way, axis->place, axis->up);
+    axis->crossings = crossings_between(slicer.mesh(), ends[legs[0]], ends[legs[1]], thigh, Scalar(0.05) * thigh);
+    axis->fork = fork_along(axis->crossings, axis->place, axis->up);
     return axis;
 }
 
@@ -158,6 +196,21 @@ std::optional<TrunkShape<Scalar>> trunk_of(const Placement<Scalar>& placement, c
                          Vector3<Scalar>(placement.at(hips[0]) - placement.at(hips[1])));
 }
 
+/// Shoulders of an adapted template by the trunk, where these and their elbows are then inside of the body: where the
+/// head shows no throat the neck may be far off.
+template <typename Scalar>
+Placement<Scalar> place_shoulders_by_trunk(Placement<Scalar> placement, const std::vector<Limb<Scalar>>& limbs,
+                                           const Vector3<Scalar>& fork, const Body<Scalar>& body,
+                                           const RefinementOptions& options) {
+    if (!placement.skeleton_template().is_adapted) return placement;
+    for (const Limb<Scalar>& limb : limbs) {
+        const auto placed = place_shoulder_by_trunk(placement, limb, fork, options.bend, options.bone_line);
+        const auto is_in = [&](int joint) { return surface::is_inside(body, placed.at(joint)); };
+        if (limb.joints.size() > 1 && is_in(limb.joints[0]) && is_in(limb.joints[1])) placement = placed;
+    }
+    return placement;
+}
+
 } // namespace detail
 
 template <typename Scalar>
@@ -179,6 +232,7 @@ RefinedJoints<Scalar> refine(const Body<Scalar>& body, const std::vector<EndPoin
     }
     for (const Limb<Scalar>& limb : limbs)
         placement = place_girdle(std::move(placement), limb, options.girdle, options.bone_line);
+    if (axis) placement = detail::place_shoulders_by_trunk(std::move(placement), limbs, axis->fork, body, options);
     placement = place_bare_joints(std::move(placement), curve, embedding);
     placement = narrow_hips(std::move(placement), limbs);
     const auto with_pelvis =

@@ -231,24 +231,25 @@ struct EndShape {
 
 /// Does a limb end at wrist or ankle? By what its thickness costs as a whole limb's and as a cut one's, and by what its
 /// end looks like: of these two witnesses each may outvote the other. Of an end that was open, however its hole was
-/// closed, the thickness need not be a forearm's or calf's to the last: it is a limb's that lacks something.
-template <typename Scalar>
-bool is_cut(Scalar whole_cost, Scalar cut_cost, const EndShape<Scalar>& end) {
-    if (cut_cost < worst_cut_cost<Scalar> && least_gain<Scalar> * cut_cost < whole_cost) return true;
+/// closed, the thickness need not be a forearm's or calf's to the last: it is a limb's that lacks something. The
+/// whole limb's cost and the end's shape are functions: not all ends need them.
+template <typename WholeCost, typename Scalar, typename End>
+bool is_cut(const WholeCost& whole_cost, Scalar cut_cost, const End& end_shape) {
+    if (cut_cost < worst_cut_cost<Scalar> && least_gain<Scalar> * cut_cost < whole_cost()) return true;
+    const EndShape<Scalar> end = end_shape();
     const bool is_flat = end.flat > flat_lid<Scalar> && cut_cost < worst_lidded_cost<Scalar>;
     if (!is_flat && !(end.open > open_lid<Scalar>)) return false;
     const Scalar lid = std::max(end.flat, end.open);
-    return std::log(whole_cost / cut_cost) + 2 * (lid - balanced<Scalar>) > 0;
+    return std::log(whole_cost() / cut_cost) + 2 * (lid - balanced<Scalar>) > 0;
 }
 
-/// The limb as it were if it ended at wrist or ankle.
+/// The limb as it were if it ended at wrist or ankle, on the line that it has.
 template <typename Scalar>
-Limb<Scalar> ending_at(Limb<Scalar> limb, std::size_t outer, const Slicer<Scalar>& slicer, const EndPoint<Scalar>& end,
-                       const CentrelineOptions& centreline) {
+Limb<Scalar> ending_at(Limb<Scalar> limb, std::size_t outer) {
     const Scalar off = (1 - left_of_end<Scalar>)*limb.from_tip[outer];
     for (Scalar& from_tip : limb.from_tip) from_tip = std::max(from_tip - off, Scalar(0));
     limb.missing = limb.joints.size() - 1 - outer;
-    return draw_limb(std::move(limb), slicer, end, centreline);
+    return shorten_line(std::move(limb));
 }
 
 template <typename Scalar>
@@ -270,13 +271,16 @@ shorten_cut_limbs(std::vector<Limb<Scalar>> limbs, const Slicer<Scalar>& slicer,
         if (!profiled || profiled->outer + 1 >= limbs[i].joints.size()) continue;
         if (four_sidedness(slicer.mesh(), limbs[i], ends[i], limbs[i].from_tip[profiled->outer]) > detail::box<Scalar>)
             continue;
-        Limb<Scalar> cut = detail::ending_at(limbs[i], profiled->outer, slicer, ends[i], centreline);
-        const Scalar whole_cost = detail::cost_of(limbs[i], skeleton_template, options);
+        Limb<Scalar> cut = detail::ending_at(limbs[i], profiled->outer);
         const Scalar cut_cost = detail::cost_of(cut, skeleton_template, options);
-        const Scalar beyond = limbs[i].from_tip[profiled->outer];
-        const detail::EndShape<Scalar> shape{flat_end(slicer.mesh(), limbs[i], ends[i], beyond),
-                                             open_end(slicer.mesh(), limbs[i], ends[i], beyond)};
-        if (detail::is_cut(whole_cost, cut_cost, shape)) limbs[i] = std::move(cut);
+        const auto whole_cost = [&] { return detail::cost_of(limbs[i], skeleton_template, options); };
+        const auto end_shape = [&]() -> detail::EndShape<Scalar> {
+            const Scalar beyond = limbs[i].from_tip[profiled->outer];
+            return {flat_end(slicer.mesh(), limbs[i], ends[i], beyond),
+                    open_end(slicer.mesh(), limbs[i], ends[i], beyond)};
+        };
+        if (detail::is_cut(whole_cost, cut_cost, end_shape))
+            limbs[i] = draw_limb(std::move(cut), slicer, ends[i], centreline);
     }
     return limbs;
 }

@@ -24,6 +24,11 @@ inline constexpr Scalar waist_section_reach = Scalar(0.16);
 template <typename Scalar>
 inline constexpr Scalar least_trunk_rise = Scalar(0.5);
 
+/// A section up to this part of the largest one that a trunk of its own has is the waist's alone: the smallest one's
+/// part of it.
+template <typename Scalar>
+inline constexpr Scalar waist_alone = Scalar(1) / Scalar(1.6);
+
 /// The crotch is raised in so many steps up to this part of the bone from it to the waist or chest: any higher, it
 /// would no longer be between the hips.
 inline constexpr int crotch_steps = 10;
@@ -81,6 +86,22 @@ Vector3<Scalar> beside(const Vector3<Scalar>& place, const Vector3<Scalar>& up, 
     return trunk.place + (place - trunk.place).dot(up) / rise * trunk.up;
 }
 
+/// The waist, whose place on the way from hips to neck, along the vector `trunk`, is `place`: the centre of its
+/// section, but the more of a raised thigh that holds, the nearer to the lower trunk's axis.
+template <typename Scalar>
+Vector3<Scalar> waist_near(const Vector3<Scalar>& place, const Vector3<Scalar>& trunk, const Slicer<Scalar>& slicer,
+                           const std::optional<TrunkAxis<Scalar>>& lower_trunk) {
+    const Vector3<Scalar> up = trunk.normalized();
+    const auto section = slicer.around(place, up, waist_section_reach<Scalar> * trunk.norm());
+    if (!section) return place;
+    const bool is_own = (section->centroid - place).norm() < section->thickness;
+    const Vector3<Scalar> centre = is_own ? section->centroid : place;
+    if (!lower_trunk) return centre;
+    const Scalar part = section->area / lower_trunk->largest_section;
+    const Scalar thigh = std::clamp((part - waist_alone<Scalar>) / (1 - waist_alone<Scalar>), Scalar(0), Scalar(1));
+    return centre + thigh * (beside(place, up, *lower_trunk) - centre);
+}
+
 } // namespace detail
 
 template <typename Scalar>
@@ -121,14 +142,7 @@ Placement<Scalar> place_trunk(Placement<Scalar> placement, const std::vector<Lim
         auto height = static_cast<Scalar>((rest - rest_low) / (rest_high - rest_low));
         if (role == waist) height -= static_cast<Scalar>(options.waist_lowering) * flexion;
         const Vector3<Scalar> p = low + height * axis;
-        placement.put(j, p);
-        if (role != waist) continue;
-        const Vector3<Scalar> up = axis.normalized();
-        const auto section = slicer.around(p, up, detail::waist_section_reach<Scalar> * axis.norm());
-        if (lower_trunk && section && section->area > lower_trunk->largest_section)
-            placement.put(j, detail::beside(p, up, *lower_trunk));
-        else if (section && (section->centroid - p).norm() < section->thickness)
-            placement.put(j, section->centroid);
+        placement.put(j, role == waist ? detail::waist_near(p, axis, slicer, lower_trunk) : p);
     }
     return placement;
 }

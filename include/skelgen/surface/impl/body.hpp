@@ -2,25 +2,32 @@
 
 #include <skelgen/surface/body.hpp>
 
+#include <optional>
 #include <unordered_set>
 #include <utility>
 
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/geodesics.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/parallel.hpp>
 
 namespace skelgen::surface {
 
 template <typename Scalar>
 Body<Scalar> make_body(TriangleMesh<Scalar> mesh, const Similarity<Scalar>& similarity, std::vector<int> source,
                        int dropped_pieces) {
-    Triangles adjacency = core::face_adjacency(mesh.faces);
-    core::SurfaceGraph<Scalar> graph = core::surface_graph(mesh, adjacency);
-    FaceTree<Scalar> tree(mesh);
+    Triangles adjacency;
+    core::SurfaceGraph<Scalar> graph;
+    std::optional<FaceTree<Scalar>> tree;
+    const auto connect = [&] {
+        adjacency = core::face_adjacency(mesh.faces);
+        graph = core::surface_graph(mesh, adjacency);
+    };
+    core::in_parallel(connect, [&] { tree.emplace(mesh); });
     return {std::move(mesh),
             std::move(adjacency),
             std::move(graph),
-            std::move(tree),
+            *std::move(tree),
             similarity,
             std::move(source),
             {},

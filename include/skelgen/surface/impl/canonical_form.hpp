@@ -6,23 +6,50 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/parallel.hpp>
 #include <skelgen/core/precision.hpp>
+#include <skelgen/core/sort_by_number.hpp>
 
 namespace skelgen::surface {
 namespace detail {
 
 using core::Accumulator;
 
+/// A sum over the faces of a mesh, to which `add(sum, face)` adds one: of large meshes block by block, and then over
+/// the blocks, so that it is the same by however many threads.
+template <typename Sum, typename Add>
+Sum summed_over_faces(Eigen::Index faces, const Sum& zero, const Add& add) {
+    constexpr Eigen::Index in_block = 1 << 17;
+    std::vector<Sum> sums(static_cast<std::size_t>(std::max<Eigen::Index>(1, (faces + in_block - 1) / in_block)), zero);
+    core::parallel_for(sums.size(), 1, [&](std::size_t b) {
+        const Eigen::Index begin = static_cast<Eigen::Index>(b) * in_block;
+        Sum sum = zero;
+        for (Eigen::Index f = begin; f < std::min(faces, begin + in_block); ++f) add(sum, f);
+        sums[b] = sum;
+    });
+    Sum all = sums.front();
+    for (std::size_t b = 1; b < sums.size(); ++b) all += sums[b];
+    return all;
+}
+
 /// Sums over all faces, hence in the accumulator's precision.
 struct SurfaceMoments {
     Accumulator area = 0;
     Vector3<Accumulator> centroid = Vector3<Accumulator>::Zero();
     Eigen::Matrix<Accumulator, 3, 3> covariance = Eigen::Matrix<Accumulator, 3, 3>::Zero();
+
+    SurfaceMoments& operator+=(const SurfaceMoments& other) {
+        area += other.area;
+        centroid += other.centroid;
+        covariance += other.covariance;
+        return *this;
+    }
 };
 
 template <typename Scalar>
@@ -34,26 +61,26 @@ Vector3<Accumulator> corner(const TriangleMesh<Scalar>& mesh, Eigen::Index f, in
 /// Exact first and second moments of the surface, independent of how it is triangulated.
 template <typename Scalar>
 SurfaceMoments surface_moments(const TriangleMesh<Scalar>& mesh) {
-    SurfaceMoments moments;
-    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+    const auto add_first = [&](SurfaceMoments& moments, Eigen::Index f) {
         const Accumulator area = core::face_area_vector(mesh, f).norm();
         moments.area += area;
         const Vector3<Accumulator> sum = corner(mesh, f, 0) + corner(mesh, f, 1) + corner(mesh, f, 2);
         moments.centroid += area / 3 * sum;
-    }
+    };
+    SurfaceMoments moments = summed_over_faces(mesh.faces.rows(), SurfaceMoments(), add_first);
     if (!(moments.area > 0)) return moments;
     moments.centroid /= moments.area;
-    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+    const auto add_second = [&](SurfaceMoments& second, Eigen::Index f) {
         const Accumulator area = core::face_area_vector(mesh, f).norm();
         Vector3<Accumulator> sum = Vector3<Accumulator>::Zero();
         for (int k = 0; k < 3; ++k) {
             const Vector3<Accumulator> d = corner(mesh, f, k) - moments.centroid;
-            core::add_outer_product<Accumulator>(moments.covariance, area / 12, d);
+            core::add_outer_product<Accumulator>(second.covariance, area / 12, d);
             sum += d;
         }
-        core::add_outer_product<Accumulator>(moments.covariance, area / 12, sum);
-    }
-    moments.covariance /= moments.area;
+        core::add_outer_product<Accumulator>(second.covariance, area / 12, sum);
+    };
+    moments.covariance = summed_over_faces(mesh.faces.rows(), SurfaceMoments(), add_second).covariance / moments.area;
     return moments;
 }
 
@@ -68,10 +95,9 @@ Vector3<Scalar> mean_of(const Points<Scalar>& points) {
 
 /// Third moments of the surface along three directions, over the faces' centres.
 template <typename Scalar>
-std::array<Accumulator, 3> skewness(const TriangleMesh<Scalar>& mesh, const Vector3<Accumulator>& centroid,
-                                    const std::array<Vector3<Accumulator>, 3>& axes) {
-    std::array<Accumulator, 3> sum{};
-    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+Vector3<Accumulator> skewness(const TriangleMesh<Scalar>& mesh, const Vector3<Accumulator>& centroid,
+                              const std::array<Vector3<Accumulator>, 3>& axes) {
+    const auto add = [&](Vector3<Accumulator>& sum, Eigen::Index f) {
         const Accumulator area = core::face_area_vector(mesh, f).norm();
         const Vector3<Accumulator> from_centroid[3] = {corner(mesh, f, 0) - centroid, corner(mesh, f, 1) - centroid,
                                                        corner(mesh, f, 2) - centroid};
@@ -79,10 +105,10 @@ std::array<Accumulator, 3> skewness(const TriangleMesh<Scalar>& mesh, const Vect
             Accumulator along = 0;
             for (const Vector3<Accumulator>& place : from_centroid) along += axes[k].dot(place);
             along /= 3;
-            sum[k] += area * (along * along * along);
+            sum[static_cast<Eigen::Index>(k)] += area * (along * along * along);
         }
-    }
-    return sum;
+    };
+    return summed_over_faces(mesh.faces.rows(), Vector3<Accumulator>(Vector3<Accumulator>::Zero()), add);
 }
 
 /// Principal axes as the rows of a rotation, longest first. The senses of the two most skewed ones follow their third
@@ -93,7 +119,8 @@ Eigen::Matrix<Accumulator, 3, 3> principal_rotation(const TriangleMesh<Scalar>& 
     std::array<Vector3<Accumulator>, 3> axes;
     for (int k = 0; k < 3; ++k)
         for (int i = 0; i < 3; ++i) axes[static_cast<std::size_t>(k)][i] = solver.eigenvectors()(i, 2 - k);
-    std::array<Accumulator, 3> skew = skewness(mesh, moments.centroid, axes);
+    const Vector3<Accumulator> sums = skewness(mesh, moments.centroid, axes);
+    std::array<Accumulator, 3> skew{sums[0], sums[1], sums[2]};
     for (std::size_t k = 0; k < 3; ++k) {
         if (skew[k] < 0) axes[k] = -axes[k];
         skew[k] = std::abs(skew[k]);
@@ -112,11 +139,12 @@ template <typename Scalar>
 std::vector<int> geometric_order(const Points<Scalar>& vertices) {
     const Vector3<Accumulator> askew(1, 0.7548776662466927, 0.5698402909980532);
     std::vector<std::pair<Accumulator, int>> heights;
+    heights.reserve(static_cast<std::size_t>(vertices.rows()));
     for (int v = 0; v < static_cast<int>(vertices.rows()); ++v)
         heights.emplace_back(askew.dot(Vector3<Accumulator>(vertices(v, 0), vertices(v, 1), vertices(v, 2))), v);
-    std::sort(heights.begin(), heights.end());
     std::vector<int> order;
-    for (const auto& [height, v] : heights) order.push_back(v);
+    order.reserve(heights.size());
+    for (const auto& [height, v] : core::sorted_by_number(std::move(heights))) order.push_back(v);
     return order;
 }
 
@@ -154,7 +182,7 @@ inline Triangles sorted_faces(const Triangles& faces, const std::vector<int>& ne
 } // namespace detail
 
 template <typename Scalar>
-CanonicalMesh<Scalar> canonical_form(const TriangleMesh<Scalar>& mesh) {
+CanonicalPlaces<Scalar> canonical_places(const TriangleMesh<Scalar>& mesh) {
     // Centring first keeps precision when the body stands a hundred body lengths from the origin.
     const Eigen::Index n = mesh.vertices.rows();
     TriangleMesh<Scalar> input = mesh;
@@ -171,23 +199,31 @@ CanonicalMesh<Scalar> canonical_form(const TriangleMesh<Scalar>& mesh) {
     const Vector3<Scalar> centroid = moments.centroid.template cast<Scalar>();
     const Scalar size = static_cast<Scalar>(std::sqrt(moments.area));
 
-    CanonicalMesh<Scalar> out;
+    CanonicalPlaces<Scalar> out;
     out.similarity.rotation = detail::principal_rotation(input, moments).template cast<Scalar>();
     out.similarity.scale = extent * size;
     out.similarity.origin = offset + extent * centroid;
-    Points<Scalar> moved(n, 3);
+    out.vertices = std::move(input.vertices);
     for (Eigen::Index v = 0; v < n; ++v) {
         const Vector3<Scalar> turned =
-            out.similarity.rotation * Vector3<Scalar>(core::point(input.vertices, v) - centroid);
-        core::set_point<Scalar>(moved, v, turned / size);
+            out.similarity.rotation * Vector3<Scalar>(core::point(out.vertices, v) - centroid);
+        core::set_point<Scalar>(out.vertices, v, turned / size);
     }
+    return out;
+}
 
-    out.input_vertex = detail::geometric_order(moved);
+template <typename Scalar>
+CanonicalMesh<Scalar> canonical_form(const TriangleMesh<Scalar>& mesh) {
+    const CanonicalPlaces<Scalar> moved = canonical_places(mesh);
+    CanonicalMesh<Scalar> out;
+    out.similarity = moved.similarity;
+    out.input_vertex = detail::geometric_order(moved.vertices);
     std::vector<int> canonical_index(out.input_vertex.size());
-    out.mesh.vertices.resize(n, 3);
+    out.mesh.vertices.resize(moved.vertices.rows(), 3);
     for (std::size_t i = 0; i < out.input_vertex.size(); ++i) {
         canonical_index[static_cast<std::size_t>(out.input_vertex[i])] = static_cast<int>(i);
-        core::set_point(out.mesh.vertices, static_cast<Eigen::Index>(i), core::point(moved, out.input_vertex[i]));
+        core::set_point(out.mesh.vertices, static_cast<Eigen::Index>(i),
+                        core::point(moved.vertices, out.input_vertex[i]));
     }
     out.mesh.faces = detail::sorted_faces(mesh.faces, canonical_index);
     return out;

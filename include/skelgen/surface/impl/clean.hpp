@@ -2,11 +2,16 @@
 
 #include <skelgen/surface/clean.hpp>
 
+#include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 #include <skelgen/core/error.hpp>
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
+#include <skelgen/core/parallel.hpp>
+#include <skelgen/surface/canonical_form.hpp>
 #include <skelgen/surface/orientation.hpp>
 #include <skelgen/surface/sound_faces.hpp>
 #include <skelgen/surface/weld.hpp>
@@ -48,26 +53,63 @@ CleanMesh<Scalar> clean_welded(WeldedMesh<Scalar> welded, Eigen::Index input_fac
     return out;
 }
 
-} // namespace detail
+/// The places of a mesh where a similarity brings them, rounded: by more than turning it leaves of rounding.
+template <typename Scalar>
+TriangleMesh<Scalar> placed_by(const Similarity<Scalar>& similarity, TriangleMesh<Scalar> mesh) {
+    constexpr auto steps = static_cast<Scalar>(1 << 24); // in the square root of the area
+    for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v) {
+        const Vector3<Scalar> place = similarity.to_canonical(core::point(mesh.vertices, v));
+        for (int k = 0; k < 3; ++k) mesh.vertices(v, k) = std::round(place[k] * steps) / steps;
+    }
+    return mesh;
+}
+
+enum class Axes { given, own };
 
 template <typename Scalar>
-CleanMesh<Scalar> clean(const TriangleMesh<Scalar>& mesh) {
+CleanMesh<Scalar> clean_in(Axes axes, const TriangleMesh<Scalar>& mesh) {
     constexpr auto millionth = Scalar(1e-6);
-    const TriangleMesh<Scalar> near{mesh.vertices, faces_within_reach(mesh)};
+    Triangles near_faces = faces_within_reach(mesh);
+    std::optional<TriangleMesh<Scalar>> nearer; // where not all is
+    if (near_faces.rows() < mesh.faces.rows()) nearer = TriangleMesh<Scalar>{mesh.vertices, std::move(near_faces)};
+    const TriangleMesh<Scalar>& near = nearer ? *nearer : mesh;
     const Scalar tolerance = millionth * robust_box(near).diagonal().norm();
-    WeldedMesh<Scalar> welded = weld(near, tolerance);
-    if (welded.welded + welded.unused == 0 && near.faces.rows() == mesh.faces.rows() && is_sound(mesh)) {
+    std::optional<Welding> welding;
+    bool is_sound_already = false;
+    core::in_parallel([&] { welding = find_welds(near, tolerance); }, [&] { is_sound_already = is_sound(mesh); });
+    if (!nearer && welding->keeps(mesh.vertices.rows()) && is_sound_already) {
         CleanMesh<Scalar> out;
         out.mesh = mesh;
         out.is_sound = true;
         return out;
     }
+    WeldedMesh<Scalar> welded = weld(near, *std::move(welding));
     const std::vector<int> placed = welded.placed;
     const int all_seams = welded.welded;
-    CleanMesh<Scalar> out = detail::clean_welded(std::move(welded), mesh.faces.rows());
+    std::optional<Similarity<Scalar>> similarity;
+    if (axes == Axes::own && core::surface_area(welded.mesh) > 0) similarity = canonical_places(welded.mesh).similarity;
+    const auto cleaned = [&](WeldedMesh<Scalar> each) {
+        if (similarity) each.mesh = placed_by(*similarity, std::move(each.mesh));
+        CleanMesh<Scalar> out = clean_welded(std::move(each), mesh.faces.rows());
+        if (similarity) out.similarity = *similarity;
+        return out;
+    };
+    CleanMesh<Scalar> out = cleaned(std::move(welded));
     if (all_seams == 0 || is_sound(out.mesh)) return out;
     WeldedMesh<Scalar> in_pieces = weld(near, tolerance, in_closed_pieces(near, placed));
-    return in_pieces.welded < all_seams ? detail::clean_welded(std::move(in_pieces), mesh.faces.rows()) : out;
+    return in_pieces.welded < all_seams ? cleaned(std::move(in_pieces)) : out;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+CleanMesh<Scalar> clean(const TriangleMesh<Scalar>& mesh) {
+    return detail::clean_in(detail::Axes::given, mesh);
+}
+
+template <typename Scalar>
+CleanMesh<Scalar> clean_in_own_axes(const TriangleMesh<Scalar>& mesh) {
+    return detail::clean_in(detail::Axes::own, mesh);
 }
 
 } // namespace skelgen::surface

@@ -209,28 +209,28 @@ std::vector<Contour<Scalar>> plane_contours(const TriangleMesh<Scalar>& mesh, co
 template <typename Scalar>
 LevelSets<Scalar>::LevelSets(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency, Eigen::VectorX<Scalar> field)
     : mesh_(mesh), adjacency_(adjacency), field_(std::move(field)) {
-    const auto range_on = [&](int f) {
-        const auto [low, high] =
-            std::minmax({field_[mesh.faces(f, 0)], field_[mesh.faces(f, 1)], field_[mesh.faces(f, 2)]});
-        return std::pair(low, high);
+    struct Varying {
+        int face;
+        Scalar low;
     };
-    const auto count = static_cast<int>(mesh.faces.rows());
+    std::vector<Varying> varying; // faces on which the field is not constant
     Scalar highest = lowest_ = field_.size() > 0 ? field_[0] : Scalar(0);
-    for (int f = 0; f < count; ++f) {
-        const auto [low, high] = range_on(f);
+    for (int f = 0; f < static_cast<int>(mesh.faces.rows()); ++f) {
+        const Scalar a = field_[mesh.faces(f, 0)], b = field_[mesh.faces(f, 1)], c = field_[mesh.faces(f, 2)];
+        const Scalar low = std::min(std::min(a, b), c), high = std::max(std::max(a, b), c);
         lowest_ = std::min(lowest_, low);
-        if (low < high) highest = std::max(highest, low);
+        if (!(low < high)) continue;
+        varying.push_back({f, low});
+        highest = std::max(highest, low);
         steepest_ = std::max(steepest_, high - low);
     }
     if (!(steepest_ > 0)) return;
     begin_.assign(bin_of(highest) + 2, 0);
-    for (int f = 0; f < count; ++f)
-        if (const auto [low, high] = range_on(f); low < high) ++begin_[bin_of(low) + 1];
+    for (const Varying& each : varying) ++begin_[bin_of(each.low) + 1];
     for (std::size_t bin = 1; bin < begin_.size(); ++bin) begin_[bin] += begin_[bin - 1];
     faces_.resize(begin_.back());
     std::vector<std::size_t> next = begin_;
-    for (int f = 0; f < count; ++f)
-        if (const auto [low, high] = range_on(f); low < high) faces_[next[bin_of(low)]++] = f;
+    for (const Varying& each : varying) faces_[next[bin_of(each.low)]++] = each.face;
 }
 
 template <typename Scalar>
@@ -274,9 +274,9 @@ PlanarRelation<Scalar> relate(const Contour<Scalar>& contour, const Vector3<Scal
 }
 
 template <typename Scalar>
-std::optional<Contour<Scalar>> contour_around(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency,
-                                              const FaceTree<Scalar>& tree, const Vector3<Scalar>& point,
-                                              const Vector3<Scalar>& normal, Scalar reach) {
+std::optional<ContourAround<Scalar>> contour_around(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency,
+                                                    const FaceTree<Scalar>& tree, const Vector3<Scalar>& point,
+                                                    const Vector3<Scalar>& normal, Scalar reach) {
     const Scalar offset = normal.dot(point);
     const auto height = [&](int v) { return normal.dot(core::point(mesh.vertices, v)) - offset; };
     const detail::FaceCutter<Scalar, decltype(height)> cutter(mesh, height);
@@ -286,13 +286,14 @@ std::optional<Contour<Scalar>> contour_around(const TriangleMesh<Scalar>& mesh, 
     const int seen = tree.first_along(mesh, point, direction).face;
     if (seen >= 0 && cutter.is_cut(seen))
         if (auto contour = detail::closed_contour(cutter, adjacency, seen); contour && contour->points.size() >= 3)
-            if (relate(*contour, point, normal).encloses) return contour;
+            if (const auto relation = relate(*contour, point, normal); relation.encloses)
+                return ContourAround<Scalar>{*std::move(contour), relation};
 
-    std::optional<Contour<Scalar>> chosen;
+    std::optional<ContourAround<Scalar>> chosen;
     Scalar least = std::numeric_limits<Scalar>::infinity();
-    const auto choose = [&](Contour<Scalar>& contour, Scalar size) {
+    const auto choose = [&](Contour<Scalar>& contour, const PlanarRelation<Scalar>& relation, Scalar size) {
         if (!(size < least)) return;
-        chosen = std::move(contour);
+        chosen = {std::move(contour), relation};
         least = size;
     };
     // What encloses the point is seen in any direction, though perhaps behind others, but for one that has a hole
@@ -303,13 +304,13 @@ std::optional<Contour<Scalar>> contour_around(const TriangleMesh<Scalar>& mesh, 
     for (Contour<Scalar>& contour : detail::contours_through(cutter, adjacency, around))
         if (contour.points.size() >= 3)
             if (const auto relation = relate(contour, point, normal); relation.encloses)
-                choose(contour, std::abs(relation.area));
+                choose(contour, relation, std::abs(relation.area));
     if (chosen) return chosen;
     for (Contour<Scalar>& contour :
          detail::contours_through(cutter, adjacency, tree.faces_across(mesh, normal, offset, point, reach)))
         if (contour.points.size() >= 3)
             if (const auto relation = relate(contour, point, normal); relation.distance <= reach)
-                choose(contour, relation.distance);
+                choose(contour, relation, relation.distance);
     return chosen;
 }
 

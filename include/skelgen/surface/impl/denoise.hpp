@@ -10,21 +10,13 @@
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/options.hpp>
+#include <skelgen/core/parallel.hpp>
 #include <skelgen/core/precision.hpp>
 
 namespace skelgen::surface {
 namespace detail {
 
 using Edges = std::vector<std::array<int, 2>>;
-
-inline Edges edges_of(const Triangles& faces) {
-    Edges edges;
-    edges.reserve(static_cast<std::size_t>(faces.rows()) * 3 / 2 + 1);
-    for (const core::DirectedEdge& edge : core::directed_edges(faces))
-        if (const std::array<int, 2> ends{edge.low, edge.high}; edges.empty() || edges.back() != ends)
-            edges.push_back(ends);
-    return edges;
-}
 
 /// From each vertex to the mean of its neighbours; n x 3.
 template <typename Scalar>
@@ -45,8 +37,10 @@ Points<Scalar> to_neighbours(const Points<Scalar>& vertices, const Edges& edges)
 
 template <typename Scalar>
 Scalar coherence(const TriangleMesh<Scalar>& mesh, const Edges& edges) {
-    const Eigen::Matrix<Scalar, Eigen::Dynamic, 1> bulge =
-        to_neighbours(mesh.vertices, edges).cwiseProduct(core::vertex_normals(mesh)).rowwise().sum();
+    Points<Scalar> off, normals;
+    core::in_parallel([&] { off = to_neighbours(mesh.vertices, edges); },
+                      [&] { normals = core::vertex_normals(mesh); });
+    const Eigen::Matrix<Scalar, Eigen::Dynamic, 1> bulge = off.cwiseProduct(normals).rowwise().sum();
     core::Accumulator alike = 0, all = 0;
     for (const auto& [a, b] : edges) {
         alike += bulge[a] * bulge[b];
@@ -75,13 +69,13 @@ SKELGEN_INLINE void validate(const DenoiseOptions& options) {
 
 template <typename Scalar>
 Scalar bulge_coherence(const TriangleMesh<Scalar>& mesh) {
-    return detail::coherence(mesh, detail::edges_of(mesh.faces));
+    return detail::coherence(mesh, core::edges_of(mesh.faces));
 }
 
 template <typename Scalar>
 DenoisedMesh<Scalar> remove_noise(TriangleMesh<Scalar> mesh, const DenoiseOptions& options) {
     validate(options);
-    const detail::Edges edges = detail::edges_of(mesh.faces);
+    const detail::Edges edges = core::edges_of(mesh.faces);
     const auto least = static_cast<Scalar>(options.least_coherence),
                enough = static_cast<Scalar>(options.enough_coherence);
     DenoisedMesh<Scalar> out{std::move(mesh), 0};
@@ -94,7 +88,7 @@ DenoisedMesh<Scalar> remove_noise(TriangleMesh<Scalar> mesh, const DenoiseOption
 template <typename Scalar>
 TriangleMesh<Scalar> smoothed(TriangleMesh<Scalar> mesh, int passes, const DenoiseOptions& options) {
     validate(options);
-    const detail::Edges edges = detail::edges_of(mesh.faces);
+    const detail::Edges edges = core::edges_of(mesh.faces);
     for (int pass = 0; pass < passes; ++pass)
         mesh.vertices = detail::smoothed_once(std::move(mesh.vertices), edges, options);
     return mesh;

@@ -54,7 +54,7 @@ struct NearPlaneQuery {
 
     [[nodiscard]] bool wants(const Box<Scalar>& box) const {
         constexpr Scalar rounded_up = 1 + 64 * std::numeric_limits<Scalar>::epsilon();
-        return box.squaredExteriorDistance(place) <= reach * reach * rounded_up && across.wants(box);
+        return squared_distance_to_box<Scalar>(place, box) <= reach * reach * rounded_up && across.wants(box);
     }
     bool ends_with(int face) { return across.ends_with(face); }
 };
@@ -98,9 +98,13 @@ struct Ray {
         // Volumes of the tetrahedra over the triangle's edges: of one sign where the ray's line passes it inside.
         const Scalar u = direction.dot(b.cross(c)), v = direction.dot(c.cross(a)), w = direction.dot(a.cross(b));
         // Through a corner, the signs are rounding's: no ray must slip between the faces there.
-        const Scalar la = a.norm(), lb = b.norm(), lc = c.norm();
-        const Scalar none = 32 * std::numeric_limits<Scalar>::epsilon() * (la * lb + lb * lc + lc * la);
-        const Scalar least = std::min({u, v, w}), most = std::max({u, v, w}), sum = u + v + w;
+        constexpr Scalar rounding = 32 * std::numeric_limits<Scalar>::epsilon();
+        const Scalar least = std::min(std::min(u, v), w), most = std::max(std::max(u, v), w), sum = u + v + w;
+        const Scalar aa = a.squaredNorm(), bb = b.squaredNorm(), cc = c.squaredNorm();
+        if (const Scalar more = rounding * (aa + bb + cc); least < -more && most > more)
+            return {false, true, false, -1};
+        const Scalar la = std::sqrt(aa), lb = std::sqrt(bb), lc = std::sqrt(cc);
+        const Scalar none = rounding * (la * lb + lb * lc + lc * la);
         const bool is_certain = least > none || most < -none || (least < -none && most > none);
         if ((least < -none && most > none) || sum == 0) return {false, is_certain, false, -1};
         return {true, is_certain, sum > 0, direction.dot(u * a + v * b + w * c) / sum};
@@ -155,13 +159,49 @@ template <typename Scalar>
 struct NearestFace {
     const TriangleMesh<Scalar>& mesh;
     Vector3<Scalar> place;
-    Scalar least = std::numeric_limits<Scalar>::infinity();
+    Scalar least;
 
-    [[nodiscard]] Scalar way_to(const Box<Scalar>& box) const { return box.squaredExteriorDistance(place); }
+    [[nodiscard]] Scalar way_to(const Box<Scalar>& box) const { return squared_distance_to_box<Scalar>(place, box); }
     [[nodiscard]] bool may_be_nearer(Scalar squared) const { return squared < least * least; }
     void look_at(int face) {
         const auto corner = [&](int k) { return core::point(mesh.vertices, mesh.faces(face, k)); };
-        least = std::min(least, distance_to_triangle<Scalar>(place, corner(0), corner(1), corner(2)));
+        const Vector3<Scalar> a = corner(0), b = corner(1), c = corner(2);
+        if (is_beyond_plane(b - a, c - a, place - a)) return;
+        least = std::min(least, distance_to_triangle<Scalar>(place, a, b, c));
+    }
+
+    /// Is all of the plane of two edges farther? Not that of a needle's, which rounding would turn.
+    [[nodiscard]] bool is_beyond_plane(const Vector3<Scalar>& ab, const Vector3<Scalar>& ac,
+                                       const Vector3<Scalar>& from_a) const {
+        constexpr Scalar rounded_down = 1 - (1 << 16) * std::numeric_limits<Scalar>::epsilon();
+        constexpr Scalar needle = Scalar(1e-4); // squared sine of its angle
+        const Vector3<Scalar> normal = ab.cross(ac);
+        const Scalar square = normal.squaredNorm(), above = normal.dot(from_a);
+        return rounded_down * (above * above) > least * least * square &&
+               square > needle * (ab.squaredNorm() * ac.squaredNorm());
+    }
+};
+
+/// The vertex nearest to a place.
+template <typename Scalar>
+struct NearestVertex {
+    const TriangleMesh<Scalar>& mesh;
+    Vector3<Scalar> place;
+    int vertex = -1;
+    Scalar least = std::numeric_limits<Scalar>::infinity(); ///< squared distance
+
+    [[nodiscard]] Scalar way_to(const Box<Scalar>& box) const { return squared_distance_to_box<Scalar>(place, box); }
+    [[nodiscard]] bool may_be_nearer(Scalar squared) const {
+        return squared * (1 - 64 * std::numeric_limits<Scalar>::epsilon()) <= least;
+    }
+    void look_at(int face) {
+        for (int k = 0; k < 3; ++k) {
+            const int v = mesh.faces(face, k);
+            const Scalar squared = (core::point(mesh.vertices, v) - place).squaredNorm();
+            if (squared > least || (squared == least && vertex <= v)) continue;
+            vertex = v;
+            least = squared;
+        }
     }
 };
 
@@ -216,14 +256,21 @@ inline std::size_t parting(const std::vector<PlaceOnCurve>& order, std::size_t f
 template <typename Scalar>
 Scalar distance_to_triangle(const Vector3<Scalar>& place, const Vector3<Scalar>& a, const Vector3<Scalar>& b,
                             const Vector3<Scalar>& c) {
-    const Vector3<Scalar> normal = (b - a).cross(c - a);
+    const Vector3<Scalar> ab = b - a, bc = c - b, ca = a - c, from_a = place - a, from_b = place - b,
+                          from_c = place - c;
+    const Vector3<Scalar> normal = bc.cross(ab); // inwards
     const Scalar area = normal.norm();
     // Beside the triangle, or above it where its plane is not known, an edge is nearest.
-    const bool over_ab = normal.dot((b - a).cross(place - a)) >= 0, over_bc = normal.dot((c - b).cross(place - b)) >= 0,
-               over_ca = normal.dot((a - c).cross(place - c)) >= 0;
-    if (area > 0 && over_ab && over_bc && over_ca) return std::abs(normal.dot(place - a)) / area;
-    return std::min({core::nearest_on_segment(place, a, b).distance, core::nearest_on_segment(place, b, c).distance,
-                     core::nearest_on_segment(place, c, a).distance});
+    const bool over_ab = normal.dot(from_a.cross(ab)) >= 0, over_bc = normal.dot(from_b.cross(bc)) >= 0,
+               over_ca = normal.dot(from_c.cross(ca)) >= 0;
+    if (area > 0 && over_ab && over_bc && over_ca) return std::abs(normal.dot(from_a)) / area;
+    const auto squared_distance = [](const Vector3<Scalar>& from_start, const Vector3<Scalar>& edge) {
+        const Scalar length2 = edge.squaredNorm();
+        const Scalar along = length2 > 0 ? std::clamp(from_start.dot(edge) / length2, Scalar(0), Scalar(1)) : Scalar(0);
+        return (from_start - along * edge).squaredNorm();
+    };
+    return std::sqrt(
+        std::min({squared_distance(from_a, ab), squared_distance(from_b, bc), squared_distance(from_c, ca)}));
 }
 
 template <typename Scalar>
@@ -319,19 +366,26 @@ std::vector<int> FaceTree<Scalar>::faces_across(const TriangleMesh<Scalar>& mesh
 }
 
 template <typename Scalar>
-Scalar FaceTree<Scalar>::distance(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place) const {
-    detail::NearestFace<Scalar> query{mesh, place};
+Scalar FaceTree<Scalar>::distance(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place, Scalar most) const {
+    detail::NearestFace<Scalar> query{mesh, place, most};
     ask_nearest_first(query);
     return query.least;
 }
 
 template <typename Scalar>
+int FaceTree<Scalar>::nearest_vertex(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place) const {
+    detail::NearestVertex<Scalar> query{mesh, place};
+    ask_nearest_first(query);
+    return query.vertex;
+}
+
+template <typename Scalar>
 typename FaceTree<Scalar>::Hit FaceTree<Scalar>::first_along(const TriangleMesh<Scalar>& mesh,
                                                              const Vector3<Scalar>& place,
-                                                             const Vector3<Scalar>& direction) const {
-    detail::FirstAlong<Scalar> query{{mesh, place, direction}, {}};
+                                                             const Vector3<Scalar>& direction, Scalar reach) const {
+    detail::FirstAlong<Scalar> query{{mesh, place, direction}, {-1, reach}};
     ask_nearest_first(query);
-    return query.first;
+    return query.first.face >= 0 ? query.first : Hit{};
 }
 
 template <typename Scalar>

@@ -119,7 +119,11 @@ std::optional<Lid<Scalar>> triangles_across(const TriangleMesh<Scalar>& mesh, co
 } // namespace detail
 
 template <typename Scalar>
-FilledSurface<Scalar> fill_holes(const TriangleMesh<Scalar>& mesh, double largest) {
+FilledSurface<Scalar> fill_holes(const TriangleMesh<Scalar>& mesh, double largest, const std::vector<bool>& at_holes) {
+    const auto may_close = [&](const Rim& rim) {
+        return at_holes.empty() || std::all_of(rim.vertices.begin(), rim.vertices.end(),
+                                               [&](int v) { return at_holes[static_cast<std::size_t>(v)]; });
+    };
     FilledSurface<Scalar> out;
     const core::Accumulator area = core::surface_area(mesh);
     double work = 500.0 * 500 * 500; // that triangulations may take: half a second
@@ -137,7 +141,7 @@ FilledSurface<Scalar> fill_holes(const TriangleMesh<Scalar>& mesh, double larges
         if (!lid)
             lid =
                 detail::fan_across(mesh, rim, static_cast<int>(mesh.vertices.rows()) + static_cast<int>(added.size()));
-        if (lid->area > largest * area || rim.vertices.size() < 3) {
+        if (lid->area > largest * area || rim.vertices.size() < 3 || !may_close(rim)) {
             ++out.open;
             out.open_area += static_cast<double>(lid->area / area);
             continue;

@@ -104,6 +104,66 @@ std::vector<ManifoldParts<Scalar>> manifold_parts(const TriangleMesh<Scalar>& me
     return out;
 }
 
+namespace detail {
+
+/// Of each corner of a closed surface the number of its fan, in which faces follow each other around a vertex: the
+/// vertex where that has one alone, the next free one for each more.
+inline std::vector<int> numbered_fans(const Triangles& faces, Eigen::Index vertices) {
+    struct Corner {
+        int after, before; ///< of the face, seen from the vertex
+        std::size_t at;
+    };
+    std::vector<std::size_t> end(static_cast<std::size_t>(vertices) + 1, 0);
+    for (Eigen::Index i = 0; i < faces.size(); ++i) ++end[static_cast<std::size_t>(faces.data()[i]) + 1];
+    for (std::size_t v = 1; v < end.size(); ++v) end[v] += end[v - 1];
+    std::vector<Corner> corners(static_cast<std::size_t>(faces.size()));
+    for (Eigen::Index f = 0; f < faces.rows(); ++f)
+        for (int k = 0; k < 3; ++k)
+            corners[end[static_cast<std::size_t>(faces(f, k))]++] = {faces(f, (k + 1) % 3), faces(f, (k + 2) % 3),
+                                                                     static_cast<std::size_t>(3 * f + k)};
+    std::vector<int> fans(corners.size(), -1);
+    auto next_fan = static_cast<int>(vertices);
+    std::size_t begin = 0;
+    for (std::size_t v = 0; v + 1 < end.size(); begin = end[v++]) {
+        const auto first = corners.begin() + static_cast<std::ptrdiff_t>(begin),
+                   last = corners.begin() + static_cast<std::ptrdiff_t>(end[v]);
+        for (auto start = first; start != last; ++start) {
+            if (fans[start->at] >= 0) continue;
+            const int fan = start == first ? static_cast<int>(v) : next_fan++;
+            for (auto here = start; here != last && fans[here->at] < 0;) {
+                fans[here->at] = fan;
+                const int next = here->before;
+                here = std::find_if(first, last, [&](const Corner& corner) { return corner.after == next; });
+            }
+        }
+    }
+    return fans;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+ManifoldParts<Scalar> manifold_part_of_sound(const TriangleMesh<Scalar>& mesh) {
+    ManifoldParts<Scalar> out;
+    out.source.reserve(static_cast<std::size_t>(mesh.vertices.rows()));
+    out.mesh.faces.resize(mesh.faces.rows(), 3);
+    const std::vector<int> fans = detail::numbered_fans(mesh.faces, mesh.vertices.rows());
+    std::vector<int> index(fans.empty() ? 0 : 1 + static_cast<std::size_t>(*std::max_element(fans.begin(), fans.end())),
+                           -1);
+    for (std::size_t i = 0; i < fans.size(); ++i) { // in the order in which faces use them
+        int& v = index[static_cast<std::size_t>(fans[i])];
+        if (v < 0) {
+            v = static_cast<int>(out.source.size());
+            out.source.push_back(mesh.faces.data()[i]);
+        }
+        out.mesh.faces.data()[i] = v;
+    }
+    out.mesh.vertices.resize(static_cast<Eigen::Index>(out.source.size()), 3);
+    for (std::size_t v = 0; v < out.source.size(); ++v)
+        out.mesh.vertices.row(static_cast<Eigen::Index>(v)) = mesh.vertices.row(out.source[v]);
+    return out;
+}
+
 template <typename Scalar>
 ManifoldParts<Scalar> largest_manifold_part(const TriangleMesh<Scalar>& mesh) {
     detail::ManifoldPieces joined = detail::join_faces(mesh.faces);

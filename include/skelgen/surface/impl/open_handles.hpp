@@ -44,7 +44,8 @@ Scalar girth(const TriangleMesh<Scalar>& mesh, const std::vector<int>& loop) {
 }
 
 template <typename Scalar>
-bool is_contact(const TriangleMesh<Scalar>& mesh, const HandleLoop<Scalar>& loop) {
+bool is_contact(const TriangleMesh<Scalar>& mesh, const HandleLoop<Scalar>& loop, Contacts contacts) {
+    if (contacts == Contacts::short_alone) return girth(mesh, loop.vertices) < static_cast<Scalar>(short_loop);
     if (loop.length < static_cast<Scalar>(short_loop)) return true;
     return loop.length < static_cast<Scalar>(short_seam) &&
            loop.length < static_cast<Scalar>(crease_share) * girth(mesh, loop.vertices);
@@ -73,7 +74,8 @@ inline constexpr double looked_around = 1.5;
 /// A contact's loop on a surface in canonical form, as tight as it is found: of those through the vertex farthest along
 /// x, each shortest first, the loops through where it crosses seams are looked at. Loops far from a root are not tight.
 template <typename Scalar>
-std::optional<HandleLoop<Scalar>> find_contact(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency) {
+std::optional<HandleLoop<Scalar>> find_contact(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency,
+                                               Contacts contacts) {
     constexpr auto longest = static_cast<Scalar>(looked_around * std::max(short_loop, short_seam));
     Eigen::Index farthest = 0;
     mesh.vertices.col(0).maxCoeff(&farthest);
@@ -87,7 +89,7 @@ std::optional<HandleLoop<Scalar>> find_contact(const TriangleMesh<Scalar>& mesh,
             std::vector<HandleLoop<Scalar>> tighter = handle_loops(creases, root, limit);
             if (!tighter.empty() && tighter.front().length < tightest.length) tightest = std::move(tighter.front());
         }
-        if (is_contact(mesh, tightest) && tightest.vertices.size() >= 3) return tightest;
+        if (is_contact(mesh, tightest, contacts) && tightest.vertices.size() >= 3) return tightest;
     }
     return std::nullopt;
 }
@@ -95,14 +97,14 @@ std::optional<HandleLoop<Scalar>> find_contact(const TriangleMesh<Scalar>& mesh,
 } // namespace detail
 
 template <typename Scalar>
-std::optional<Body<Scalar>> open_handles(const Body<Scalar>& body) {
+std::optional<Body<Scalar>> open_handles(const Body<Scalar>& body, Contacts contacts) {
     const int handles = detail::genus(body.mesh);
     if (handles < 1 || handles > detail::most_handles || body.adjacency.minCoeff() < 0) return std::nullopt;
     std::optional<Body<Scalar>> out;
     int opened = 0;
     for (; opened < handles; ++opened) {
         const Body<Scalar>& closed = out ? *out : body;
-        const auto loop = detail::find_contact(closed.mesh, closed.adjacency);
+        const auto loop = detail::find_contact(closed.mesh, closed.adjacency, contacts);
         if (!loop) break;
         CutSurface<Scalar> cut = cut_along(closed.mesh, closed.adjacency, {loop->vertices});
         out = resurfaced(closed, std::move(cut.mesh), std::move(cut.source));

@@ -278,12 +278,16 @@ std::vector<FaceSet<Scalar>> things_apart(const TriangleMesh<Scalar>& mesh,
 } // namespace detail
 
 template <typename Scalar>
-BodyFaces faces_of_body(const TriangleMesh<Scalar>& mesh, int component) {
+BodyFaces faces_of_body(const TriangleMesh<Scalar>& mesh, int component, bool is_one_piece) {
     constexpr double least_plate = 0.02, body_size = 0.5; // by area
     constexpr double reach_of_body = 0.6;                 // by diagonal
     BodyFaces out;
     std::vector<bool> keep(static_cast<std::size_t>(mesh.faces.rows()), true);
     int plates = detail::drop_grown_plates(mesh, keep);
+    if (plates == 0 && is_one_piece) {
+        out.faces = mesh.faces;
+        return out;
+    }
     TriangleMesh<Scalar> rest{mesh.vertices, plates > 0 ? Triangles() : mesh.faces};
     if (plates > 0) {
         rest.faces.resize(std::count(keep.begin(), keep.end(), true), 3);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -23,6 +24,7 @@
 #include <skelgen/surface/manifold_parts.hpp>
 #include <skelgen/surface/pieces.hpp>
 #include <skelgen/surface/rounded.hpp>
+#include <skelgen/surface/vertex_clusters.hpp>
 
 namespace skelgen::surface {
 template <typename Scalar>
@@ -41,6 +43,7 @@ void require_surface(const TriangleMesh<Scalar>& mesh) {
 SKELGEN_INLINE void validate(const PrepareOptions& options) {
     validate(options.denoise);
     validate(options.envelope);
+    core::require_in_range("prepare.most_faces", options.most_faces, 0, std::numeric_limits<int>::max());
     core::require_in_range("prepare.component", options.component, 0, 1000);
 }
 
@@ -54,7 +57,56 @@ struct ChosenPiece {
     int dropped_pieces = 0;
     std::vector<std::string> notes;
     std::vector<std::vector<int>> rims = {}; ///< as in Body, of this mesh
+    bool is_sound = false;                   ///< as is_sound(mesh) has it
+    std::vector<int> standing = {}; ///< per vertex of the clean mesh that which stands for it, -1 where it was left
+                                    ///< out; empty where `source` says it all
 };
+
+inline std::vector<int> identity(Eigen::Index count) {
+    std::vector<int> out(static_cast<std::size_t>(count));
+    std::iota(out.begin(), out.end(), 0);
+    return out;
+}
+
+/// A rim on the vertices that stand for its own, -1 for none; empty where that is no ring.
+inline std::vector<int> coarser_rim(const std::vector<int>& rim, const std::vector<int>& cluster) {
+    std::vector<int> out;
+    for (const int v : rim)
+        if (const int c = cluster[static_cast<std::size_t>(v)]; c >= 0 && (out.empty() || out.back() != c))
+            out.push_back(c);
+    while (out.size() > 1 && out.front() == out.back()) out.pop_back();
+    std::vector<int> sorted = out;
+    std::sort(sorted.begin(), sorted.end());
+    const bool is_ring = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+    return is_ring ? out : std::vector<int>();
+}
+
+/// The piece in about so many faces, all of its vertices stood for.
+template <typename Scalar>
+ChosenPiece<Scalar> clustered(const ChosenPiece<Scalar>& piece, int faces) {
+    ManifoldParts<Scalar> part; // where the piece may be none
+    if (!piece.is_sound) part = largest_manifold_part(piece.mesh);
+    ClusteredMesh<Scalar> coarse = cluster_vertices(piece.is_sound ? piece.mesh : part.mesh, faces);
+    std::vector<int> cluster = std::move(coarse.cluster), source = std::move(coarse.source);
+    if (!piece.is_sound) {
+        cluster = composed(carried_over(identity(piece.mesh.vertices.rows()), part.source), cluster);
+        source = composed(std::move(source), part.source);
+    }
+    ChosenPiece<Scalar> out{std::move(coarse.mesh), {}, piece.dropped_pieces + part.dropped_pieces, piece.notes};
+    for (const std::vector<int>& rim : piece.rims)
+        if (std::vector<int> coarser = coarser_rim(rim, cluster); coarser.size() > 2)
+            out.rims.push_back(std::move(coarser));
+    if (piece.source.empty()) {
+        out.source = std::move(source);
+        out.standing = std::move(cluster);
+    } else {
+        out.standing = composed(
+            carried_over(identity(1 + *std::max_element(piece.source.begin(), piece.source.end())), piece.source),
+            cluster);
+        out.source = composed(std::move(source), piece.source);
+    }
+    return out;
+}
 
 inline constexpr double small_hole = 0.04; // of the surface: the skin of an upper arm (LB44)
 
@@ -62,7 +114,7 @@ inline constexpr double small_hole = 0.04; // of the surface: the skin of an upp
 template <typename Scalar>
 ChosenPiece<Scalar> choose_piece(const CleanMesh<Scalar>& clean) {
     const TriangleMesh<Scalar>& mesh = clean.mesh;
-    if (clean.is_sound) return {mesh, {}, 0, {}};
+    if (clean.is_sound) return {mesh, {}, 0, {}, {}, true};
     ManifoldParts<Scalar> part = largest_manifold_part(mesh);
     FilledSurface<Scalar> filled = fill_holes(part.mesh, small_hole);
     if (part.dropped_pieces == 0 && filled.filled == 0) return {mesh, {}, 0, {}};
@@ -131,16 +183,27 @@ std::vector<int> nearest_on(const Body<Scalar>& body, const TriangleMesh<Scalar>
 /// The body of a chosen piece; `placed` as in CleanMesh.
 template <typename Scalar>
 Body<Scalar> body_of(ChosenPiece<Scalar> piece, const std::vector<int>& placed, const PrepareOptions& options) {
-    const DenoisedMesh<Scalar> smooth = remove_noise(std::move(piece.mesh), options.denoise);
-    const CanonicalMesh<Scalar> canonical = canonical_form(smooth.mesh);
-    ManifoldParts<Scalar> part = largest_manifold_part(canonical.mesh);
-    std::vector<int> source = composed(std::move(part.source), canonical.input_vertex);
+    piece.mesh = remove_noise(std::move(piece.mesh), options.denoise).mesh;
+    if (options.most_faces > 0 && piece.mesh.faces.rows() > options.most_faces)
+        piece = clustered(piece, options.most_faces / 2);
+    const CanonicalMesh<Scalar> canonical = canonical_form(piece.mesh);
+    ManifoldParts<Scalar> part =
+        piece.is_sound ? manifold_part_of_sound(canonical.mesh) : largest_manifold_part(canonical.mesh);
+    std::vector<int> source = composed(std::move(part.source), canonical.input_vertex); // of the piece
     std::vector<std::vector<int>> rims = carried_rims(piece.rims, source);
+    std::vector<int> standing = carried_over(std::move(piece.standing), source);
     if (!piece.source.empty()) source = composed(std::move(source), piece.source);
     Body<Scalar> body =
         make_body(std::move(part.mesh), canonical.similarity, source, piece.dropped_pieces + part.dropped_pieces);
-    if (!placed.empty()) {
-        body.nearest = carried_over(placed, source);
+    if (placed.empty())
+        body.nearest = std::move(standing);
+    else {
+        if (standing.empty()) {
+            body.nearest = carried_over(placed, source);
+        } else {
+            standing.resize(1 + static_cast<std::size_t>(*std::max_element(placed.begin(), placed.end())), -1);
+            body.nearest = composed(placed, standing);
+        }
         std::vector<int> first(placed.size(), -1); // of the input's vertices at each of the clean mesh's
         for (std::size_t v = placed.size(); v-- > 0;)
             if (placed[v] >= 0) first[static_cast<std::size_t>(placed[v])] = static_cast<int>(v);
@@ -178,11 +241,11 @@ template <typename Scalar>
 Body<Scalar> body_of_rounded_piece(const BodyMaterial<Scalar>& material, const PrepareOptions& options) {
     ChosenPiece<Scalar> piece = chosen_of(material);
     if (piece.source.empty()) {
-        piece.source.resize(static_cast<std::size_t>(piece.mesh.vertices.rows()));
-        std::iota(piece.source.begin(), piece.source.end(), 0);
+        piece.source = identity(piece.mesh.vertices.rows());
     }
     const Eigen::Index faces = piece.mesh.faces.rows();
     piece.mesh = rounded(piece.mesh);
+    piece.is_sound = false;
     piece.source.resize(static_cast<std::size_t>(piece.mesh.vertices.rows()), -1);
     piece.notes.push_back("coarse surface made rounder: " + std::to_string(piece.mesh.faces.rows()) + " faces of " +
                           std::to_string(faces));
@@ -226,8 +289,8 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
     constexpr Eigen::Index few_vertices = 3000; // as many as the curve's proxy has
     require_surface(mesh);
     validate(options);
-    BodyMaterial<Scalar> out{clean(mesh), 1, 0, {}};
-    BodyFaces chosen = faces_of_body(out.clean.mesh, options.component);
+    BodyMaterial<Scalar> out{clean_in_own_axes(mesh), 1, 0, {}};
+    BodyFaces chosen = faces_of_body(out.clean.mesh, options.component, out.clean.is_sound);
     if (options.component > chosen.bodies)
         throw Error(ErrorCode::usage, "there is no body number " + std::to_string(options.component) + ", only " +
                                           std::to_string(chosen.bodies));
@@ -267,10 +330,12 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
 
 template <typename Scalar>
 Outcome<Body<Scalar>> make_body_by(Remedy remedy, const BodyMaterial<Scalar>& material, const PrepareOptions& options) {
-    if (remedy == Remedy::largest_piece)
-        return detail::body_of(detail::chosen_of(material), material.clean.placed, options);
-    if (remedy == Remedy::rounded) return detail::body_of_rounded_piece(material, options);
-    return detail::body_of_envelope(remedy, material, options);
+    Outcome<Body<Scalar>> body = remedy == Remedy::largest_piece
+                                     ? detail::body_of(detail::chosen_of(material), material.clean.placed, options)
+                                 : remedy == Remedy::rounded ? detail::body_of_rounded_piece(material, options)
+                                                             : detail::body_of_envelope(remedy, material, options);
+    if (body) body->similarity = material.clean.similarity.then(body->similarity);
+    return body;
 }
 
 template <typename Scalar>

@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -189,41 +191,45 @@ SoundFaces without_fins_and_walls(TriangleMesh<Scalar> mesh, SoundFaces counted)
 
 template <typename Scalar>
 bool is_sound(const TriangleMesh<Scalar>& mesh) {
-    // Each vertex's edges to higher ones: how often each is run through upwards, less how often downwards.
+    // The edges that leave each vertex, one list after the other.
     struct Edge {
-        int high, upwards, downwards;
-        std::size_t face;
+        int to;
+        std::uint32_t face;
     };
     const auto n = static_cast<std::size_t>(mesh.vertices.rows()), m = static_cast<std::size_t>(mesh.faces.rows());
-    std::vector<std::size_t> first(n + 1, 0);
     const auto vertex = [&](std::size_t f, int k) { return mesh.faces(static_cast<Eigen::Index>(f), k % 3); };
-    for (std::size_t f = 0; f < m; ++f)
-        for (int k = 0; k < 3; ++k) ++first[static_cast<std::size_t>(std::min(vertex(f, k), vertex(f, k + 1))) + 1];
-    for (std::size_t v = 0; v < n; ++v) first[v + 1] += first[v];
+    std::vector<std::size_t> end(n + 1, 0);
+    for (Eigen::Index i = 0; i < mesh.faces.size(); ++i) ++end[static_cast<std::size_t>(mesh.faces.data()[i]) + 1];
+    for (std::size_t v = 0; v < n; ++v) end[v + 1] += end[v];
     std::vector<Edge> edges(3 * m);
-    std::vector<std::size_t> end(first.begin(), first.end() - 1);
-    core::DisjointSets joined(m);
     for (std::size_t f = 0; f < m; ++f)
         for (int k = 0; k < 3; ++k) {
-            const int a = vertex(f, k), b = vertex(f, k + 1), low = std::min(a, b), high = std::max(a, b);
-            if (a == b) return false;
-            const auto here = edges.begin() + static_cast<std::ptrdiff_t>(first[static_cast<std::size_t>(low)]);
-            std::size_t& stop = end[static_cast<std::size_t>(low)];
-            const auto last = edges.begin() + static_cast<std::ptrdiff_t>(stop);
-            auto edge = std::find_if(here, last, [&](const Edge& e) { return e.high == high; });
-            if (edge == last) {
-                *edge = {high, 0, 0, f};
-                ++stop;
-            }
-            if (++(a < b ? edge->upwards : edge->downwards) > 1) return false;
-            joined.unite(edge->face, f);
+            if (vertex(f, k) == vertex(f, k + 1)) return false;
+            edges[end[static_cast<std::size_t>(vertex(f, k))]++] = {vertex(f, k + 1), static_cast<std::uint32_t>(f)};
         }
-    for (std::size_t v = 0; v < n; ++v)
-        for (std::size_t i = first[v]; i < end[v]; ++i)
-            if (edges[i].upwards + edges[i].downwards != 2) return false;
-    for (std::size_t f = 1; f < m; ++f)
-        if (joined.find(f) != joined.find(0)) return false;
-    return core::enclosed_volume(mesh) > 0;
+    const auto list_of = [&](std::size_t v) {
+        const std::size_t begin = v > 0 ? end[v - 1] : 0;
+        return std::span<const Edge>(edges).subspan(begin, end[v] - begin);
+    };
+    // Each runs there once, and back: as many run to higher vertices as to lower ones, each of the former has one back.
+    std::size_t upwards = 0;
+    core::DisjointSets joined(m);
+    for (std::size_t v = 0; v < n; ++v) {
+        const std::span<const Edge> list = list_of(v);
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            for (std::size_t k = 0; k < i; ++k)
+                if (list[k].to == list[i].to) return false;
+            const auto to = static_cast<std::size_t>(list[i].to);
+            if (to < v) continue;
+            ++upwards;
+            const std::span<const Edge> beyond = list_of(to);
+            const auto back = std::find_if(beyond.begin(), beyond.end(),
+                                           [&](const Edge& edge) { return edge.to == static_cast<int>(v); });
+            if (back == beyond.end()) return false;
+            joined.unite(list[i].face, back->face);
+        }
+    }
+    return 2 * upwards == edges.size() && joined.count() == 1 && core::enclosed_volume(mesh) > 0;
 }
 
 template <typename Scalar>

@@ -14,6 +14,7 @@
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/precision.hpp>
+#include <skelgen/core/sort_by_number.hpp>
 
 namespace skelgen::surface {
 namespace detail {
@@ -26,46 +27,32 @@ core::Accumulator along_odd_direction(const Points<Scalar>& points, int v) {
     return core::point(points, v).template cast<core::Accumulator>().dot(direction.normalized());
 }
 
-/// Joins points at different places, no farther apart than `tolerance`: a sweep along that direction.
+/// Joins points no farther apart than `tolerance` (0: at equal places): a sweep along that direction.
 template <typename Scalar>
-void join_near_places(core::DisjointSets& groups, const Points<Scalar>& points, const std::vector<int>& places,
-                      Scalar tolerance) {
+core::DisjointSets near_points(const Points<Scalar>& points, const std::vector<int>& used, Scalar tolerance) {
     std::vector<std::pair<core::Accumulator, int>> order;
+    order.reserve(used.size());
     core::Accumulator farthest = 0;
-    for (const int v : places) {
+    for (const int v : used) {
         order.emplace_back(along_odd_direction(points, v), v);
         farthest = std::max(farthest, std::abs(order.back().first));
     }
-    std::sort(order.begin(), order.end());
+    order = core::sorted_by_number(std::move(order));
     // What rounding leaves in a place along the direction must not part two points.
     const core::Accumulator reach =
         static_cast<core::Accumulator>(tolerance) + 16 * std::numeric_limits<core::Accumulator>::epsilon() * farthest;
-    for (std::size_t i = 0; i < order.size(); ++i)
-        for (std::size_t j = i + 1; j < order.size() && order[j].first - order[i].first <= reach; ++j) {
-            const int a = order[i].second, b = order[j].second;
-            if ((core::point(points, a) - core::point(points, b)).norm() <= tolerance)
-                groups.unite(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
-        }
-}
-
-/// Joins points no farther apart than `tolerance` (0: at equal places).
-template <typename Scalar>
-core::DisjointSets near_points(const Points<Scalar>& points, const std::vector<int>& used, Scalar tolerance) {
-    std::vector<int> order = used;
-    std::sort(order.begin(), order.end(), [&](int a, int b) {
-        for (int k = 0; k < 3; ++k)
-            if (points(a, k) != points(b, k)) return points(a, k) < points(b, k);
-        return a < b;
-    });
     core::DisjointSets groups(static_cast<std::size_t>(points.rows()));
-    std::vector<int> places; // one point of each place
-    for (const int v : order) {
-        if (!places.empty() && points.row(places.back()) == points.row(v))
-            groups.unite(static_cast<std::size_t>(places.back()), static_cast<std::size_t>(v));
-        else
-            places.push_back(v);
+    std::vector<bool> is_copy(order.size(), false); // at the place of one before, which looks around for both
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        if (is_copy[i]) continue;
+        const Vector3<Scalar> here = core::point(points, order[i].second);
+        for (std::size_t j = i + 1; j < order.size() && order[j].first - order[i].first <= reach; ++j) {
+            const Vector3<Scalar> there = core::point(points, order[j].second);
+            if (here == there) is_copy[j] = true;
+            if ((here - there).norm() <= tolerance)
+                groups.unite(static_cast<std::size_t>(order[i].second), static_cast<std::size_t>(order[j].second));
+        }
     }
-    if (tolerance > 0) join_near_places(groups, points, places, tolerance);
     return groups;
 }
 
@@ -96,12 +83,15 @@ template <typename Scalar>
 Triangles faces_within_reach(const TriangleMesh<Scalar>& mesh) {
     const Eigen::AlignedBox<Scalar, 3> box = robust_box(mesh);
     const Scalar reach = box.diagonal().norm();
+    std::vector<bool> is_near(static_cast<std::size_t>(mesh.vertices.rows()));
+    for (std::size_t v = 0; v < is_near.size(); ++v)
+        is_near[v] = box.exteriorDistance(core::point(mesh.vertices, static_cast<Eigen::Index>(v))) <= reach;
+    if (std::all_of(is_near.begin(), is_near.end(), [](bool near) { return near; })) return mesh.faces;
     Triangles out(mesh.faces.rows(), 3);
     Eigen::Index kept = 0;
     for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
         bool near = true;
-        for (int k = 0; k < 3; ++k)
-            near = near && box.exteriorDistance(core::point(mesh.vertices, mesh.faces(f, k))) <= reach;
+        for (int k = 0; k < 3; ++k) near = near && is_near[static_cast<std::size_t>(mesh.faces(f, k))];
         if (near) out.row(kept++) = mesh.faces.row(f);
     }
     out.conservativeResize(kept, 3);
@@ -109,20 +99,31 @@ Triangles faces_within_reach(const TriangleMesh<Scalar>& mesh) {
 }
 
 template <typename Scalar>
-WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>& mesh, Scalar tolerance, const std::vector<bool>& apart) {
+Welding find_welds(const TriangleMesh<Scalar>& mesh, Scalar tolerance, const std::vector<bool>& apart) {
     const auto n = static_cast<std::size_t>(mesh.vertices.rows());
     if (!apart.empty() && apart.size() != n)
         throw Error(ErrorCode::usage, "weld: `apart` has to have one entry for each vertex");
     std::vector<bool> is_used(n, false);
     for (Eigen::Index i = 0; i < mesh.faces.size(); ++i) is_used[static_cast<std::size_t>(mesh.faces.data()[i])] = true;
     std::vector<int> used;
+    used.reserve(n);
     for (std::size_t v = 0; v < n; ++v)
         if (is_used[v]) used.push_back(static_cast<int>(v));
+    if (apart.empty()) {
+        core::DisjointSets groups = detail::near_points(mesh.vertices, used, tolerance);
+        return {std::move(used), std::move(groups)};
+    }
     std::vector<int> loose = used;
-    if (!apart.empty()) std::erase_if(loose, [&](int v) { return apart[static_cast<std::size_t>(v)]; });
+    std::erase_if(loose, [&](int v) { return apart[static_cast<std::size_t>(v)]; });
     core::DisjointSets groups = detail::near_points(mesh.vertices, loose, tolerance);
-    const auto first_of = [&](int v) { return static_cast<int>(groups.find(static_cast<std::size_t>(v))); };
+    return {std::move(used), std::move(groups)};
+}
 
+template <typename Scalar>
+WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>& mesh, Welding welding) {
+    const auto n = static_cast<std::size_t>(mesh.vertices.rows());
+    const std::vector<int>& used = welding.used;
+    const auto first_of = [&](int v) { return static_cast<int>(welding.groups.find(static_cast<std::size_t>(v))); };
     WeldedMesh<Scalar> out;
     out.placed.assign(n, -1);
     out.unused = static_cast<int>(n - used.size());
@@ -139,6 +140,11 @@ WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>& mesh, Scalar tolerance, cons
     for (Eigen::Index i = 0; i < mesh.faces.size(); ++i)
         out.mesh.faces.data()[i] = out.placed[static_cast<std::size_t>(mesh.faces.data()[i])];
     return out;
+}
+
+template <typename Scalar>
+WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>& mesh, Scalar tolerance, const std::vector<bool>& apart) {
+    return weld(mesh, find_welds(mesh, tolerance, apart));
 }
 
 template <typename Scalar>

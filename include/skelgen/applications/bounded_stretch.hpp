@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include <skelgen/applications/heat_weights.hpp>
+#include <skelgen/core/kinematic_skeleton.hpp>
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+
+namespace skelgen::applications {
+
+/// A surface and its skeleton in one pose, in the same coordinates.
+template <typename Scalar = double>
+struct HeldSurface {
+    const Points<Scalar>& vertices;
+    const KinematicSkeleton<Scalar>& skeleton;
+};
+
+/// The weights with no edge that grows to more than three times its length when a joint of a limb bends by 90 degrees
+/// from any of the poses, by linear skinning: where it would, the weights of its ends come nearer to each other, in a
+/// few rounds over all edges; nothing else changes. Edges between two limbs stay. Edges shorter than a thousandth of
+/// the square root of the area count as that long. `faces` name the weights' rows, `limb_of_joint` as
+/// `LimbRegions::of_joint`. O(rounds faces joints).
+template <typename Scalar>
+[[nodiscard]] JointWeights with_bounded_stretch(JointWeights weights, const std::vector<HeldSurface<Scalar>>& poses,
+                                                const Triangles& faces, const SkeletonTemplate& skeleton_template,
+                                                const std::vector<int>& limb_of_joint);
+
+} // namespace skelgen::applications
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/applications/impl/bounded_stretch.hpp>
+#endif

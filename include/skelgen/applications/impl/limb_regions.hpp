@@ -1,0 +1,59 @@
+#pragma once
+
+#include <skelgen/applications/limb_regions.hpp>
+
+#include <cstddef>
+#include <limits>
+
+#include <skelgen/applications/bones.hpp>
+#include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/geometry.hpp>
+
+namespace skelgen::applications {
+namespace detail {
+
+/// The joints of a limb, from its end to its first joint: an arm's or a leg's, or head and neck.
+inline std::vector<int> joints_of_limb(const SkeletonTemplate& skeleton_template, int end) {
+    std::vector<int> joints;
+    const auto role = [&](int j) { return skeleton_template.joint(j).role; };
+    const auto is_of_limb = [&](int j) {
+        return part_of(role(j)) != BodyPart::trunk || role(j) == JointRole::head || role(j) == JointRole::neck;
+    };
+    for (int j = end; j >= 0 && is_of_limb(j); j = skeleton_template.joint(j).parent) joints.push_back(j);
+    return joints;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+LimbRegions limb_regions(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
+                         const SkeletonTemplate& skeleton_template) {
+    LimbRegions out;
+    out.of_joint.assign(skeleton.joints.size(), -1);
+    out.of_vertex.assign(static_cast<std::size_t>(body.mesh.vertices.rows()), -1);
+    std::vector<Scalar> least(out.of_vertex.size(), std::numeric_limits<Scalar>::infinity());
+    for (std::size_t end = 0; end < skeleton.joints.size(); ++end) {
+        if (!ends_limb(skeleton_template.joints[end].role)) continue;
+        const std::vector<int> joints = detail::joints_of_limb(skeleton_template, static_cast<int>(end));
+        const Vector3<Scalar> tip = bone_end(skeleton, skeleton_template, static_cast<int>(end));
+        Scalar length = 0;
+        Vector3<Scalar> last = tip;
+        for (const int j : joints) {
+            const Vector3<Scalar> place = skeleton.joints[static_cast<std::size_t>(j)].position;
+            length += (place - last).norm();
+            last = place;
+        }
+        if (!(length > 0)) continue;
+        for (const int j : joints) out.of_joint[static_cast<std::size_t>(j)] = static_cast<int>(end);
+        const int source = core::nearest_vertex(body.mesh, tip);
+        const std::vector<Scalar> distances = core::distances_from(body.graph, {source});
+        for (std::size_t v = 0; v < distances.size(); ++v) {
+            if (!(distances[v] < least[v] * length)) continue;
+            least[v] = distances[v] / length;
+            out.of_vertex[v] = static_cast<int>(end);
+        }
+    }
+    return out;
+}
+
+} // namespace skelgen::applications

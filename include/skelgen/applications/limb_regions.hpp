@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include <skelgen/core/kinematic_skeleton.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/surface/body.hpp>
+
+namespace skelgen::applications {
+
+/// Where the limbs of a body are on its surface: arms, legs, and neck and head.
+struct LimbRegions {
+    std::vector<int> of_joint;  ///< per joint the limb that it moves; -1 for the trunk, and for a limb without length
+    std::vector<int> of_vertex; ///< per vertex of the body the limb that it may belong to; -1 where no path leads
+};
+
+/// The limb that each vertex may belong to: the one whose end is nearest along the surface, each in its own length from
+/// the end to its first joint. So hands that hold each other, or lie on a thigh, are told apart, as they are far from
+/// each other along the surface; where regions meet lies in the trunk. A limb that is cut ends where its last joint is.
+/// `skeleton` in the coordinates of the body. One search along the surface per limb, O(n).
+/// \throws Error usage when the skeleton's joints are not the template's.
+template <typename Scalar>
+[[nodiscard]] LimbRegions limb_regions(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
+                                       const SkeletonTemplate& skeleton_template);
+
+} // namespace skelgen::applications
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/applications/impl/limb_regions.hpp>
+#endif

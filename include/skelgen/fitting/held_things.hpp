@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include <skelgen/core/curve_skeleton.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/embedding/spectral_matching.hpp>
+#include <skelgen/surface/body.hpp>
+
+namespace skelgen::fitting {
+
+/// So much less a skeleton can be trusted that was found after something had been taken off: it may have been a limb. A
+/// working value.
+inline constexpr double trust_without_held_things = 0.5;
+
+/// The body without what its hands hold: staffs, swords, axes. These are the branches of its curve that end at a fork
+/// from which only one other branch leads on: without those at one such fork or two the template fits, its legs lead on
+/// from the trunk, and each of these forks is a hand. Of several ways the least distorted. The surface is cut where the
+/// branches leave the ball at the fork; what was done is added to the body's repairs. `curve` as from find_curve, its
+/// regions the body's vertices. \returns none where nothing is held so. As embed, for each way, of which there are 15
+/// at most.
+template <typename Scalar>
+[[nodiscard]] std::optional<Body<Scalar>>
+without_held_things(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& wanted,
+                    const embedding::MatchingOptions& options);
+
+} // namespace skelgen::fitting
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/fitting/impl/held_things.hpp>
+#endif

@@ -1,0 +1,53 @@
+#include <skelgen/applications/limb_regions.hpp>
+#include <skelgen/applications/segmentation.hpp>
+
+#include <string>
+
+#include "catch.hpp"
+#include "human.hpp"
+#include "sample_body.hpp"
+
+namespace {
+
+using namespace skelgen;
+using namespace skelgen::applications;
+using test::human;
+
+TEST_CASE("regions: what is of a limb may belong to that one alone", "[applications][weights]") {
+    const auto& [mesh, found, skeleton, body] = test::sample_body();
+    const LimbRegions regions = limb_regions(body, surface::to_body(body, skeleton), human());
+    for (const char* name : {"crotch", "waist", "chest"})
+        CHECK(regions.of_joint[static_cast<std::size_t>(find_joint(skeleton, name))] < 0);
+    const auto region_of = [&](const char* name) {
+        return regions.of_joint[static_cast<std::size_t>(find_joint(skeleton, name))];
+    };
+    CHECK(region_of("left_shoulder") == find_joint(skeleton, "left_hand"));
+    CHECK(region_of("right_knee") == find_joint(skeleton, "right_foot"));
+    CHECK(region_of("neck") == find_joint(skeleton, "head"));
+
+    const Segmentation parts = segment(body, skeleton);
+    for (std::size_t v = 0; v < parts.vertex_part.size(); ++v) {
+        const std::string& part = parts.parts[static_cast<std::size_t>(parts.vertex_part[v])];
+        for (const auto& [name, joint] : {std::pair{"left_forearm", "left_hand"},
+                                          {"left_hand", "left_hand"},
+                                          {"right_upper_arm", "right_hand"},
+                                          {"right_calf", "right_foot"},
+                                          {"left_foot", "left_foot"},
+                                          {"head", "head"}})
+            if (part == name) CHECK(regions.of_vertex[v] == find_joint(skeleton, joint));
+    }
+}
+
+TEST_CASE("regions: a limb without length has none, and binds nobody", "[applications][weights]") {
+    const auto& [mesh, found, skeleton, body] = test::sample_body();
+    KinematicSkeleton<double> one_armed = surface::to_body(body, skeleton);
+    const auto at = [&](const char* name) { return static_cast<std::size_t>(find_joint(one_armed, name)); };
+    for (const char* name : {"left_elbow", "left_wrist", "left_hand"})
+        one_armed.joints[at(name)].position = one_armed.joints[at("left_shoulder")].position;
+    std::erase_if(one_armed.end_points, [](const auto& end) { return end.first == "left_fingertip"; });
+    const LimbRegions regions = limb_regions(body, one_armed, human());
+    CHECK(regions.of_joint[at("left_shoulder")] < 0);
+    for (const int region : regions.of_vertex) CHECK(region != find_joint(one_armed, "left_hand"));
+}
+
+} // namespace

@@ -1,0 +1,60 @@
+// Bodies that hold long things in their hands: found without these, and trusted less.
+
+#include <algorithm>
+
+#include <skelgen/core/builtin_templates.hpp>
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/curve/find_curve.hpp>
+#include <skelgen/extract.hpp>
+#include <skelgen/fitting/held_things.hpp>
+#include <skelgen/surface/prepare.hpp>
+
+#include "catch.hpp"
+#include "fixture_bodies.hpp"
+
+using namespace skelgen;
+using namespace skelgen::test;
+
+TEST_CASE("a staff is taken out of the hand that holds it, and nothing else goes") {
+    const FixtureBody shepherd = load_fixture_body("shepherd-raised");
+    const Body<double> body = prepare(shepherd.mesh);
+    const auto bare = fitting::without_held_things(body, find_curve(body).curve, builtin_template("human21"), {});
+    REQUIRE(bare);
+    CHECK(bare->adjacency.minCoeff() >= 0);
+    CHECK(bare->repairs.back() == "what is held in one hand taken off");
+    const double left = core::surface_area(bare->mesh);
+    CHECK(left < 0.99);
+    CHECK(left > 0.9);                                                   // a staff's area is a twentieth
+    const auto reach = [&](const Body<double>& each, const char* name) { // of the surface from a true joint
+        const auto joint = std::find_if(shepherd.truth.joints.begin(), shepherd.truth.joints.end(),
+                                        [&](const auto& known) { return known.first == name; });
+        double nearest = 1e9;
+        for (Eigen::Index v = 0; v < each.mesh.vertices.rows(); ++v)
+            nearest = std::min(nearest,
+                               (each.similarity.to_input(core::point(each.mesh.vertices, v)) - joint->second).norm());
+        return nearest;
+    };
+    for (const char* name : {"right_wrist", "left_wrist", "left_hand", "head", "left_foot"})
+        CHECK(reach(*bare, name) == Approx(reach(body, name)).margin(1e-9));
+}
+
+TEST_CASE("the skeleton of a body with a staff has its hands where they are, and says what was done") {
+    const FixtureBody shepherd = load_fixture_body("shepherd-raised");
+    const Extraction<double> found = extract_skeleton(shepherd.mesh);
+    for (const auto& [name, place] : shepherd.truth.joints) {
+        const auto joint = std::find_if(found.skeleton.joints.begin(), found.skeleton.joints.end(),
+                                        [&name = name](const Joint<double>& each) { return each.name == name; });
+        REQUIRE(joint != found.skeleton.joints.end());
+        CHECK((joint->position - place).norm() < 0.06 * shepherd.truth.scale);
+    }
+    const auto& warnings = found.skeleton.quality.warnings;
+    CHECK(std::find(warnings.begin(), warnings.end(), "what is held in one hand taken off") != warnings.end());
+    CHECK(found.skeleton.quality.sides_confidence <= fitting::trust_without_held_things);
+}
+
+TEST_CASE("from empty hands nothing is taken") {
+    for (const char* name : {"standing-man", "walking-woman", "figure"}) {
+        const Body<double> body = prepare(load_fixture_body(name).mesh);
+        CHECK_FALSE(fitting::without_held_things(body, find_curve(body).curve, builtin_template("human21"), {}));
+    }
+}
