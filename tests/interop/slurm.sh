@@ -136,7 +136,7 @@ is_in_the_middle() {
     shard=$(shard_on "$1")
     [[ -n $shard ]] || return 1
     lines=$({ wc -l <"$out/shards/$shard-of-$shards/summary.jsonl"; } 2>/dev/null || echo 0)
-    ((lines >= 5 && lines <= 35))
+    ((lines >= 5 && lines <= 25))
 }
 
 worker_on() {

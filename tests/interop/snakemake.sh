@@ -38,12 +38,17 @@ start() {
     run=$!
 }
 
-# Ends Snakemake and all that it has started, without a chance to say goodbye.
-end_run() {
+# signal_run NAME: to Snakemake and all that it has started; twice, for what was started meanwhile.
+signal_run() {
     local process
-    for process in $(processes); do
-        ((process == $$ || process == BASHPID)) || kill -KILL "$process" 2>/dev/null || true
+    for process in $(processes) $(processes); do
+        ((process == $$ || process == BASHPID)) || kill "-$1" "$process" 2>/dev/null || true
     done
+}
+
+# Without a chance to say goodbye.
+end_run() {
+    signal_run KILL
     wait 2>/dev/null || true
 }
 
@@ -63,13 +68,26 @@ batches() {
 
 lines() { cat "$out"/shards/*/summary.jsonl 2>/dev/null | wc -l; }
 
-# kill_one workers|parents LINES: once so many meshes are done.
-kill_one() {
-    local end=$((SECONDS + 120)) process
-    until (($(lines) >= $2)) && process=$(batches "$1" | head -n 1) && [[ -n $process ]] && kill -KILL "$process" 2>/dev/null; do
+# hold_at LINES: has the run stand still once so many meshes are done. It does dozens a second: more than could be looked at.
+hold_at() {
+    local end=$((SECONDS + 120))
+    until (($(lines) >= $1)); do
         kill -0 "$run" 2>/dev/null || fail "it has ended too soon"
+        ((SECONDS < end)) || fail "$1 meshes not done within their time"
+        sleep 0.02
+    done
+    signal_run STOP
+}
+
+# kill_one workers|parents LINES: once so many meshes are done, one of those that are at work; the run goes on.
+kill_one() {
+    local process='' end=$((SECONDS + 120))
+    until [[ -n $process ]]; do
+        hold_at "$2"
+        process=$(batches "$1" | head -n 1)
+        [[ -z $process ]] || kill -KILL "$process"
+        signal_run CONT
         ((SECONDS < end)) || fail "nothing to kill within its time"
-        sleep 0.1
     done
 }
 
@@ -79,13 +97,10 @@ mkdir -p "$out"
 start
 until cat "$out"/logs/shard-*.log 2>/dev/null | grep -q 'died of signal 9'; do # it may have been between two meshes
     kill_one workers $((total / 8))
-    sleep 0.5
+    sleep 0.2
 done
 kill_one parents $((total / 4))
-until (($(lines) >= total / 2)); do
-    kill -0 "$run" 2>/dev/null || fail "it has ended too soon"
-    sleep 0.1
-done
+hold_at $((total / 2))
 end_run
 done_before=$(lines)
 ((done_before < total)) || fail "it was all done before it was ended"
