@@ -38,18 +38,23 @@ TEST_CASE("a staff is taken out of the hand that holds it, and nothing else goes
         CHECK(reach(*bare, name) == Approx(reach(body, name)).margin(1e-9));
 }
 
-TEST_CASE("the skeleton of a body with a staff has its hands where they are, and says what was done") {
-    const FixtureBody shepherd = load_fixture_body("shepherd-raised");
-    const Extraction<double> found = extract_skeleton(shepherd.mesh);
-    for (const auto& [name, place] : shepherd.truth.joints) {
-        const auto joint = std::find_if(found.skeleton.joints.begin(), found.skeleton.joints.end(),
-                                        [&name = name](const Joint<double>& each) { return each.name == name; });
-        REQUIRE(joint != found.skeleton.joints.end());
-        CHECK((joint->position - place).norm() < 0.06 * shepherd.truth.scale);
+TEST_CASE("the skeleton of a body with a staff or a sword has its hands where they are, and says what was done") {
+    for (const char* name : {"shepherd-raised", "fencer-a"}) { // whose hilt is too short for a branch of the curve
+        INFO(name);
+        const FixtureBody armed = load_fixture_body(name);
+        const Extraction<double> found = extract_skeleton(armed.mesh);
+        for (const auto& [joint_name, place] : armed.truth.joints) {
+            INFO(joint_name);
+            const auto joint =
+                std::find_if(found.skeleton.joints.begin(), found.skeleton.joints.end(),
+                             [&name = joint_name](const Joint<double>& each) { return each.name == name; });
+            REQUIRE(joint != found.skeleton.joints.end());
+            CHECK((joint->position - place).norm() < 0.06 * armed.truth.scale);
+        }
+        const auto& warnings = found.skeleton.quality.warnings;
+        CHECK(std::find(warnings.begin(), warnings.end(), "what is held in one hand taken off") != warnings.end());
+        CHECK(found.skeleton.quality.sides_confidence <= fitting::trust_without_held_things);
     }
-    const auto& warnings = found.skeleton.quality.warnings;
-    CHECK(std::find(warnings.begin(), warnings.end(), "what is held in one hand taken off") != warnings.end());
-    CHECK(found.skeleton.quality.sides_confidence <= fitting::trust_without_held_things);
 }
 
 TEST_CASE("from empty hands nothing is taken") {

@@ -14,11 +14,12 @@ namespace skelgen::fitting {
 inline constexpr double trust_without_held_things = 0.5;
 
 /// The body without what its hands hold: staffs, swords, axes. These are the branches of its curve that end at a fork
-/// from which only one other branch leads on: without those at one such fork or two the template fits, its legs lead on
-/// from the trunk, and each of these forks is a hand. Of several ways the least distorted. The surface is cut where the
-/// branches leave the ball at the fork; what was done is added to the body's repairs. `curve` as from find_curve, its
-/// regions the body's vertices. \returns none where nothing is held so. As embed, for each way, of which there are 15
-/// at most.
+/// from which only one other branch leads on, or what a branch has beyond the length of another one. Without what is
+/// held at one such place, or at two forks, the template fits, its legs lead on from the trunk, and each of these
+/// places is a hand; of several ways the least distorted, less so than with all of it, and one hand rather than two.
+/// The surface is cut where the branches leave the ball at the hand; what was done is added to the body's repairs.
+/// `curve` as from find_curve, its regions the body's vertices. \returns none where nothing is held so. As embed, for
+/// each way: at most 15, and one for each two ends of the curve.
 template <typename Scalar>
 [[nodiscard]] std::optional<Body<Scalar>>
 without_held_things(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& wanted,

@@ -72,8 +72,8 @@ Outcome<Fit<Scalar>> fit_whole(const Body<Scalar>& body, const SkeletonTemplate&
     if (!bare) return found;
     Outcome<Fit<Scalar>> other = fit(*bare, find_curve(*bare, options.curve), wanted, options, 1);
     if (!other) return found;
+    if (found && sureness(found->skeleton) >= trust_without_held_things * sureness(other->skeleton)) return found;
     other->skeleton = less_certain(std::move(other->skeleton), trust_without_held_things);
-    if (found && sureness(found->skeleton) >= sureness(other->skeleton)) return found;
     other->timings.curve += curve_time;
     return other;
 }
