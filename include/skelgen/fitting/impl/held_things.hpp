@@ -20,10 +20,12 @@
 namespace skelgen::fitting {
 namespace detail {
 
-/// A node of a curve that may be a hand, and the nodes of what it would hold.
+/// A node of a curve that may be a hand, the nodes of what it would hold, and which node the other hand would be, if
+/// that is why.
 struct Grip {
     int hand = -1;
     std::vector<int> held;
+    int other_hand = -1;
 };
 
 /// The junctions from which all branches but one end.
@@ -33,7 +35,7 @@ std::vector<Grip> forks_at_ends(const CurveSkeleton<Scalar>& curve) {
     std::vector<Grip> out;
     for (int v = 0; v < graph.size(); ++v) {
         if (graph.degree(v) < 3) continue;
-        Grip grip{v, {}};
+        Grip grip{v, {}, -1};
         int leading_on = 0;
         for (const auto& [first, length] : graph.neighbours[static_cast<std::size_t>(v)]) {
             const std::vector<int> branch = core::branch(graph, v, first);
@@ -67,7 +69,9 @@ std::vector<Grip> beyond_equal_lengths(const CurveSkeleton<Scalar>& curve) {
             const Scalar longer = ways[i][ways[i].size() - 1], shorter = ways[k][ways[k].size() - 1];
             if (longer < clearly * shorter || longer > no_longer * shorter) continue;
             const auto there = std::lower_bound(ways[i].begin(), ways[i].end(), shorter) - ways[i].begin();
-            out.push_back({lines[i][static_cast<std::size_t>(there)], {lines[i].begin() + there + 1, lines[i].end()}});
+            out.push_back({lines[i][static_cast<std::size_t>(there)],
+                           {lines[i].begin() + there + 1, lines[i].end()},
+                           lines[k].back()});
         }
     return out;
 }
@@ -115,13 +119,15 @@ std::optional<double> distortion_without(const CurveSkeleton<Scalar>& curve, con
     const auto found = embedding::embed(part.curve, fitting.skeleton_template, options);
     if (!found || !embedding::legs_go_on(part.curve, *found, fitting.skeleton_template)) return std::nullopt;
     if (static_cast<double>(embedding::unmatched_share(part.curve, *found)) > most_left_over) return std::nullopt;
+    const auto hand_of = [&](Side side) { // the curve's node, or -1
+        const int joint = find_joint(wanted, JointRole::hand, side);
+        const int node = joint >= 0 ? found->node_of_joint[static_cast<std::size_t>(joint)] : -1;
+        return node >= 0 ? part.origin[static_cast<std::size_t>(node)] : -1;
+    };
+    const int left = hand_of(Side::left), right = hand_of(Side::right);
     const auto is_hand = [&](const Grip* grip) {
-        for (const Side side : {Side::left, Side::right})
-            if (const int hand = find_joint(wanted, JointRole::hand, side); hand >= 0)
-                if (const int node = found->node_of_joint[static_cast<std::size_t>(hand)];
-                    node >= 0 && part.origin[static_cast<std::size_t>(node)] == grip->hand)
-                    return true;
-        return false;
+        if (grip->hand != left && grip->hand != right) return false;
+        return grip->other_hand < 0 || grip->other_hand == (grip->hand == left ? right : left);
     };
     const double distortion = embedding::distortion_per_pair(*found);
     const bool fits = distortion < well_enough && std::all_of(grips.begin(), grips.end(), is_hand);
