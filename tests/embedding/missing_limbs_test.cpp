@@ -138,3 +138,23 @@ TEST_CASE("a stump is no limb: what stands for it in the whole template is much 
     // Hands that are cut off are the surface's to tell.
     CHECK_FALSE(missing(cut_off(whole, "left_wrist", "left_hand", Stump::half_a_bone)));
 }
+
+TEST_CASE("what swells beyond a neck is a head, however short") {
+    const SkeletonTemplate& human = builtin_template("human21");
+    CurveSkeleton<double> curve = cut_off(human_curve(), "neck", "head", Stump::half_a_bone);
+    const auto found = embed(curve, human);
+    REQUIRE(found);
+    const auto chain = std::find_if(found->chains.begin(), found->chains.end(),
+                                    [](const Chain& each) { return each.joints.back() == joint_named("head"); });
+    REQUIRE(chain != found->chains.end());
+    REQUIRE(chain->nodes.size() == 4); // the chest, the neck, a node between them, and the end
+    const auto is_missing = [&](const std::vector<double>& radii) {
+        for (std::size_t i = 0; i < radii.size(); ++i)
+            curve.radii[static_cast<std::size_t>(chain->nodes[i])] = radii[i];
+        return find_missing_limb(curve, human, *found).has_value();
+    };
+    CHECK(is_missing({0.1, 0.09, 0.08, 0.08}));
+    CHECK_FALSE(is_missing({0.1, 0.07, 0.06, 0.08}));
+    CHECK(is_missing({0.06, 0.06, 0.06, 0.08})); // a neck is thinner than what it stands on, too
+    CHECK(is_missing({0.3, 0.07, 0.06, 0.08}));  // what is so small is no head
+}

@@ -28,9 +28,10 @@ struct PartialTemplate {
 
 /// Whether the curve is rather that of a body that lacks a limb, although the whole template could be laid into it as
 /// `whole`: without that limb it is less than half as distorted, also than without hands or feet alone, and what stands
-/// for the limb is much too short, as a stump is. \returns the template that fits so, the least distorted; none for a
-/// whole body, or where the given template already lacks a limb. As embed, for each partial template, but for curves
-/// that fit the whole one well, which most bodies' do: these take no time.
+/// for the limb is much too short, as a stump is. A head is there, however short beside long limbs, where the curve's
+/// balls shrink to a neck and grow again. \returns the template that fits so, the least distorted; none for a whole
+/// body, or where the given template already lacks a limb. As embed, for each partial template, but for curves that fit
+/// the whole one well, which most bodies' do: these take no time.
 template <typename Scalar>
 [[nodiscard]] std::optional<PartialTemplate>
 find_missing_limb(const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template, const Embedding& whole,

@@ -49,6 +49,27 @@ Scalar shortness(const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& ske
     return sum / static_cast<Scalar>(rest.origin.size() - 1);
 }
 
+/// Does the end of the curve that stands for a joint swell beyond something thinner, as a head does beyond its neck?
+/// Stumps only taper.
+template <typename Scalar>
+bool ends_in_swelling(const CurveSkeleton<Scalar>& curve, const Embedding& embedding, int joint) {
+    constexpr Scalar clearly = Scalar(1.15); // thicker: as refinement::measure_head has it of throats
+    constexpr Scalar least = Scalar(1) / 3;  // of the thickest: balls near the very end say nothing; a working value
+    const auto chain = std::find_if(embedding.chains.begin(), embedding.chains.end(),
+                                    [&](const Chain& each) { return each.joints.back() == joint; });
+    if (chain == embedding.chains.end()) return false;
+    std::vector<Scalar> radii;
+    for (const int node : chain->nodes) radii.push_back(curve.radii[at(node)]);
+    const Scalar thickest = *std::max_element(radii.begin(), radii.end());
+    Scalar before = 0, thinnest = thickest; // up to here, outwards
+    for (const Scalar radius : radii) {
+        before = std::max(before, radius);
+        if (clearly * radius < before) thinnest = std::min(thinnest, radius);
+        if (radius > clearly * thinnest && radius > least * thickest) return true;
+    }
+    return false;
+}
+
 } // namespace detail
 
 SKELGEN_INLINE std::vector<PartialTemplate> partial_templates(const SkeletonTemplate& skeleton_template) {
@@ -84,6 +105,7 @@ std::optional<PartialTemplate> find_missing_limb(const CurveSkeleton<Scalar>& cu
     for (PartialTemplate& part : partial_templates(skeleton_template)) {
         // Either one of a pair may be the stump, but not both: legs under a coat are short alike.
         const int other = counterpart(skeleton_template, part.end);
+        if (other < 0 && detail::ends_in_swelling(curve, whole, part.end)) continue;
         const Scalar own = detail::shortness(curve, skeleton_template, whole, part.end);
         const Scalar shorter =
             other < 0 ? own : std::abs(own - detail::shortness(curve, skeleton_template, whole, other));
