@@ -69,7 +69,8 @@ namespace skelgen::curve {
     template CurveSkeleton<Scalar> extend_leaves(const CurveSkeleton<Scalar>&, const Body<Scalar>&,                    \
                                                  const LeafExtensionOptions&);                                         \
     template CurveSkeleton<Scalar> prune(const CurveSkeleton<Scalar>&, const PruningOptions&);                         \
-    template CurveResult<Scalar> find_curve(const Body<Scalar>&, const CurveOptions&);
+    template CurveResult<Scalar> find_curve(const Body<Scalar>&, const CurveOptions&);                                 \
+    template CurveResult<Scalar> recentred(CurveResult<Scalar>, const Body<Scalar>&, int);
 
 SKELGEN_INSTANTIATE(float)
 SKELGEN_INSTANTIATE(double)

@@ -115,6 +115,17 @@ TEST_CASE("a curve says when its contraction has not come to its end", "[slow]")
     CHECK(found.iterations == 1);
 }
 
+TEST_CASE("a curve centred anew is the one that is found with so many rounds") {
+    const Body<double> body = unit_body(torus(1, 0.25));
+    CurveOptions few;
+    few.centring.rounds = 2;
+    const CurveSkeleton<double> wanted = find_curve(body, few).curve;
+    const CurveSkeleton<double> anew = recentred(find_curve(body), body, few.centring.rounds).curve;
+    CHECK(anew.nodes == wanted.nodes);
+    CHECK(anew.edges == wanted.edges);
+    CHECK(anew.regions == wanted.regions);
+}
+
 TEST_CASE("the curve stage refuses options of any of its steps that make no sense") {
     const Body<double> body = unit_body(capsule(0.2, 4));
     CurveOptions proxy, contraction, surgery, leaves, pruning;

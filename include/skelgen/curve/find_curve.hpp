@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/curve/branch_centring.hpp>
 #include <skelgen/curve/contraction.hpp>
@@ -34,6 +37,15 @@ struct CurveOptions {
 /// \throws Error usage when an option is out of its range.
 void validate(const CurveOptions& options);
 
+/// What a contraction leaves of a body: branches before they are laid into the middle of the surface.
+template <typename Scalar = double>
+struct ContractedCurve {
+    BranchedCurve<Scalar> branched;
+    std::vector<int> origin_of_vertex; ///< per vertex of the body, among the origins of the branches
+    MedialBalls<Scalar> balls;
+    BranchCentringOptions centring; ///< how they are, or were
+};
+
 /// A curve skeleton, and whether the contraction that it comes from came to its end.
 template <typename Scalar = double>
 struct CurveResult {
@@ -42,6 +54,8 @@ struct CurveResult {
     int iterations = 0;          ///< of the contraction
     Scalar volume_ratio = 1;     ///< enclosed volume that the contraction left, relative to the start's
     bool is_point = false;       ///< too compact for a curve, as a ball is: its only node is the centre
+    std::shared_ptr<const ContractedCurve<Scalar>>
+        contracted; ///< of the body, to be centred anew; none in a curve in input coordinates
 };
 
 /// The curve skeleton of a body, in eight steps, each of them public on its own:
@@ -59,6 +73,10 @@ struct CurveResult {
 /// the steps do.
 template <typename Scalar>
 [[nodiscard]] CurveResult<Scalar> find_curve(const Body<Scalar>& body, const CurveOptions& options = {});
+
+/// The last two of those steps anew, with so many rounds of centring. \throws Error as find_curve.
+template <typename Scalar>
+[[nodiscard]] CurveResult<Scalar> recentred(CurveResult<Scalar> found, const Body<Scalar>& body, int rounds);
 
 } // namespace skelgen::curve
 

@@ -86,6 +86,7 @@ std::vector<curve::CurveResult<Scalar>> find_curves(const TriangleMesh<Scalar>& 
         relative.centring.spacing = std::min(1.0, relative.centring.spacing * static_cast<double>(all / own));
         curve::CurveResult<Scalar> found = find_curve(body, relative);
         found.curve = surface::to_input(body, found.curve);
+        found.contracted.reset();
         for (std::vector<int>& region : found.curve.regions)
             for (int& vertex : region) vertex = component.source[static_cast<std::size_t>(vertex)];
         out.push_back(std::move(found));

@@ -3,6 +3,7 @@
 #include <skelgen/curve/find_curve.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -110,11 +111,21 @@ CurveResult<Scalar> find_curve(const Body<Scalar>& body, const CurveOptions& wan
     SplitCurve<Scalar> split = split_branches(curve);
     std::vector<int> origin = node_of_vertex(curve, body.mesh.vertices.rows());
     for (int& node : origin) node = split.origin_of_node[static_cast<std::size_t>(node)];
-    curve = curve_with_regions(centre_branches(std::move(split.branched), body, balls, options.centring), body, origin);
+    auto contracted = std::make_shared<const ContractedCurve<Scalar>>(
+        ContractedCurve<Scalar>{std::move(split.branched), std::move(origin), balls, options.centring});
+    return recentred<Scalar>({{}, thin.converged, thin.iterations, thin.volume_ratio, false, std::move(contracted)},
+                             body, options.centring.rounds);
+}
 
-    const bool is_point = detail::is_compact(curve);
-    if (is_point) curve = detail::centre_point(body);
-    return {std::move(curve), thin.converged, thin.iterations, thin.volume_ratio, is_point};
+template <typename Scalar>
+CurveResult<Scalar> recentred(CurveResult<Scalar> found, const Body<Scalar>& body, int rounds) {
+    const auto& [branched, origin, balls, centring] = *found.contracted;
+    BranchCentringOptions options = centring;
+    options.rounds = rounds;
+    found.curve = curve_with_regions(centre_branches(branched, body, balls, options), body, origin);
+    found.is_point = detail::is_compact(found.curve);
+    if (found.is_point) found.curve = detail::centre_point(body);
+    return found;
 }
 
 } // namespace skelgen::curve

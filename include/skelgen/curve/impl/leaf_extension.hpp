@@ -10,27 +10,29 @@
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/options.hpp>
+#include <skelgen/curve/regions.hpp>
 
 namespace skelgen::curve {
 namespace detail {
 
-/// The largest subset of `vertices` (ascending) that hangs together on the surface.
+/// The largest part of a node's region that hangs together on the surface. \param node_of_vertex as of the curve; -1
+/// then for the region's vertices.
 template <typename Scalar>
-std::vector<int> largest_connected_part(const core::SurfaceGraph<Scalar>& surface, const std::vector<int>& vertices) {
+std::vector<int> largest_connected_part(const core::SurfaceGraph<Scalar>& surface, const std::vector<int>& region,
+                                        int node, std::vector<int>& node_of_vertex) {
     std::vector<int> largest;
-    std::vector<bool> seen(vertices.size(), false);
-    const auto place = [&](int v) { return std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin(); };
-    for (std::size_t start = 0; start < vertices.size(); ++start) {
-        if (seen[start]) continue;
-        seen[start] = true;
-        std::vector<int> part{vertices[start]};
+    const auto is_new = [&](int v) {
+        int& owner = node_of_vertex[static_cast<std::size_t>(v)];
+        if (owner != node) return false;
+        owner = -1;
+        return true;
+    };
+    for (const int start : region) {
+        if (!is_new(start)) continue;
+        std::vector<int> part{start};
         for (std::size_t i = 0; i < part.size(); ++i)
-            for (const auto& [w, length] : surface.neighbours[static_cast<std::size_t>(part[i])]) {
-                const auto k = static_cast<std::size_t>(place(w));
-                if (k >= vertices.size() || vertices[k] != w || seen[k]) continue;
-                seen[k] = true;
-                part.push_back(w);
-            }
+            for (const auto& [w, length] : surface.neighbours[static_cast<std::size_t>(part[i])])
+                if (is_new(w)) part.push_back(w);
         if (part.size() > largest.size()) largest = std::move(part);
     }
     return largest;
@@ -63,6 +65,7 @@ CurveSkeleton<Scalar> extend_leaves(const CurveSkeleton<Scalar>& curve, const Bo
     validate(options);
     const core::CurveGraph<Scalar> graph = core::curve_graph(curve);
     const Scalar reach = static_cast<Scalar>(options.anchor) * core::curve_diameter(graph);
+    std::vector<int> node_of_vertex = curve::node_of_vertex(curve, body.mesh.vertices.rows());
     CurveSkeleton<Scalar> out = curve;
     for (int leaf = 0; leaf < graph.size(); ++leaf) {
         if (graph.degree(leaf) != 1) continue;
@@ -70,7 +73,7 @@ CurveSkeleton<Scalar> extend_leaves(const CurveSkeleton<Scalar>& curve, const Bo
         auto& region = out.regions[static_cast<std::size_t>(leaf)];
         int tip = -1;
         Scalar farthest = (core::point(curve.nodes, leaf) - core::point(curve.nodes, anchor)).norm();
-        for (const int v : detail::largest_connected_part(body.graph, region)) {
+        for (const int v : detail::largest_connected_part(body.graph, region, leaf, node_of_vertex)) {
             const Scalar distance = (core::point(body.mesh.vertices, v) - core::point(curve.nodes, anchor)).norm();
             if (distance > farthest) {
                 farthest = distance;

@@ -26,18 +26,19 @@ std::pair<int, bool> faults(const Candidate<Scalar>& found) {
 /// trunk: what the template does not fit well then, although nearly all of the curve is matched, is left as it was
 /// after few rounds of that, if it fits well so.
 template <typename Scalar>
-std::optional<curve::CurveResult<Scalar>> less_centred(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve,
+std::optional<curve::CurveResult<Scalar>> less_centred(const Body<Scalar>& body,
+                                                       const curve::CurveResult<Scalar>& given,
                                                        const SkeletonTemplate& wanted, const ExtractOptions& options) {
     constexpr int few = 3;                 // one coarse round, and two of those that join branches
     constexpr Scalar hardly = Scalar(0.1); // of the chains' length
+    const CurveSkeleton<Scalar>& curve = given.curve;
     const auto embedding = embedding::embed(curve, wanted, options.matching);
-    if (options.curve.centring.rounds <= few || !embedding || core::cycle_count(curve) > 0) return std::nullopt;
+    if (!given.contracted || options.curve.centring.rounds <= few || !embedding || core::cycle_count(curve) > 0)
+        return std::nullopt;
     const bool is_all_matched = embedding::unmatched_share(curve, *embedding) <= hardly;
     if (!is_all_matched && !embedding::legs_go_on(curve, *embedding, wanted)) return std::nullopt;
     if (!embedding::fitting_proportions(curve, wanted, options.matching).fits_badly) return std::nullopt;
-    curve::CurveOptions less = options.curve;
-    less.centring.rounds = few;
-    curve::CurveResult<Scalar> found = find_curve(body, less);
+    curve::CurveResult<Scalar> found = recentred(given, body, few);
     const bool fits = embedding::embed(found.curve, wanted, options.matching) &&
                       !embedding::fitting_proportions(found.curve, wanted, options.matching).fits_badly;
     return fits ? std::optional(std::move(found)) : std::nullopt;
@@ -49,7 +50,7 @@ template <typename Scalar>
 Attempt<Scalar> fit_to_finer_curves(const Body<Scalar>& body, const curve::CurveResult<Scalar>& given,
                                     const SkeletonTemplate& wanted, const ExtractOptions& options, int attempts) {
     core::Stopwatch first;
-    const auto less = detail::less_centred(body, given.curve, wanted, options);
+    const auto less = detail::less_centred(body, given, wanted, options);
     const curve::CurveResult<Scalar>& curve = less ? *less : given;
     const double more_curves = first.lap();
     Attempt<Scalar> best = fit_to_curve(body, curve, wanted, options);

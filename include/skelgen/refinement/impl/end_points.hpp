@@ -13,7 +13,7 @@
 namespace skelgen::refinement {
 namespace detail {
 
-/// How far from the curve's leaf an end may lie, relative to the geodesic diameter: about a hand's length.
+/// How far from the curve's leaf an end may lie, relative to the longest way along the curve: about a hand's length.
 template <typename Scalar>
 inline constexpr Scalar end_reach = Scalar(0.08);
 
@@ -23,19 +23,16 @@ Eigen::VectorX<Scalar> distances_from(const core::SurfaceGraph<Scalar>& surface,
     return Eigen::Map<const Eigen::VectorX<Scalar>>(distance.data(), static_cast<Eigen::Index>(distance.size()));
 }
 
-/// Sum of the distances to the ends at the other end of the body: for feet to the head, or without one to the hands;
-/// for the others to the feet.
+/// The vertices no farther than `reach` from a leaf, over the surface, of which that is the one where `far` is largest.
 template <typename Scalar>
-Eigen::VectorX<Scalar> remoteness(const EndPoint<Scalar>& end, const std::vector<EndPoint<Scalar>>& ends,
-                                  const SkeletonTemplate& skeleton_template) {
-    const auto part = [&](const EndPoint<Scalar>& e) { return part_of(skeleton_template.joint(e.joint).role); };
-    const bool has_head =
-        std::any_of(ends.begin(), ends.end(), [&](const auto& e) { return part(e) == BodyPart::trunk; });
-    const BodyPart other_part = part(end) != BodyPart::leg ? BodyPart::leg : has_head ? BodyPart::trunk : BodyPart::arm;
-    Eigen::VectorX<Scalar> sum = Eigen::VectorX<Scalar>::Zero(end.distance.size());
-    for (const EndPoint<Scalar>& other : ends)
-        if (part(other) == other_part) sum += other.distance;
-    return sum;
+int farthest_near(int leaf, Scalar reach, const Eigen::VectorX<Scalar>& far,
+                  const core::SurfaceGraph<Scalar>& surface) {
+    const std::vector<Scalar> from_leaf = core::shortest_paths(surface, leaf, reach).distance;
+    int best = leaf;
+    for (Eigen::Index v = 0; v < far.size(); ++v)
+        if (from_leaf[static_cast<std::size_t>(v)] <= reach && std::isfinite(far[v]) && far[v] > far[best])
+            best = static_cast<int>(v);
+    return best;
 }
 
 /// The rim that comes nearest to where the distances are from; empty where there is none.
@@ -57,26 +54,41 @@ template <typename Scalar>
 std::vector<EndPoint<Scalar>> find_end_points(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve,
                                               const embedding::Embedding& embedding,
                                               const SkeletonTemplate& skeleton_template) {
-    std::vector<EndPoint<Scalar>> leaves;
+    std::vector<EndPoint<Scalar>> ends; // at first the curve's leaves
     for (const embedding::Chain& chain : embedding.chains) {
         if (skeleton_template.joint(chain.joints.back()).role == JointRole::chest) continue;
         const int vertex = body.tree.nearest_vertex(body.mesh, core::point(curve.nodes, chain.nodes.back()));
-        leaves.push_back({chain.joints.back(), vertex, {}});
+        ends.push_back({chain.joints.back(), vertex, {}});
     }
-    core::parallel_for(leaves.size(), 1, [&](std::size_t i) {
-        leaves[i].distance = detail::distances_from(body.graph, leaves[i].vertex);
-    });
-    const Scalar radius = detail::end_reach<Scalar> * geodesic_diameter(leaves);
-    std::vector<EndPoint<Scalar>> ends(leaves.size());
-    core::parallel_for(leaves.size(), 1, [&](std::size_t i) {
-        const EndPoint<Scalar>& leaf = leaves[i];
-        const Eigen::VectorX<Scalar> far = detail::remoteness(leaf, leaves, skeleton_template);
-        int best = leaf.vertex;
-        for (Eigen::Index v = 0; v < far.size(); ++v)
-            if (leaf.distance[v] <= radius && std::isfinite(far[v]) && far[v] > far[best]) best = static_cast<int>(v);
-        ends[i] = {leaf.joint, best, best == leaf.vertex ? leaf.distance : detail::distances_from(body.graph, best)};
-        ends[i].rim = detail::nearest_rim(body.rims, ends[i].distance);
-    });
+    const auto ends_of = [&](BodyPart part) {
+        std::vector<std::size_t> out;
+        for (std::size_t i = 0; i < ends.size(); ++i)
+            if (part_of(skeleton_template.joint(ends[i].joint).role) == part) out.push_back(i);
+        return out;
+    };
+    const auto heads = ends_of(BodyPart::trunk), arms = ends_of(BodyPart::arm), legs = ends_of(BodyPart::leg);
+    const auto measure = [&](const std::vector<std::size_t>& which) {
+        core::parallel_for(which.size(), 1, [&](std::size_t i) {
+            EndPoint<Scalar>& end = ends[which[i]];
+            end.distance = detail::distances_from(body.graph, end.vertex);
+        });
+    };
+    const Scalar reach = detail::end_reach<Scalar> * embedding::matched_diameter(curve, embedding);
+    const auto place = [&](const std::vector<std::size_t>& which, const std::vector<std::size_t>& seen_from) {
+        Eigen::VectorX<Scalar> far = Eigen::VectorX<Scalar>::Zero(body.mesh.vertices.rows());
+        for (const std::size_t i : seen_from) far += ends[i].distance;
+        core::parallel_for(which.size(), 1, [&](std::size_t i) {
+            EndPoint<Scalar>& end = ends[which[i]];
+            end.vertex = detail::farthest_near(end.vertex, reach, far, body.graph);
+        });
+        measure(which);
+    };
+    std::vector<std::size_t> upper = heads;
+    upper.insert(upper.end(), arms.begin(), arms.end());
+    measure(heads.empty() ? arms : heads);
+    place(legs, heads.empty() ? arms : heads);
+    place(upper, legs);
+    for (EndPoint<Scalar>& end : ends) end.rim = detail::nearest_rim(body.rims, end.distance);
     return ends;
 }
 
