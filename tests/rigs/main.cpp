@@ -42,6 +42,9 @@ struct Row {
     rigs::Quality quality;
     double seconds = 0; ///< from file to rig
     double arms = 0;    ///< degrees: the larger angle between level and an upper arm that is found in the un-posed body
+    /// Mean distance between the body and the un-posed one, posed back by its rig as viewers do it, linearly; of the
+    /// geodesic diameter.
+    double rig_back = 0;
     /// Mean distance between the body and the un-posed one, its skeleton and skin found anew, posed back, of the
     /// geodesic diameter.
     double way_back = 0;
@@ -60,14 +63,21 @@ double slope_of_arms(const KinematicSkeleton<double>& skeleton) {
     return slope;
 }
 
-/// A body in the T-pose, in the input's unit.
-TriangleMesh<double> unposed(const TriangleMesh<double>& mesh, const KinematicSkeleton<double>& skeleton,
-                             const applications::Skin<double>& skin, const SkeletonTemplate& human) {
+/// What each joint does when a body is brought to the T-pose, in the input's unit.
+std::vector<applications::RigidMotion<double>> unposing(const KinematicSkeleton<double>& skeleton,
+                                                        const SkeletonTemplate& human) {
     const auto now = applications::bone_orientations(skeleton, human);
     const auto t_pose = applications::orientations_in<double>(applications::RestPose::t_pose, human, now,
                                                               Eigen::Quaterniond::Identity());
-    const auto motions = applications::motions<double>(skeleton, now, t_pose, {0, 0, 0});
-    return {applications::skinned(mesh.vertices, skin, motions), mesh.faces};
+    return applications::motions<double>(skeleton, now, t_pose, {0, 0, 0});
+}
+
+std::vector<applications::RigidMotion<double>> inverse(std::vector<applications::RigidMotion<double>> motions) {
+    for (auto& motion : motions) {
+        motion.rotation = motion.rotation.conjugate();
+        motion.translation = -(motion.rotation * motion.translation);
+    }
+    return motions;
 }
 
 /// Fills in what is seen of the un-posed body once its skeleton has been found again.
@@ -93,15 +103,19 @@ Row measure_file(const fs::path& file) {
     Row row;
     row.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     row.quality = rigs::measure(rig);
-    look_at_unposed(row, unposed(mesh, skeleton, rig.skin, human), mesh, found.extraction, human);
+    const auto motions = unposing(skeleton, human);
+    const TriangleMesh<double> rest{applications::skinned(mesh.vertices, rig.skin, motions), mesh.faces};
+    const auto back = applications::skinned_linearly(rest.vertices, rig.skin, inverse(motions));
+    row.rig_back = (back - mesh.vertices).rowwise().norm().mean() / found.extraction.geodesic_diameter;
+    look_at_unposed(row, rest, mesh, found.extraction, human);
     return row;
 }
 
 void print(const std::string& name, const Row& row) {
     const rigs::Quality& q = row.quality;
-    std::printf("%-28s %7.3f %9.1e %7.2f%% %7d %8.2f %7.3f%% %7.1f%% %7.2f%% %6.1f %8.4f\n", name.c_str(), row.seconds,
-                q.worst_sum, 100 * q.two_limbs, q.islands, q.stretch, 100 * q.overstretched, 100 * q.volume,
-                100 * q.gap, row.arms, row.way_back);
+    std::printf("%-28s %7.3f %9.1e %7.2f%% %7d %8.2f %7.3f%% %7.1f%% %7.2f%% %8.4f %6.1f %8.4f\n", name.c_str(),
+                row.seconds, q.worst_sum, 100 * q.two_limbs, q.islands, q.stretch, 100 * q.overstretched,
+                100 * q.volume, 100 * q.gap, row.rig_back, row.arms, row.way_back);
     std::fflush(stdout);
 }
 
@@ -138,8 +152,8 @@ void compare_poses(const std::vector<fs::path>& bodies, const std::vector<fs::pa
 }
 
 void print_table(const std::vector<fs::path>& bodies) {
-    std::printf("%-28s %7s %9s %8s %7s %8s %8s %8s %8s %6s %8s\n", "body", "seconds", "sums", "2 limbs", "islands",
-                "stretch", "above 3", "volume", "gaps", "arms", "back");
+    std::printf("%-28s %7s %9s %8s %7s %8s %8s %8s %8s %8s %6s %8s\n", "body", "seconds", "sums", "2 limbs", "islands",
+                "stretch", "above 3", "volume", "gaps", "by rig", "arms", "back");
     for (const fs::path& file : bodies) {
         try {
             print(file.stem().string(), measure_file(file));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 #include <skelgen/applications/bind.hpp>
 #include <skelgen/applications/bone_orientations.hpp>
@@ -13,6 +14,7 @@
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/applications/skinning.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/precision.hpp>
 
 namespace skelgen::applications {
 namespace detail {
@@ -26,17 +28,33 @@ Scalar lowest_along(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& up)
     return lowest;
 }
 
-/// Mean of the way from the joints of one skeleton to those of another, of those that both have.
+/// Geometric median of the ways from the joints of one skeleton to those of another, of those that both have, by
+/// Weiszfeld's rounds from their mean on: joints that were found off move it far less than they do the mean.
 template <typename Scalar>
-Vector3<Scalar> mean_way(const KinematicSkeleton<Scalar>& from, const KinematicSkeleton<Scalar>& to) {
-    Vector3<Scalar> sum = Vector3<Scalar>::Zero();
-    int count = 0;
-    for (std::size_t j = 0; j < from.joints.size(); ++j) {
-        if (!from.joints[j].is_present || !to.joints[j].is_present) continue;
-        sum += to.joints[j].position - from.joints[j].position;
-        ++count;
+Vector3<Scalar> median_way(const KinematicSkeleton<Scalar>& from, const KinematicSkeleton<Scalar>& to) {
+    constexpr int rounds = 50;
+    constexpr Scalar nearest = Scalar(1e-3); // of the mean distance: what lies nearer has no more say
+    std::vector<Vector3<Scalar>> ways;
+    for (std::size_t j = 0; j < from.joints.size(); ++j)
+        if (from.joints[j].is_present && to.joints[j].is_present)
+            ways.push_back(to.joints[j].position - from.joints[j].position);
+    Vector3<Scalar> median = Vector3<Scalar>::Zero();
+    if (ways.empty()) return median;
+    for (const Vector3<Scalar>& way : ways) median += way / static_cast<Scalar>(ways.size());
+    Scalar spread = 0;
+    for (const Vector3<Scalar>& way : ways) spread += (way - median).norm() / static_cast<Scalar>(ways.size());
+    if (!(spread > core::rounding<Scalar>() * median.norm())) return median;
+    for (int round = 0; round < rounds; ++round) {
+        Vector3<Scalar> sum = Vector3<Scalar>::Zero();
+        Scalar weights = 0;
+        for (const Vector3<Scalar>& way : ways) {
+            const Scalar weight = 1 / std::max(nearest * spread, (way - median).norm());
+            sum += weight * way;
+            weights += weight;
+        }
+        median = sum / weights;
     }
-    return count > 0 ? Vector3<Scalar>(sum / static_cast<Scalar>(count)) : sum;
+    return median;
 }
 
 } // namespace detail
@@ -49,7 +67,7 @@ PosedBody<Scalar> pose_like(const TriangleMesh<Scalar>& mesh, const Body<Scalar>
     const Orientations<Scalar> to = bone_orientations(model, skeleton_template);
     const Skin<Scalar> skin = bind(mesh, body, skeleton, skeleton_template);
     auto motion = motions<Scalar>(skeleton, from, to, model.joints.front().position);
-    const Vector3<Scalar> way = detail::mean_way(moved(skeleton, skeleton_template, motion), model);
+    const Vector3<Scalar> way = detail::median_way(moved(skeleton, skeleton_template, motion), model);
     for (RigidMotion<Scalar>& of_joint : motion) of_joint.translation += way;
     return {{skinned(mesh.vertices, skin, motion), mesh.faces}, moved(skeleton, skeleton_template, motion)};
 }
