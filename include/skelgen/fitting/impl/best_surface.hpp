@@ -56,17 +56,6 @@ double sureness(const KinematicSkeleton<Scalar>& skeleton) {
     return skeleton.quality.sides_confidence / static_cast<double>(1 + misplaced);
 }
 
-/// For a first try, which serves most bodies as well: a proxy of half as many vertices, contracted in half as many
-/// steps, as it is held to the balls inside more firmly. Calibrated.
-inline ExtractOptions quick(ExtractOptions options) {
-    constexpr double more_firmly = 5;
-    constexpr int least_vertices = 750; // fewer are no longer a body's
-    options.curve.proxy.vertices =
-        std::max(options.curve.proxy.vertices / 2, std::min(options.curve.proxy.vertices, least_vertices));
-    options.curve.contraction.medial_weight = std::min(more_firmly * options.curve.contraction.medial_weight, 1e6);
-    return options;
-}
-
 /// A skeleton that is no surer than this is looked for in other ways, too.
 inline constexpr double doubtful = 0.5;
 
@@ -105,7 +94,8 @@ template <typename Scalar>
 Outcome<Fit<Scalar>> fit_whole(const Body<Scalar>& body, const SkeletonTemplate& wanted, const ExtractOptions& options,
                                int attempts) {
     core::Stopwatch stage;
-    if (auto first = fit_to_own_curve(body, wanted, quick(options), 1); first.curve.is_point || is_sure(first.fit))
+    if (auto first = fit_to_own_curve(body, wanted, for_first_try(options), 1);
+        first.curve.is_point || is_sure(first.fit))
         return std::move(first.fit);
     const double first_time = stage.lap();
     auto [curve, found] = fit_to_own_curve(body, wanted, options, attempts);
