@@ -19,6 +19,7 @@ using fitting::ExtractOptions;
 using fitting::Fit;
 using fitting::fit;
 using fitting::FittedBody;
+using fitting::for_first_try;
 using fitting::validate;
 using surface::prepare;
 
