@@ -41,8 +41,10 @@ start() {
 # signal_run NAME: to Snakemake and all that it has started; twice, for what was started meanwhile.
 signal_run() {
     local process
-    for process in $(processes) $(processes); do
-        ((process == $$ || process == BASHPID)) || kill "-$1" "$process" 2>/dev/null || true
+    for _ in 1 2; do
+        for process in $(processes); do
+            ((process == $$ || process == BASHPID)) || kill "-$1" "$process" 2>/dev/null || true
+        done
     done
 }
 
