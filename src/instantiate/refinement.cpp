@@ -8,6 +8,7 @@
 #include <skelgen/refinement/impl/flat_end.hpp>
 #include <skelgen/refinement/impl/fork.hpp>
 #include <skelgen/refinement/impl/head.hpp>
+#include <skelgen/refinement/impl/headgear.hpp>
 #include <skelgen/refinement/impl/hip_anchor.hpp>
 #include <skelgen/refinement/impl/limb_joints.hpp>
 #include <skelgen/refinement/impl/limbs.hpp>
@@ -57,6 +58,12 @@ namespace skelgen::refinement {
                                                    const SkeletonTemplate&, Scalar, const BoneLineOptions&);           \
     template std::optional<HeadShape<Scalar>> measure_head(const Slicer<Scalar>&, const Vector3<Scalar>&,              \
                                                            const Vector3<Scalar>&, const HeadOptions&);                \
+    template std::optional<ThroatOnCurve<Scalar>> find_throat(int, const CurveSkeleton<Scalar>&,                       \
+                                                              const embedding::Embedding&, const Slicer<Scalar>&);     \
+    template bool has_neck_in_head(const Limb<Scalar>&, const ThroatOnCurve<Scalar>&, Scalar);                         \
+    template Limb<Scalar> without_headgear(Limb<Scalar>, const ThroatOnCurve<Scalar>&, const Slicer<Scalar>&,          \
+                                           const CentrelineOptions&);                                                  \
+    template Scalar head_joint_growth(Scalar);                                                                         \
     template std::optional<TrunkShape<Scalar>> measure_trunk(const Slicer<Scalar>&, const Vector3<Scalar>&,            \
                                                              const Vector3<Scalar>&, const Vector3<Scalar>&);          \
     template std::optional<Scalar> value_at(const Profile&, Scalar);                                                   \

@@ -12,6 +12,7 @@
 #include <skelgen/refinement/bare_joints.hpp>
 #include <skelgen/refinement/cross_section.hpp>
 #include <skelgen/refinement/fork.hpp>
+#include <skelgen/refinement/headgear.hpp>
 #include <skelgen/refinement/hip_anchor.hpp>
 #include <skelgen/refinement/limbs.hpp>
 #include <skelgen/refinement/placement.hpp>
@@ -64,16 +65,6 @@ std::optional<Limb<Scalar>> with_far_larger_head(const Limb<Scalar>& limb, const
     return std::nullopt;
 }
 
-/// How much farther from the top than an adult's the joint of a head lies that is `size` times as large. A child's is
-/// in the middle of its head: as far as an adult's. From two years on people have heads of less than 1.5 times an
-/// adult's for their height; larger ones are drawn figures', whose joint goes with the head: wholly from 2 on.
-template <typename Scalar>
-Scalar joint_of_larger_head(Scalar size) {
-    constexpr Scalar most_of_people = Scalar(1.5), figure = 2;
-    const Scalar drawn = std::clamp((size - most_of_people) / (figure - most_of_people), Scalar(0), Scalar(1));
-    return 1 + drawn * (size - 1);
-}
-
 /// The head's limb, drawn again where the head is plainly larger than the template's, a child's or a drawn figure's:
 /// the neck lies that much lower. A larger head is measured once more, from where its neck then is.
 template <typename Scalar>
@@ -95,8 +86,22 @@ Limb<Scalar> with_fitting_head(Limb<Scalar> limb, const Slicer<Scalar>& slicer, 
     }
     const Scalar measured = head ? head->size : Scalar(1);
     if (limb.joints.size() > 1)
-        limb.from_tip.back() = joint * joint_of_larger_head(measured * limb.from_tip.front() / neck);
+        limb.from_tip.back() = joint * head_joint_growth(measured * limb.from_tip.front() / neck);
     return limb;
+}
+
+/// The head's limb, of a head that may be larger than the template's, or wear something; an adapted template, which
+/// tells no lengths, does not show the latter.
+template <typename Scalar>
+Limb<Scalar> head_limb(const Limb<Scalar>& limb, const Slicer<Scalar>& slicer, const EndPoint<Scalar>& end,
+                       const CurveSkeleton<Scalar>& curve, const embedding::Embedding& embedding,
+                       const SkeletonTemplate& skeleton_template, const RefinementOptions& options) {
+    Limb<Scalar> fitting = with_fitting_head(limb, slicer, end, options);
+    if (skeleton_template.is_adapted) return fitting;
+    const auto throat = find_throat(limb.joints.back(), curve, embedding, slicer);
+    if (throat && has_neck_in_head(fitting, *throat, limb.from_tip.front()))
+        return without_headgear(limb, *throat, slicer, options.centreline);
+    return fitting;
 }
 
 /// Rings around the trunk nearer to the fork than this, in thighs, hold thighs, too. A working value.
@@ -182,7 +187,7 @@ ScaledLimbs<Scalar> find_limbs(const Slicer<Scalar>& slicer, const std::vector<E
     for (std::size_t i = 0; i < limbs.size(); ++i) {
         if (!is_head(limbs[i], skeleton_template)) continue;
         for (Scalar& from_tip : limbs[i].from_tip) from_tip *= ratio;
-        limbs[i] = with_fitting_head(std::move(limbs[i]), slicer, ends[i], options);
+        limbs[i] = head_limb(limbs[i], slicer, ends[i], curve, embedding, skeleton_template, options);
     }
     return {std::move(limbs), ratio * scale, axis};
 }
@@ -249,11 +254,12 @@ RefinedJoints<Scalar> refine(const Body<Scalar>& body, const std::vector<EndPoin
     for (std::size_t j = 0; j < out.is_present.size(); ++j)
         if (!out.is_present[j])
             out.positions.row(static_cast<Eigen::Index>(j)) = out.positions.row(skeleton_template.joints[j].parent);
-    for (const Limb<Scalar>& limb : limbs) {
+    for (std::size_t l = 0; l < limbs.size(); ++l) {
+        const Limb<Scalar>& limb = limbs[l];
         for (std::size_t i = limb.joints.size() - limb.missing; i < limb.joints.size(); ++i)
             out.is_present[static_cast<std::size_t>(limb.joints[i])] = false;
         const bool is_whole = limb.missing == 0 && ends_limb(skeleton_template.joint(limb.joints.back()).role);
-        if (is_whole) out.tips.emplace_back(limb.joints.back(), tip_of(limb));
+        if (is_whole) out.tips.emplace_back(limb.joints.back(), core::point(body.mesh.vertices, ends[l].vertex));
     }
     return out;
 }
