@@ -77,6 +77,20 @@ TEST_CASE("where fork and thighs disagree, each counts by its precision, but a h
     CHECK(hips_with(by_fork + 0.3) == Approx(by_fork + 0.3).margin(0.005));
 }
 
+TEST_CASE(
+    "where a hem seems the fork, and the trunk's place lies below the hips, the root is above these all the same") {
+    const double hips = GENERATE(0.9, 0.95, 1.0); // below, at and above the place
+    const TrunkAxis<double> axis{Vec3(0, 0.01, 0.95), Vec3::UnitZ(), Vec3(0, 0, 0.7)};
+    const Standing<double> body(hips, 0.4, 0, 0, Vec3(0, 0.02, 0));
+    const auto placed = place_pelvis(body.placement, body.limbs, axis);
+    REQUIRE(placed);
+    const Vec3 middle = 0.5 * (placed->at(left_hip) + placed->at(right_hip));
+    CHECK(middle.z() == Approx(hips).margin(0.03));
+    const Vec3 to_root = placed->at(joint_of(pelvis)) - middle;
+    CHECK(to_root.norm() == Approx(0.083).epsilon(1e-6));
+    CHECK(to_root.z() > 0.95 * to_root.norm());
+}
+
 TEST_CASE("the pelvis's own up leans back from the trunk's line, away from where feet and thighs point") {
     const TrunkAxis<double> axis{Vec3(0, 0, 1), Vec3::UnitZ(), Vec3(0, 0, 0.7)};
     const Standing<double> body(0.8, 0.4);

@@ -74,8 +74,7 @@ public:
         constexpr int rounds = 3; // in the first one the hips are not known, nor the flexion; the third changes little
         const Vector3<Scalar> level = without_rise(girdle_);
         if (!(level.norm() > least_level<Scalar> * girdle_.norm())) return std::nullopt;
-        const Scalar hips_below = Scalar(0.5) * thigh_;
-        Pelvis<Scalar> pelvis{axis_.place - hips_below * axis_.up, level.normalized(), axis_.up};
+        Pelvis<Scalar> pelvis{axis_.place - Scalar(0.5) * thigh_ * axis_.up, level.normalized(), axis_.up};
         Vector3<Scalar> by_trunk = pelvis.middle;
         Scalar flexion = 0;
         for (int round = 0; round < rounds; ++round) {
@@ -89,10 +88,14 @@ public:
             const Vector3<Scalar> bent = leaning_back(faces * (lean + bend), ahead);
             pelvis.up = level_to(pelvis.across, bent);
             const Vector3<Scalar> chord = (unbent + pelvis.up).normalized();
-            by_trunk = axis_.place - below(pelvis, chord, flexion) * chord;
-            pelvis.middle = by_trunk + aside(by_trunk, chord);
-            // As the chord turns, so does the pelvis.
-            pelvis.up = level_to<Scalar>(pelvis.across, pelvis.up + (axis_.place - pelvis.middle).normalized() - chord);
+            const Scalar hips_below = below(pelvis, chord, flexion);
+            by_trunk = axis_.place - hips_below * chord;
+            const Vector3<Scalar> off_chord = aside(by_trunk, chord);
+            pelvis.middle = by_trunk + off_chord;
+            // As the chord turns, so does the pelvis; not where the place is down in a skirt, whose hem seems the fork.
+            const Scalar lever = std::max(hips_below, least_below<Scalar> * thigh_);
+            const Vector3<Scalar> turned = (lever * chord - off_chord).normalized();
+            pelvis.up = level_to<Scalar>(pelvis.across, pelvis.up + turned - chord);
         }
         return pelvis;
     }
