@@ -58,8 +58,8 @@ namespace skelgen::refinement {
                                                    const SkeletonTemplate&, Scalar, const BoneLineOptions&);           \
     template std::optional<HeadShape<Scalar>> measure_head(const Slicer<Scalar>&, const Vector3<Scalar>&,              \
                                                            const Vector3<Scalar>&, const HeadOptions&);                \
-    template std::optional<ThroatOnCurve<Scalar>> find_throat(int, const CurveSkeleton<Scalar>&,                       \
-                                                              const embedding::Embedding&, const Slicer<Scalar>&);     \
+    template std::optional<ThroatOnCurve<Scalar>> find_throat_on_curve(                                                \
+        int, const CurveSkeleton<Scalar>&, const embedding::Embedding&, const Slicer<Scalar>&);                        \
     template bool has_neck_in_head(const Limb<Scalar>&, const ThroatOnCurve<Scalar>&, Scalar);                         \
     template Limb<Scalar> without_headgear(Limb<Scalar>, const ThroatOnCurve<Scalar>&, const Slicer<Scalar>&,          \
                                            const CentrelineOptions&);                                                  \

@@ -60,7 +60,7 @@ struct Figure {
     }
 
     [[nodiscard]] Slicer<double> slicer() const { return {mesh, adjacency}; }
-    [[nodiscard]] auto throat(int end = 2) const { return find_throat(end, curve, embedding, slicer()); }
+    [[nodiscard]] auto throat(int end = 2) const { return find_throat_on_curve(end, curve, embedding, slicer()); }
 };
 
 } // namespace

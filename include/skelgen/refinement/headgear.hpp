@@ -25,9 +25,9 @@ struct ThroatOnCurve {
 /// thinner than the head beyond, the thinnest. None where the embedding has no curve that ends in `head`, a joint of
 /// the template, or it shows no throat. O(nodes log m).
 template <typename Scalar>
-[[nodiscard]] std::optional<ThroatOnCurve<Scalar>> find_throat(int head, const CurveSkeleton<Scalar>& curve,
-                                                               const embedding::Embedding& embedding,
-                                                               const Slicer<Scalar>& slicer);
+[[nodiscard]] std::optional<ThroatOnCurve<Scalar>> find_throat_on_curve(int head, const CurveSkeleton<Scalar>& curve,
+                                                                        const embedding::Embedding& embedding,
+                                                                        const Slicer<Scalar>& slicer);
 
 /// Has the limb its neck in the head, clearly beyond the throat? `adult`: the distance from an adult's neck to the top.
 template <typename Scalar>

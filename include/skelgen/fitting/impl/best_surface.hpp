@@ -64,9 +64,9 @@ bool is_sure(const Outcome<Fit<Scalar>>& found) {
     return found && sureness(found->skeleton) >= doubtful;
 }
 
-/// What was found, so much time of the curve's later.
+/// What was found, with so many milliseconds more that finding a curve that serves has taken.
 template <typename Scalar>
-Outcome<Fit<Scalar>> later(Outcome<Fit<Scalar>> found, double curve_time) {
+Outcome<Fit<Scalar>> with_curve_time(Outcome<Fit<Scalar>> found, double curve_time) {
     if (found) found->timings.curve += curve_time;
     return found;
 }
@@ -84,7 +84,7 @@ FitToCurve<Scalar> fit_to_own_curve(const Body<Scalar>& body, const SkeletonTemp
     core::Stopwatch stage;
     curve::CurveResult<Scalar> curve = find_curve(body, options.curve);
     const double curve_time = stage.lap();
-    Outcome<Fit<Scalar>> found = later(fit(body, curve, wanted, options, attempts), curve_time);
+    Outcome<Fit<Scalar>> found = with_curve_time(fit(body, curve, wanted, options, attempts), curve_time);
     return {std::move(curve), std::move(found)};
 }
 
@@ -99,13 +99,13 @@ Outcome<Fit<Scalar>> fit_whole(const Body<Scalar>& body, const SkeletonTemplate&
         return std::move(first.fit);
     const double first_time = stage.lap();
     auto [curve, found] = fit_to_own_curve(body, wanted, options, attempts);
-    found = later(std::move(found), first_time);
+    found = with_curve_time(std::move(found), first_time);
     if (curve.is_point || is_sure(found)) return found;
     const auto bare = without_held_things(body, curve.curve, wanted, options.matching);
     if (!bare) return found;
     const double curve_time = stage.lap();
     Outcome<Fit<Scalar>> other =
-        later(fit(*bare, find_curve(*bare, options.curve), wanted, options, 1), first_time + curve_time);
+        with_curve_time(fit(*bare, find_curve(*bare, options.curve), wanted, options, 1), first_time + curve_time);
     if (!other) return found;
     if (found && sureness(found->skeleton) >= trust_without_held_things * sureness(other->skeleton)) return found;
     other->skeleton = less_certain(std::move(other->skeleton), trust_without_held_things);

@@ -64,8 +64,9 @@ Eigen::VectorX<Scalar> thickness_along(const CurveToEnd<Scalar>& curve, const Sl
 } // namespace detail
 
 template <typename Scalar>
-std::optional<ThroatOnCurve<Scalar>> find_throat(int head, const CurveSkeleton<Scalar>& curve,
-                                                 const embedding::Embedding& embedding, const Slicer<Scalar>& slicer) {
+std::optional<ThroatOnCurve<Scalar>> find_throat_on_curve(int head, const CurveSkeleton<Scalar>& curve,
+                                                          const embedding::Embedding& embedding,
+                                                          const Slicer<Scalar>& slicer) {
     constexpr Scalar trunk = Scalar(1.6), clearly_thicker = Scalar(1.15); // in a throat's thickness; working values
     constexpr Scalar least_head = Scalar(1) / 3; // of the trunk's ball: what is thinner is a horn; a working value
     const detail::CurveToEnd<Scalar> way = detail::curve_to(head, curve, embedding);

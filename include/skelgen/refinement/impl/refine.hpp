@@ -98,7 +98,7 @@ Limb<Scalar> head_limb(const Limb<Scalar>& limb, const Slicer<Scalar>& slicer, c
                        const SkeletonTemplate& skeleton_template, const RefinementOptions& options) {
     Limb<Scalar> fitting = with_fitting_head(limb, slicer, end, options);
     if (skeleton_template.is_adapted) return fitting;
-    const auto throat = find_throat(limb.joints.back(), curve, embedding, slicer);
+    const auto throat = find_throat_on_curve(limb.joints.back(), curve, embedding, slicer);
     if (throat && has_neck_in_head(fitting, *throat, limb.from_tip.front()))
         return without_headgear(limb, *throat, slicer, options.centreline);
     return fitting;
