@@ -42,15 +42,17 @@ TEST_CASE("where limbs end depends on the surface, not on how far the curve goes
     const SkeletonTemplate& human = builtin_template("human21");
     const StickFigure<double> figure;
     const auto ends = find_end_points(figure.body, figure.curve, figure.embedding, human);
+    const double by = GENERATE_COPY(0.03, 0.1 * embedding::matched_diameter(figure.curve, figure.embedding));
     CurveSkeleton<double> shorter = figure.curve;
     for (std::size_t j = 0; j < human.joints.size(); ++j)
         if (const TemplateJoint& joint = human.joints[j]; joint.tip) {
             const int leaf = figure.leaf_of(static_cast<int>(j));
-            shorter.nodes.row(leaf) = (*joint.tip - 0.03 * (*joint.tip - joint.position).normalized()).transpose();
+            shorter.nodes.row(leaf) = (*joint.tip - by * (*joint.tip - joint.position).normalized()).transpose();
         }
     const auto same = find_end_points(figure.body, shorter, figure.embedding, human);
     REQUIRE(same.size() == ends.size());
     for (std::size_t i = 0; i < ends.size(); ++i) {
+        INFO(human.joint(ends[i].joint).name);
         const auto place = [&](int vertex) { return figure.body.mesh.vertices.row(vertex); };
         CHECK((place(same[i].vertex) - place(ends[i].vertex)).norm() < 1.5 * StickFigure<double>::step);
         CHECK(same[i].joint == ends[i].joint);

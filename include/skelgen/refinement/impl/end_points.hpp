@@ -13,9 +13,11 @@
 namespace skelgen::refinement {
 namespace detail {
 
-/// How far from the curve's leaf an end may lie, relative to the longest way along the curve: about a hand's length.
+/// How far from the curve's leaf an end may lie, relative to the longest way along the curve: about a foot's length
+/// over the surface, as a leaf may be in the heel, or in the thumb: nearer bounds cut the way to the true end off, and
+/// what then lies farthest changes with the leaf.
 template <typename Scalar>
-inline constexpr Scalar end_reach = Scalar(0.08);
+inline constexpr Scalar end_reach = Scalar(0.15);
 
 template <typename Scalar>
 Eigen::VectorX<Scalar> distances_from(const core::SurfaceGraph<Scalar>& surface, int vertex) {
