@@ -110,6 +110,7 @@ set(skelgen_core_headers
     include/skelgen/refinement/flat_end.hpp
     include/skelgen/refinement/fork.hpp
     include/skelgen/refinement/head.hpp
+    include/skelgen/refinement/headgear.hpp
     include/skelgen/refinement/hip_anchor.hpp
     include/skelgen/refinement/limb_joints.hpp
     include/skelgen/refinement/limbs.hpp
@@ -240,6 +241,7 @@ set(skelgen_core_definitions
     include/skelgen/refinement/impl/flat_end.hpp
     include/skelgen/refinement/impl/fork.hpp
     include/skelgen/refinement/impl/head.hpp
+    include/skelgen/refinement/impl/headgear.hpp
     include/skelgen/refinement/impl/hip_anchor.hpp
     include/skelgen/refinement/impl/limb_joints.hpp
     include/skelgen/refinement/impl/limbs.hpp
