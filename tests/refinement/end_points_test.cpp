@@ -42,7 +42,7 @@ TEST_CASE("where limbs end depends on the surface, not on how far the curve goes
     const SkeletonTemplate& human = builtin_template("human21");
     const StickFigure<double> figure;
     const auto ends = find_end_points(figure.body, figure.curve, figure.embedding, human);
-    const double by = GENERATE_COPY(0.03, 0.1 * embedding::matched_diameter(figure.curve, figure.embedding));
+    const double by = GENERATE_COPY(0.03, 0.08 * embedding::matched_diameter(figure.curve, figure.embedding));
     CurveSkeleton<double> shorter = figure.curve;
     for (std::size_t j = 0; j < human.joints.size(); ++j)
         if (const TemplateJoint& joint = human.joints[j]; joint.tip) {

@@ -17,7 +17,7 @@ namespace detail {
 /// over the surface, as a leaf may be in the heel, or in the thumb: nearer bounds cut the way to the true end off, and
 /// what then lies farthest changes with the leaf.
 template <typename Scalar>
-inline constexpr Scalar end_reach = Scalar(0.15);
+inline constexpr Scalar end_reach = Scalar(0.12);
 
 template <typename Scalar>
 Eigen::VectorX<Scalar> distances_from(const core::SurfaceGraph<Scalar>& surface, int vertex) {
