@@ -47,7 +47,8 @@ TEST_CASE("where limbs end depends on the surface, not on how far the curve goes
     for (std::size_t j = 0; j < human.joints.size(); ++j)
         if (const TemplateJoint& joint = human.joints[j]; joint.tip) {
             const int leaf = figure.leaf_of(static_cast<int>(j));
-            shorter.nodes.row(leaf) = (*joint.tip - by * (*joint.tip - joint.position).normalized()).transpose();
+            const double back = joint.role == JointRole::head ? 0.03 : by; // its own breadth is as long
+            shorter.nodes.row(leaf) = (*joint.tip - back * (*joint.tip - joint.position).normalized()).transpose();
         }
     const auto same = find_end_points(figure.body, shorter, figure.embedding, human);
     REQUIRE(same.size() == ends.size());
