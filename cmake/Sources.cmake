@@ -103,6 +103,7 @@ set(skelgen_core_headers
     include/skelgen/fitting/touching_body.hpp
     include/skelgen/fitting/trust.hpp
     include/skelgen/refinement/bare_joints.hpp
+    include/skelgen/refinement/bend.hpp
     include/skelgen/refinement/bone_line.hpp
     include/skelgen/refinement/centreline.hpp
     include/skelgen/refinement/cross_section.hpp
@@ -234,6 +235,7 @@ set(skelgen_core_definitions
     include/skelgen/fitting/impl/touching_body.hpp
     include/skelgen/impl/extract.hpp
     include/skelgen/refinement/impl/bare_joints.hpp
+    include/skelgen/refinement/impl/bend.hpp
     include/skelgen/refinement/impl/bone_line.hpp
     include/skelgen/refinement/impl/centreline.hpp
     include/skelgen/refinement/impl/cross_section.hpp

@@ -1,6 +1,7 @@
 // The refinement's templates, compiled once for float and double.
 
 #include <skelgen/refinement/impl/bare_joints.hpp>
+#include <skelgen/refinement/impl/bend.hpp>
 #include <skelgen/refinement/impl/bone_line.hpp>
 #include <skelgen/refinement/impl/centreline.hpp>
 #include <skelgen/refinement/impl/cross_section.hpp>
@@ -54,6 +55,10 @@ namespace skelgen::refinement {
     template std::optional<Line<Scalar>> fit_bone(const Centreline<Scalar>&, Scalar, Scalar, const BoneLineOptions&);  \
     template std::optional<Line<Scalar>> fit_first_bone(const Limb<Scalar>&, const BoneLineOptions&);                  \
     template std::optional<Vector3<Scalar>> meeting_point(const Line<Scalar>&, const Line<Scalar>&);                   \
+    template std::optional<BonesAtBend<Scalar>> bones_at_bend(const Limb<Scalar>&, Scalar, Scalar, Scalar,             \
+                                                              const BendOptions&, const BoneLineOptions&);             \
+    template Fold<Scalar> find_fold(const Limb<Scalar>&, const Stretch<Scalar>&, const BendOptions&,                   \
+                                    const BoneLineOptions&);                                                           \
     template std::vector<Limb<Scalar>> anchor_hips(std::vector<Limb<Scalar>>, const TrunkAxis<Scalar>&,                \
                                                    const SkeletonTemplate&, Scalar, const BoneLineOptions&);           \
     template std::optional<HeadShape<Scalar>> measure_head(const Slicer<Scalar>&, const Vector3<Scalar>&,              \
@@ -73,7 +78,8 @@ namespace skelgen::refinement {
     template std::vector<Stretch<Scalar>> best_stretches(const std::vector<MatchedLimb<Scalar>>&, const Profile&,      \
                                                          const ThicknessProfileOptions&);                              \
     template ThicknessMatch<Scalar> match_thickness_profiles(std::vector<Limb<Scalar>>, const SkeletonTemplate&,       \
-                                                             const ThicknessProfileOptions&);                          \
+                                                             const ThicknessProfileOptions&, const BendOptions&,       \
+                                                             const BoneLineOptions&);                                  \
     template Scalar least_cost(const MatchedLimb<Scalar>&, const Profile&, const ThicknessProfileOptions&);            \
     template std::vector<Limb<Scalar>> shorten_cut_limbs(                                                              \
         std::vector<Limb<Scalar>>, const Slicer<Scalar>&, const std::vector<EndPoint<Scalar>>&,                        \

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <skelgen/core/options.hpp>
+#include <skelgen/refinement/bend.hpp>
 #include <skelgen/refinement/bone_line.hpp>
 #include <skelgen/refinement/head.hpp>
 #include <skelgen/refinement/limbs.hpp>
@@ -21,14 +22,6 @@ struct WristOptions {
                            ///< a tenth of the forearm off it must be thinner by 14 %. Calibrated on registered bodies
 };
 
-/// When an elbow or a knee shows where it is.
-struct BendOptions {
-    double from = 25; ///< degrees; below, it is straight and placed by length ratio
-    double full = 45; ///< degrees; above, it is placed by its bones' lines; between, blended
-    double weight =
-        0.7; ///< from the centreline to where the lines meet; calibrated on registered and landmarked bodies
-};
-
 /// When the line of an upper arm is not believed.
 struct GirdleOptions {
     double tolerance = 0.4; ///< of the rest-pose distance between shoulder and neck: how far a shoulder may be off
@@ -44,13 +37,6 @@ inline void validate(const NeckOptions& options) {
 inline void validate(const WristOptions& options) {
     core::require_in_range("refinement.wrist.window", options.window, 0.0, 0.5);
     core::require_in_range("refinement.wrist.stiffness", options.stiffness, 0.0, 1e4);
-}
-
-/// \throws Error usage when an option is out of its range.
-inline void validate(const BendOptions& options) {
-    core::require_in_range("refinement.bend.from", options.from, 0.0, 179.0);
-    core::require_in_range("refinement.bend.full", options.full, options.from + 1, 180.0);
-    core::require_in_range("refinement.bend.weight", options.weight, 0.0, 2.0);
 }
 
 /// \throws Error usage when an option is out of its range.

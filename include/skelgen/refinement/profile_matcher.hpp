@@ -64,6 +64,7 @@ struct Stretch {
 template <typename Scalar = double>
 struct Sample {
     Scalar from_tip = 0, log_thickness = 0;
+    Scalar weight = 1; ///< 0 to 1: how much it is the limb's own thickness
 };
 
 /// What one sample's deviation from the profile costs at most, in squared deviations: beyond three deviations, the

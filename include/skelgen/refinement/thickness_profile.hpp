@@ -3,6 +3,8 @@
 #include <vector>
 
 #include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/refinement/bend.hpp>
+#include <skelgen/refinement/bone_line.hpp>
 #include <skelgen/refinement/centreline.hpp>
 #include <skelgen/refinement/cross_section.hpp>
 #include <skelgen/refinement/end_points.hpp>
@@ -21,13 +23,15 @@ struct ThicknessMatch {
 /// Moves the joints of arms and legs along their centrelines to where their thickness says they are: everybody's
 /// forearm and calf swell and thin in the same places relative to wrist and elbow, ankle and knee, whatever the
 /// proportions. Finds for each limb the piecewise linear stretch of the mean profile that fits its own best, for any
-/// stoutness. Upper bones are as long as the lower ones of both sides make them likely, and, where the trunk tells
-/// their upper ends, as these do. Only `from_tip` changes, and `attachment` where a limb is hidden, of limbs with
-/// joints of those roles. O(samples) for each of some hundred stretches per limb.
+/// stoutness; a bent limb is compared as if it were straight, without its fold. Upper bones are as long as the lower
+/// ones of both sides make them likely, and, where the trunk tells their upper ends, as these do. Only `from_tip`
+/// changes, and `attachment` where a limb is hidden, of limbs with joints of those roles. O(samples) for each of some
+/// hundred stretches per limb.
 template <typename Scalar>
-[[nodiscard]] ThicknessMatch<Scalar> match_thickness_profiles(std::vector<Limb<Scalar>> limbs,
-                                                              const SkeletonTemplate& skeleton_template,
-                                                              const ThicknessProfileOptions& options = {});
+[[nodiscard]] ThicknessMatch<Scalar>
+match_thickness_profiles(std::vector<Limb<Scalar>> limbs, const SkeletonTemplate& skeleton_template,
+                         const ThicknessProfileOptions& options = {}, const BendOptions& bend = {},
+                         const BoneLineOptions& bone_line = {});
 
 /// The limbs with those that end at wrist or ankle, a hand or a foot being cut off, drawn as such: their thickness goes
 /// on as a forearm's or a calf's to the end, and less like a whole limb's. What lies beyond counts as `missing`; wrist

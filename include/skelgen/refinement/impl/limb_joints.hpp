@@ -6,44 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <optional>
 #include <vector>
 
 namespace skelgen::refinement {
 namespace detail {
 
-/// The part of either bone next to an elbow or knee that is left out of its line: folded flesh widens the sections
-/// there. A working value, not a measured one, as are the next three.
-template <typename Scalar>
-inline constexpr Scalar folded_part = Scalar(0.2);
-
-/// The part next to wrist or ankle, which disturb less than the joints at the trunk.
-template <typename Scalar>
-inline constexpr Scalar end_joint_part = Scalar(0.1);
-
-/// How far from its place by ratio the lines of a joint's bones may meet, in the length of both bones together: farther
-/// off they are not those of this joint.
-template <typename Scalar>
-inline constexpr Scalar farthest_meeting = Scalar(0.3);
-
 /// How much of the first bone, counted from elbow or knee, must be outside of the trunk for the place where the limb
-/// enters it to tell the bone's direction.
+/// enters it to tell the bone's direction. A working value, not a measured one.
 template <typename Scalar>
 inline constexpr Scalar least_visible_bone = Scalar(0.3);
-
-/// 0 up to `from`, 1 from `to` on, smooth between.
-template <typename Scalar>
-Scalar smooth_step(Scalar from, Scalar to, Scalar x) {
-    const Scalar t = std::clamp((x - from) / (to - from), Scalar(0), Scalar(1));
-    return t * t * (3 - 2 * t);
-}
-
-/// Angle between unit directions.
-template <typename Scalar>
-Scalar degrees_between(const Vector3<Scalar>& a, const Vector3<Scalar>& b) {
-    return std::acos(std::clamp(a.dot(b), Scalar(-1), Scalar(1))) * (180 / std::numbers::pi_v<Scalar>);
-}
 
 } // namespace detail
 
@@ -98,24 +70,15 @@ Placement<Scalar> place_wrist(Placement<Scalar> placement, const Limb<Scalar>& l
 template <typename Scalar>
 Placement<Scalar> place_bend(Placement<Scalar> placement, const Limb<Scalar>& limb, const BendOptions& options,
                              const BoneLineOptions& bone_line) {
-    using detail::folded_part;
     for (std::size_t i = 1; i + 1 < limb.joints.size(); ++i) {
         const int joint = limb.joints[i];
         if (placement.role(joint) != JointRole::elbow && placement.role(joint) != JointRole::knee) continue;
         const Scalar here = arc_of(limb, i), inner = arc_of(limb, i - 1), outer = arc_of(limb, i + 1);
-        const Scalar inner_start = std::max(limb.attachment, inner + joint_part<Scalar> * (here - inner));
-        auto upper = fit_bone(limb.line, inner_start, here - folded_part<Scalar> * (here - inner), bone_line);
-        if (!upper) upper = fit_bone(limb.line, inner_start, here, bone_line); // little of it is on its own
-        const auto lower = fit_bone(limb.line, here + folded_part<Scalar> * (outer - here),
-                                    outer - detail::end_joint_part<Scalar> * (outer - here), bone_line);
-        if (!upper || !lower) continue;
-        const auto meeting = meeting_point(*upper, *lower);
+        const auto bones = bones_at_bend(limb, inner, here, outer, options, bone_line);
         const Vector3<Scalar> ratio = placement.at(joint);
-        if (!meeting || (*meeting - ratio).norm() > detail::farthest_meeting<Scalar> * (outer - inner)) continue;
-        const Scalar weight = static_cast<Scalar>(options.weight) *
-                              detail::smooth_step(static_cast<Scalar>(options.from), static_cast<Scalar>(options.full),
-                                                  detail::degrees_between(upper->direction, lower->direction));
-        placement.put(joint, ratio + weight * (*meeting - ratio));
+        if (!bones || (bones->meeting - ratio).norm() > detail::farthest_meeting<Scalar> * (outer - inner)) continue;
+        const Scalar weight = static_cast<Scalar>(options.weight) * bones->bent;
+        placement.put(joint, ratio + weight * (bones->meeting - ratio));
     }
     return placement;
 }

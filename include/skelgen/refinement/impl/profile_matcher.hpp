@@ -190,7 +190,8 @@ ProfileFit<Scalar> fit_profile(const std::vector<Sample<Scalar>>& samples, const
     for (const Sample<Scalar>& sample : samples) {
         const Scalar u = stretch.u(sample.from_tip);
         if (const auto expected = value_at(profile, u))
-            residuals.push_back({sample.log_thickness - *expected, u < 0 ? detail::end_weight<Scalar> : Scalar(1)});
+            residuals.push_back(
+                {sample.log_thickness - *expected, sample.weight * (u < 0 ? detail::end_weight<Scalar> : Scalar(1))});
     }
     Scalar offset = 0; // how stout the limb is
     for (int round = 0; round < detail::stoutness_rounds; ++round) {

@@ -183,7 +183,8 @@ ScaledLimbs<Scalar> find_limbs(const Slicer<Scalar>& slicer, const std::vector<E
                           skeleton_template, options.thickness_profile, options.centreline);
     const auto axis = trunk_axis_of(traced, ends, slicer, curve, embedding, skeleton_template, scale);
     if (axis) traced = anchor_hips(std::move(traced), *axis, skeleton_template, scale, options.bone_line);
-    auto [limbs, ratio] = match_thickness_profiles(std::move(traced), skeleton_template, options.thickness_profile);
+    auto [limbs, ratio] = match_thickness_profiles(std::move(traced), skeleton_template, options.thickness_profile,
+                                                   options.bend, options.bone_line);
     for (std::size_t i = 0; i < limbs.size(); ++i) {
         if (!is_head(limbs[i], skeleton_template)) continue;
         for (Scalar& from_tip : limbs[i].from_tip) from_tip *= ratio;
