@@ -47,6 +47,12 @@ template <typename Scalar>
                                                       const MedialBalls<Scalar>& balls,
                                                       const BranchCentringOptions& options = {});
 
+/// The same roughly: in a few rounds at twice the spacing, and what is outside afterwards stays there. Enough to lay a
+/// template into the curve, in a fifth of the time. O(k) sections. \throws as centre_branches.
+template <typename Scalar>
+[[nodiscard]] BranchedCurve<Scalar> centre_roughly(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
+                                                   const BranchCentringOptions& options = {});
+
 } // namespace skelgen::curve
 
 #ifdef SKELGEN_HEADER_ONLY

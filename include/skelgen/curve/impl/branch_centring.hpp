@@ -159,6 +159,14 @@ BranchedCurve<Scalar> pulled_inside(BranchedCurve<Scalar> branched, const Sectio
 /// Rounds before those after which branches that run along each other become one: a third of them.
 inline int rounds_apart(const BranchCentringOptions& options) { return (options.rounds + 2) / 3; }
 
+/// Between points of the curve: as the options say, wider where there would be too many.
+template <typename Scalar>
+Scalar spacing_of(const BranchedCurve<Scalar>& branched, const Body<Scalar>& body,
+                  const BranchCentringOptions& options) {
+    return std::max(static_cast<Scalar>(options.spacing) * core::bounding_diagonal(body.mesh.vertices),
+                    total_length(branched) / most_points);
+}
+
 /// One round of moving branches to the middle of the surface. \param tips the places of those knots that are ends, and
 /// stay the same knots.
 template <typename Scalar>
@@ -173,6 +181,17 @@ BranchedCurve<Scalar> centring_round(BranchedCurve<Scalar> branched, const Body<
     return ends_on_axes(std::move(branched), sections, body);
 }
 
+/// Branches in the middle, joined to each other where their ways are best centred, without twigs.
+template <typename Scalar>
+BranchedCurve<Scalar> attached(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
+                               const BranchCentringOptions& options, Scalar spacing) {
+    branched = resampled(std::move(branched), spacing);
+    const auto junctions = meeting_axes(branched, all_sections(branched, body, spacing), body, straight_at_last);
+    branched = reattach_branches(std::move(branched), junctions, body, spacing);
+    branched = prune_twigs(std::move(branched), body, options.least_relief);
+    return smoothed(resampled(std::move(branched), spacing));
+}
+
 /// The rest of the way, from where branches have come close to the middle on.
 template <typename Scalar>
 CentredBranches<Scalar> centred(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
@@ -183,11 +202,7 @@ CentredBranches<Scalar> centred(BranchedCurve<Scalar> branched, const Body<Scala
         branched = centring_round(std::move(branched), body, tips, options, spacing, coarse);
         branched = merge_parallel_branches(std::move(branched), body);
     }
-    branched = resampled(std::move(branched), spacing);
-    const auto junctions = meeting_axes(branched, all_sections(branched, body, spacing), body, straight_at_last);
-    branched = reattach_branches(std::move(branched), junctions, body, spacing);
-    branched = prune_twigs(std::move(branched), body, options.least_relief);
-    branched = smoothed(resampled(std::move(branched), spacing));
+    branched = attached(std::move(branched), body, options, spacing);
     auto sections = all_sections(branched, body, spacing);
     return {std::move(branched), std::move(sections)};
 }
@@ -283,8 +298,7 @@ template <typename Scalar>
 CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
                                         const MedialBalls<Scalar>& balls, const BranchCentringOptions& options) {
     validate(options);
-    const Scalar spacing = std::max(static_cast<Scalar>(options.spacing) * core::bounding_diagonal(body.mesh.vertices),
-                                    detail::total_length(branched) / detail::most_points);
+    const Scalar spacing = detail::spacing_of(branched, body, options);
     const std::vector<Vector3<Scalar>> tips = branched.knots;
     for (int round = 0; round < detail::rounds_apart(options); ++round)
         branched = detail::centring_round(std::move(branched), body, tips, options, spacing, true);
@@ -300,6 +314,20 @@ CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Bo
         if (detail::all_inside(led, body, spacing)) return led;
     }
     return detail::all_pulled_inside(std::move(out), body, spacing);
+}
+
+template <typename Scalar>
+BranchedCurve<Scalar> centre_roughly(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
+                                     const BranchCentringOptions& options) {
+    validate(options);
+    constexpr int few = 2; // with one, some bodies lose a limb
+    const Scalar spacing = 2 * detail::spacing_of(branched, body, options);
+    const std::vector<Vector3<Scalar>> tips = branched.knots;
+    for (int round = 0; round < std::min(few, options.rounds); ++round) {
+        branched = detail::centring_round(std::move(branched), body, tips, options, spacing, false);
+        if (round > 0) branched = merge_parallel_branches(std::move(branched), body);
+    }
+    return detail::attached(std::move(branched), body, options, spacing);
 }
 
 } // namespace skelgen::curve
