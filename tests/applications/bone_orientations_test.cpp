@@ -142,6 +142,38 @@ TEST_CASE("orientations: a skeleton turned back by them is in the rest pose", "[
     CHECK_THROWS_AS(motions<double>(skeleton, {}, wanted, {0, 0, 0}), Error);
 }
 
+TEST_CASE("orientations: a raised shoulder comes down at rest, and up again", "[applications][pose]") {
+    auto skeleton = posed(pose_of({{"left_shoulder", about(50, Eigen::Vector3d::UnitZ())}}, about(30, {1, 2, 3})));
+    const Eigen::Vector3d up = skeleton.frame.up, lift = 0.05 * up;
+    for (const char* name : {"left_shoulder", "left_elbow", "left_wrist", "left_hand"})
+        skeleton.joints[index_of(name)].position += lift;
+    const auto rest = rest_skeleton<double>(human());
+    const auto unposed =
+        moved(skeleton, human(), rest_motions<double>(RestPose::t_pose, skeleton, human(), Rotation::Identity()));
+    const auto from_chest = [](const KinematicSkeleton<double>& of, const char* name) -> Eigen::Vector3d {
+        return of.joints[index_of(name)].position - of.joints[index_of("chest")].position;
+    };
+    for (const char* name : {"left_shoulder", "right_shoulder"})
+        CHECK((from_chest(unposed, name).normalized() - from_chest(rest, name).normalized()).norm() < 1e-9);
+    CHECK(from_chest(unposed, "left_shoulder").norm() == Approx(from_chest(skeleton, "left_shoulder").norm()));
+
+    const auto was = bone_orientations(skeleton, human()), now = bone_orientations(unposed, human());
+    const auto girdle = girdle_turns(unposed, now, skeleton, was, human());
+    const auto again = moved(unposed, human(), motions<double>(unposed, now, was, skeleton.joints[0].position, girdle));
+    for (std::size_t j = 0; j < again.joints.size(); ++j)
+        CHECK((again.joints[j].position - skeleton.joints[j].position).norm() < 1e-9);
+
+    // As it is, nothing moves but the whole.
+    const auto as_is =
+        moved(skeleton, human(), rest_motions<double>(RestPose::as_is, skeleton, human(), Rotation::Identity()));
+    CHECK((from_chest(as_is, "left_shoulder") - from_chest(skeleton, "left_shoulder")).norm() < 1e-9);
+
+    skeleton.joints[index_of("left_shoulder")].is_present = false; // of what is not there nothing turns
+    CHECK(girdle_turns(skeleton, was, rest, was, human())[index_of("left_shoulder")].isApprox(Rotation::Identity()));
+    CHECK_THROWS_AS(girdle_turns(skeleton, {}, rest, was, human()), Error);
+    CHECK_THROWS_AS(motions<double>(skeleton, was, was, {0, 0, 0}, {Rotation::Identity()}), Error);
+}
+
 TEST_CASE("orientations: joints in one place turn with their parents", "[applications][pose]") {
     auto skeleton = rest_skeleton<float>(human());
     skeleton.joints[index_of("left_wrist")].position = skeleton.joints[index_of("left_elbow")].position;

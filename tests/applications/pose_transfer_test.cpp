@@ -55,6 +55,7 @@ TEST_CASE("pose: bones point where the model's do, and keep their lengths", "[ap
                                {"right_shoulder", "right_elbow"},
                                {"left_hip", "left_knee"},
                                {"right_knee", "right_ankle"},
+                               {"chest", "left_shoulder"},
                                {"waist", "chest"}})
         CHECK((direction(posed.skeleton, a, b) - direction(wanted, a, b)).norm() < 1e-9);
 
