@@ -23,24 +23,24 @@ template <typename Scalar>
                                                    const Orientations<Scalar>& now,
                                                    const Eigen::Quaternion<Scalar>& to_canonical);
 
-/// How the lines from the chest to the shoulders turn, as they are held at first, when they come to lie to the chest as
-/// the model's do: shoulders go up and forwards with raised arms. Per joint; of others no turn. `from` and `to`: the
-/// orientations of both skeletons' joints. O(joints). \throws Error usage when the skeletons' joints are not the
-/// template's.
+/// The way to each joint from its parent, at the parent's first orientation, once the shoulders lie to the chest as the
+/// model's do, both together as far from it as they were: they go up and forwards with raised arms. Those of other
+/// joints are as they are. `from` and `to`: the orientations of both skeletons' joints. O(joints).
+/// \throws Error usage when the skeletons' joints are not the template's.
 template <typename Scalar>
-[[nodiscard]] Orientations<Scalar> girdle_turns(const KinematicSkeleton<Scalar>& skeleton,
-                                                const Orientations<Scalar>& from,
-                                                const KinematicSkeleton<Scalar>& model, const Orientations<Scalar>& to,
-                                                const SkeletonTemplate& skeleton_template);
+[[nodiscard]] std::vector<Vector3<Scalar>>
+girdle_lines(const KinematicSkeleton<Scalar>& skeleton, const Orientations<Scalar>& from,
+             const KinematicSkeleton<Scalar>& model, const Orientations<Scalar>& to,
+             const SkeletonTemplate& skeleton_template);
 
 /// What each joint does to the parts of the body that are fixed to it when the joints turn from the orientations `from`
-/// to `to`: forward kinematics. Joints keep their places relative to their parents, once the lines between them have
-/// turned as `girdle` says, if it says anything; the root goes to `root`. O(joints).
+/// to `to`: forward kinematics. Joints keep their places relative to their parents, or take those of `lines`, see
+/// girdle_lines; the root goes to `root`. O(joints).
 /// \throws Error usage when there are not as many orientations as joints.
 template <typename Scalar>
 [[nodiscard]] std::vector<RigidMotion<Scalar>>
 motions(const KinematicSkeleton<Scalar>& skeleton, const Orientations<Scalar>& from, const Orientations<Scalar>& to,
-        const Vector3<Scalar>& root, const Orientations<Scalar>& girdle = {});
+        const Vector3<Scalar>& root, const std::vector<Vector3<Scalar>>& lines = {});
 
 /// The same to a rest pose, with the root at the origin; `to_canonical` as in orientations_in. O(joints).
 /// \throws Error usage when the skeleton's joints are not the template's.
