@@ -181,17 +181,6 @@ BranchedCurve<Scalar> centring_round(BranchedCurve<Scalar> branched, const Body<
     return ends_on_axes(std::move(branched), sections, body);
 }
 
-/// Branches in the middle, joined to each other where their ways are best centred, without twigs.
-template <typename Scalar>
-BranchedCurve<Scalar> attached(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
-                               const BranchCentringOptions& options, Scalar spacing) {
-    branched = resampled(std::move(branched), spacing);
-    const auto junctions = meeting_axes(branched, all_sections(branched, body, spacing), body, straight_at_last);
-    branched = reattach_branches(std::move(branched), junctions, body, spacing);
-    branched = prune_twigs(std::move(branched), body, options.least_relief);
-    return smoothed(resampled(std::move(branched), spacing));
-}
-
 /// The rest of the way, from where branches have come close to the middle on.
 template <typename Scalar>
 CentredBranches<Scalar> centred(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
@@ -202,7 +191,11 @@ CentredBranches<Scalar> centred(BranchedCurve<Scalar> branched, const Body<Scala
         branched = centring_round(std::move(branched), body, tips, options, spacing, coarse);
         branched = merge_parallel_branches(std::move(branched), body);
     }
-    branched = attached(std::move(branched), body, options, spacing);
+    branched = resampled(std::move(branched), spacing);
+    const auto junctions = meeting_axes(branched, all_sections(branched, body, spacing), body, straight_at_last);
+    branched = reattach_branches(std::move(branched), junctions, body, spacing);
+    branched = prune_twigs(std::move(branched), body, options.least_relief);
+    branched = smoothed(resampled(std::move(branched), spacing));
     auto sections = all_sections(branched, body, spacing);
     return {std::move(branched), std::move(sections)};
 }
@@ -320,14 +313,17 @@ template <typename Scalar>
 BranchedCurve<Scalar> centre_roughly(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
                                      const BranchCentringOptions& options) {
     validate(options);
-    constexpr int few = 2; // with one, some bodies lose a limb
-    const Scalar spacing = 2 * detail::spacing_of(branched, body, options);
+    constexpr int few = 3; // with fewer, some bodies lose a limb
+    const Scalar spacing = detail::spacing_of(branched, body, options), wide = 2 * spacing;
     const std::vector<Vector3<Scalar>> tips = branched.knots;
-    for (int round = 0; round < std::min(few, options.rounds); ++round) {
-        branched = detail::centring_round(std::move(branched), body, tips, options, spacing, false);
-        if (round > 0) branched = merge_parallel_branches(std::move(branched), body);
+    const int rounds = std::min(few, options.rounds);
+    for (int round = 0; round < rounds; ++round) { // the last one finely: ends lie where the axes last lead
+        const bool is_last = round + 1 == rounds;
+        branched = detail::centring_round(std::move(branched), body, tips, options, is_last ? spacing : wide, false);
+        if (round > 0 && !is_last) branched = merge_parallel_branches(std::move(branched), body);
     }
-    return detail::attached(std::move(branched), body, options, spacing);
+    branched = prune_twigs(resampled(std::move(branched), wide), body, options.least_relief);
+    return detail::smoothed(resampled(std::move(branched), wide));
 }
 
 } // namespace skelgen::curve
