@@ -283,6 +283,7 @@ int run(const BatchCommand& command) {
     const auto all = find_batch_items(command.inputs, folder);
     const auto items = take_shard(all, parse_shard(command.shard));
     const std::vector<std::string> parts = parts_of(command);
+    options.with_curve = std::any_of(parts.begin(), parts.end(), part_has_curve);
     const BatchSummary summary(folder);
     for (const BatchItem& item : all) require_different_files(item.mesh, command.report);
     require_own_files(all, parts, files_beside(command, summary));

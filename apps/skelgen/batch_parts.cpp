@@ -79,6 +79,7 @@ struct Part {
     std::string_view extension;
     std::string_view what; ///< for the help
     Format format;
+    bool has_curve = false;
 };
 
 constexpr std::array parts {
@@ -86,9 +87,9 @@ constexpr std::array parts {
         Part{"segment", ".segmentation.json", "a part for each vertex and face", segmentation_text},
         Part{"measure", ".measurements.json", "height, bones, girths, volume", measurements_text},
         Part{"align", ".transform.json", "the 4x4 that has it face +Z", transform_text},
-        Part{"curve", ".curve.json", "the curve skeleton", curve_text},
+        Part{"curve", ".curve.json", "the curve skeleton", curve_text, true},
 #if SKELGEN_WITH_RENDER
-        Part{"render", ".png", "a picture", picture_text},
+        Part{"render", ".png", "a picture", picture_text, true},
 #endif
 };
 
@@ -130,6 +131,8 @@ std::vector<std::string> parse_batch_parts(const std::string& text) {
     }
     return names;
 }
+
+bool part_has_curve(std::string_view part) { return find_part(part).has_curve; }
 
 fs::path part_file(const BatchItem& item, std::string_view part) {
     return fs::path(item.output).replace_extension(find_part(part).extension);

@@ -22,6 +22,9 @@ namespace skelgen::cli {
 /// Splits "rig,measure", each part once. \throws Error usage when one is no such name.
 [[nodiscard]] std::vector<std::string> parse_batch_parts(const std::string& text);
 
+/// Whether a part shows the curve, too: other bodies may be found without it.
+[[nodiscard]] bool part_has_curve(std::string_view part);
+
 /// Where a part goes: beside the skeleton's file, with an extension of its own in place of .json.
 [[nodiscard]] std::filesystem::path part_file(const BatchItem& item, std::string_view part);
 

@@ -48,6 +48,7 @@ void run(const ExtractCommand& command) {
     options.skeleton_template = in_file("--template", [&] { return load_template(command.skeleton_template); });
     options.prepare.component = command.component;
     options.threads = command.threads;
+    options.with_curve = !command.curve.empty();
     const auto result = in_file(command.mesh.file, [&] {
         try {
             const WaitingLine waiting(command.mesh.file.string(), !command.quiet);

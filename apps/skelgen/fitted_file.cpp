@@ -6,9 +6,10 @@
 
 namespace skelgen::cli {
 
-FittedFile fit_file(const MeshInput& input, const ExtractOptions& options) {
+FittedFile fit_file(const MeshInput& input, ExtractOptions options) {
     FittedFile out;
     out.mesh = load_mesh(input);
+    options.with_curve = false;
     out.found = extract_body(out.mesh, options);
     out.source = {input.file.filename().string(), out.mesh.vertices.rows(), out.mesh.faces.rows(),
                   out.found.extraction.geodesic_diameter};

@@ -18,8 +18,9 @@ struct FittedFile {
     [[nodiscard]] const KinematicSkeleton<double>& skeleton() const { return found.extraction.skeleton; }
 };
 
-/// Reads a mesh and finds the body in it. \throws Error as `io::read_mesh` and `extract_body`, without the file's name.
-[[nodiscard]] FittedFile fit_file(const MeshInput& input, const ExtractOptions& options = {});
+/// Reads a mesh and finds the body in it, without its curve. \throws Error as `io::read_mesh` and `extract_body`,
+/// without the file's name.
+[[nodiscard]] FittedFile fit_file(const MeshInput& input, ExtractOptions options = {});
 
 /// Prints what is to be known of a skeleton that was found in a file, and that it is a guess where it is one.
 void print_warnings(const std::filesystem::path& file, const KinematicSkeleton<double>& skeleton);

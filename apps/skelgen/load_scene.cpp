@@ -31,8 +31,10 @@ void extract_curve_into(render::Scene& scene, const ExtractOptions& options) {
 
 /// Gives the mesh the colours of its parts, or says in the scene why not.
 void colour_parts(render::Scene& scene, const std::string& parts) {
+    ExtractOptions options;
+    options.with_curve = false;
     try {
-        scene.colours = vertex_colours(parts_of(scene.mesh, extract_body(scene.mesh), parts));
+        scene.colours = vertex_colours(parts_of(scene.mesh, extract_body(scene.mesh, options), parts));
     } catch (const Error& error) {
         if (error.code() != ErrorCode::no_skeleton && error.code() != ErrorCode::bad_input) throw;
         scene.failure = std::string("no parts: ") + error.what();

@@ -58,6 +58,9 @@ namespace skelgen::curve {
         const std::vector<Vector3<Scalar>>&, const PlacesOfKnots<Scalar>&, double);                                    \
     template CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar>, const Body<Scalar>&,                       \
                                                      const MedialBalls<Scalar>&, const BranchCentringOptions&);        \
+    template BranchedCurve<Scalar> centre_roughly(BranchedCurve<Scalar>, const Body<Scalar>&,                          \
+                                                  const BranchCentringOptions&);                                       \
+    template std::vector<Scalar> ball_radii(const Points<Scalar>&, const Body<Scalar>&);                               \
     template CurveSkeleton<Scalar> curve_with_regions(const CentredBranches<Scalar>&, const Body<Scalar>&,             \
                                                       const std::vector<int>&);                                        \
     template CurveSkeleton<Scalar> connectivity_surgery(const Points<Scalar>&, const Triangles&,                       \
@@ -70,7 +73,8 @@ namespace skelgen::curve {
                                                  const LeafExtensionOptions&);                                         \
     template CurveSkeleton<Scalar> prune(const CurveSkeleton<Scalar>&, const PruningOptions&);                         \
     template CurveResult<Scalar> find_curve(const Body<Scalar>&, const CurveOptions&);                                 \
-    template CurveResult<Scalar> recentred(CurveResult<Scalar>, const Body<Scalar>&, int);
+    template CurveResult<Scalar> recentred(CurveResult<Scalar>, const Body<Scalar>&, int);                             \
+    template CurveResult<Scalar> finished(CurveResult<Scalar>, const Body<Scalar>&);
 
 SKELGEN_INSTANTIATE(float)
 SKELGEN_INSTANTIATE(double)

@@ -21,7 +21,7 @@ namespace skelgen::fitting {
     template std::optional<Failure> not_apart(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&);              \
     template Attempt<Scalar> fit_to_curve(const Body<Scalar>&, const curve::CurveResult<Scalar>&,                      \
                                           const SkeletonTemplate&, const ExtractOptions&);                             \
-    template Outcome<Fit<Scalar>> to_fit(const Body<Scalar>&, Attempt<Scalar>);                                        \
+    template Outcome<Fit<Scalar>> to_fit(const Body<Scalar>&, Attempt<Scalar>, const ExtractOptions&);                 \
     template Attempt<Scalar> fit_to_finer_curves(const Body<Scalar>&, const curve::CurveResult<Scalar>&,               \
                                                  const SkeletonTemplate&, const ExtractOptions&, int);                 \
     template Outcome<Fit<Scalar>> fit_touching_body(const Body<Scalar>&, const curve::CurveResult<Scalar>&,            \

@@ -26,8 +26,14 @@ namespace skelgen::applications {
     template Orientations<Scalar> bone_orientations(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&);        \
     template Orientations<Scalar> orientations_in(RestPose, const SkeletonTemplate&, const Orientations<Scalar>&,      \
                                                   const Eigen::Quaternion<Scalar>&);                                   \
+    template std::vector<Vector3<Scalar>> girdle_lines(const KinematicSkeleton<Scalar>&, const Orientations<Scalar>&,  \
+                                                       const KinematicSkeleton<Scalar>&, const Orientations<Scalar>&,  \
+                                                       const SkeletonTemplate&);                                       \
     template std::vector<RigidMotion<Scalar>> motions(const KinematicSkeleton<Scalar>&, const Orientations<Scalar>&,   \
-                                                      const Orientations<Scalar>&, const Vector3<Scalar>&);            \
+                                                      const Orientations<Scalar>&, const Vector3<Scalar>&,             \
+                                                      const std::vector<Vector3<Scalar>>&);                            \
+    template std::vector<RigidMotion<Scalar>> rest_motions(RestPose, const KinematicSkeleton<Scalar>&,                 \
+                                                           const SkeletonTemplate&, const Eigen::Quaternion<Scalar>&); \
     template KinematicSkeleton<Scalar> moved(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&,                \
                                              const std::vector<RigidMotion<Scalar>>&);                                 \
     template Skin<Scalar> strongest_influences(const Eigen::MatrixX<Scalar>&);                                         \

@@ -65,6 +65,7 @@ namespace skelgen::surface {
     template TriangleMesh<Scalar> rolling_envelope(const TriangleMesh<Scalar>&, const EnvelopeOptions&);               \
     template TriangleMesh<Scalar> smoothed(TriangleMesh<Scalar>, int, const DenoiseOptions&);                          \
     template Scalar bulge_coherence(const TriangleMesh<Scalar>&);                                                      \
+    template bool is_without_noise(const TriangleMesh<Scalar>&, const DenoiseOptions&);                                \
     template DenoisedMesh<Scalar> remove_noise(TriangleMesh<Scalar>, const DenoiseOptions&);                           \
     template CanonicalPlaces<Scalar> canonical_places(const TriangleMesh<Scalar>&);                                    \
     template ClusteredMesh<Scalar> cluster_vertices(const TriangleMesh<Scalar>&, Eigen::Index);                        \

@@ -142,6 +142,41 @@ TEST_CASE("orientations: a skeleton turned back by them is in the rest pose", "[
     CHECK_THROWS_AS(motions<double>(skeleton, {}, wanted, {0, 0, 0}), Error);
 }
 
+TEST_CASE("orientations: a raised shoulder comes down at rest, and up again", "[applications][pose]") {
+    auto skeleton = posed(pose_of({{"left_shoulder", about(50, Eigen::Vector3d::UnitZ())}}, about(30, {1, 2, 3})));
+    const Eigen::Vector3d up = skeleton.frame.up, lift = 0.05 * up;
+    for (const char* name : {"left_shoulder", "left_elbow", "left_wrist", "left_hand"})
+        skeleton.joints[index_of(name)].position += lift;
+    const auto rest = rest_skeleton<double>(human());
+    const auto unposed =
+        moved(skeleton, human(), rest_motions<double>(RestPose::t_pose, skeleton, human(), Rotation::Identity()));
+    const auto from_chest = [](const KinematicSkeleton<double>& of, const char* name) -> Eigen::Vector3d {
+        return of.joints[index_of(name)].position - of.joints[index_of("chest")].position;
+    };
+    for (const char* name : {"left_shoulder", "right_shoulder"})
+        CHECK((from_chest(unposed, name).normalized() - from_chest(rest, name).normalized()).norm() < 1e-9);
+    const double both = from_chest(skeleton, "left_shoulder").norm() + from_chest(skeleton, "right_shoulder").norm();
+    for (const char* name : {"left_shoulder", "right_shoulder"})
+        CHECK(from_chest(unposed, name).norm() == Approx(both / 2));
+
+    const auto was = bone_orientations(skeleton, human()), now = bone_orientations(unposed, human());
+    const auto lines = girdle_lines(unposed, now, skeleton, was, human());
+    const auto again = moved(unposed, human(), motions<double>(unposed, now, was, skeleton.joints[0].position, lines));
+    for (std::size_t j = 0; j < again.joints.size(); ++j)
+        CHECK((again.joints[j].position - skeleton.joints[j].position).norm() < 1e-9);
+
+    // As it is, nothing moves but the whole.
+    const auto as_is =
+        moved(skeleton, human(), rest_motions<double>(RestPose::as_is, skeleton, human(), Rotation::Identity()));
+    CHECK((from_chest(as_is, "left_shoulder") - from_chest(skeleton, "left_shoulder")).norm() < 1e-9);
+
+    const Eigen::Vector3d line = from_chest(skeleton, "left_shoulder");
+    skeleton.joints[index_of("left_shoulder")].is_present = false; // what is not there stays
+    CHECK(girdle_lines(skeleton, was, rest, was, human())[index_of("left_shoulder")].isApprox(line));
+    CHECK_THROWS_AS(girdle_lines(skeleton, {}, rest, was, human()), Error);
+    CHECK_THROWS_AS(motions<double>(skeleton, was, was, {0, 0, 0}, {Eigen::Vector3d::Zero()}), Error);
+}
+
 TEST_CASE("orientations: joints in one place turn with their parents", "[applications][pose]") {
     auto skeleton = rest_skeleton<float>(human());
     skeleton.joints[index_of("left_wrist")].position = skeleton.joints[index_of("left_elbow")].position;

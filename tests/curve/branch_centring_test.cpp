@@ -204,6 +204,20 @@ TEST_CASE("branch centring in float is that in double") {
           0.01 * radius);
 }
 
+TEST_CASE("laid roughly, branches come near the axes, and without rounds stay where they are") {
+    const Body<double> body = body_of(capsule(radius, 4));
+    const auto off_axis = [](const BranchedCurve<double>& branched) {
+        const Points<double>& line = branched.branches.front().line;
+        return line.leftCols(2).rowwise().norm().maxCoeff();
+    };
+    BranchCentringOptions options;
+    CHECK(off_axis(centre_roughly(zigzag(), body, options)) < off_axis(zigzag()) / 4);
+    options.rounds = 0;
+    CHECK(off_axis(centre_roughly(zigzag(), body, options)) > off_axis(zigzag()) / 4);
+    options.rounds = -1;
+    CHECK(throws(ErrorCode::usage, [&] { static_cast<void>(centre_roughly(zigzag(), body, options)); }));
+}
+
 TEST_CASE("without rounds branches stay where they are but for their spacing") {
     const Body<double> body = body_of(capsule(radius, 4));
     BranchCentringOptions options;

@@ -126,6 +126,33 @@ TEST_CASE("a curve centred anew is the one that is found with so many rounds") {
     CHECK(anew.regions == wanted.regions);
 }
 
+TEST_CASE("a draft has the ends, junctions and loops of the curve, near their places, and made whole is that curve") {
+    CurveOptions roughly;
+    roughly.is_draft = true;
+    const Mesh mesh = three_tubes();
+    for (const Body<double>& body : {unit_body(mesh), unit_body(torus(1, 0.25))}) {
+        const CurveResult<double> draft = find_curve(body, roughly), whole = find_curve(body);
+        CHECK(draft.is_draft);
+        CHECK_FALSE(whole.is_draft);
+        CHECK(2 * draft.curve.nodes.rows() < whole.curve.nodes.rows() + 10);
+        CHECK(cycles(draft.curve) == cycles(whole.curve));
+        for (Eigen::Index k = 0; k < draft.curve.nodes.rows(); ++k) {
+            const Vec3 node = point(draft.curve.nodes, k);
+            CHECK(draft.curve.radii[static_cast<std::size_t>(k)] == body.tree.distance(body.mesh, node));
+            CHECK(std::sqrt((whole.curve.nodes.rowwise() - node.transpose()).rowwise().squaredNorm().minCoeff()) <
+                  0.05 * bounding_diagonal(body.mesh.vertices));
+        }
+        for (const CurveResult<double>& finished_curve : {finished(draft, body), finished(whole, body)}) {
+            CHECK_FALSE(finished_curve.is_draft);
+            CHECK(finished_curve.curve.nodes == whole.curve.nodes);
+            CHECK(finished_curve.curve.edges == whole.curve.edges);
+            CHECK(finished_curve.curve.radii == whole.curve.radii);
+            CHECK(finished_curve.curve.regions == whole.curve.regions);
+        }
+    }
+    check_is_y(find_curve(unit_body(mesh), roughly).curve, 1 / std::sqrt(surface_area(mesh)));
+}
+
 TEST_CASE("the curve stage refuses options of any of its steps that make no sense") {
     const Body<double> body = unit_body(capsule(0.2, 4));
     CurveOptions proxy, contraction, surgery, leaves, pruning;

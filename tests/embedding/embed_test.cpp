@@ -155,6 +155,22 @@ TEST_CASE("a curve with the arms leaving the spine at two junctions embeds all t
     }
 }
 
+TEST_CASE("a head that ends in two horns keeps its neck: where one chain passes, a fork is no junction of the body") {
+    CurveSkeleton<double> curve = human_curve();
+    const SkeletonTemplate& human = builtin_template("human21");
+    const int neck = find_joint(human, JointRole::neck), head = find_joint(human, JointRole::head);
+    curve.edges.push_back({head, static_cast<int>(curve.nodes.rows())});
+    curve.nodes.conservativeResize(curve.nodes.rows() + 1, 3);
+    curve.nodes.bottomRows(1) = curve.nodes.row(head) + Eigen::RowVector3d(0.15, 0.15, 0);
+    curve.regions.emplace_back();
+    curve.radii.push_back(0);
+    const Embedding embedding = embedded(curve);
+    const auto to_head = std::find_if(embedding.chains.begin(), embedding.chains.end(),
+                                      [&](const Chain& chain) { return chain.joints.back() == head; });
+    REQUIRE(to_head != embedding.chains.end());
+    for (const int joint : {neck, head}) CHECK(std::count(to_head->nodes.begin(), to_head->nodes.end(), joint) == 1);
+}
+
 TEST_CASE("what goes on beyond the embedded template is measured") {
     CurveSkeleton<double> curve = human_curve();
     const Embedding bare = embedded(curve);

@@ -15,6 +15,7 @@ TEST_CASE("a first try has half as many vertices, but no fewer than a body's, an
         const fitting::ExtractOptions first = fitting::for_first_try(options);
         CHECK(first.curve.proxy.vertices == tried);
         CHECK(first.curve.contraction.medial_weight == 5 * weight);
+        CHECK(first.curve.is_draft);
         CHECK_NOTHROW(fitting::validate(first));
     }
     options.curve.contraction.medial_weight = 1e6; // the most that there may be

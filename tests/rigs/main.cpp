@@ -66,10 +66,8 @@ double slope_of_arms(const KinematicSkeleton<double>& skeleton) {
 /// What each joint does when a body is brought to the T-pose, in the input's unit.
 std::vector<applications::RigidMotion<double>> unposing(const KinematicSkeleton<double>& skeleton,
                                                         const SkeletonTemplate& human) {
-    const auto now = applications::bone_orientations(skeleton, human);
-    const auto t_pose = applications::orientations_in<double>(applications::RestPose::t_pose, human, now,
-                                                              Eigen::Quaterniond::Identity());
-    return applications::motions<double>(skeleton, now, t_pose, {0, 0, 0});
+    return applications::rest_motions<double>(applications::RestPose::t_pose, skeleton, human,
+                                              Eigen::Quaterniond::Identity());
 }
 
 std::vector<applications::RigidMotion<double>> inverse(std::vector<applications::RigidMotion<double>> motions) {

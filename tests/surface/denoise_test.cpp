@@ -4,6 +4,7 @@
 #include <skelgen/surface/denoise.hpp>
 
 #include "catch.hpp"
+#include "mesh_changes.hpp"
 #include "shapes.hpp"
 
 using namespace skelgen;
@@ -38,9 +39,19 @@ TEST_CASE("smooth surfaces bulge coherently, noisy ones do not, in any unit") {
 TEST_CASE("a mesh without noise is left untouched") {
     for (const Mesh& mesh : {sphere(1, 3), torus(1, 0.3), cube(4), capsule(0.3, 4)}) {
         const DenoisedMesh<double> same = remove_noise(mesh);
+        CHECK(is_without_noise(mesh));
         CHECK(same.passes == 0);
         CHECK(same.mesh.vertices == mesh.vertices);
     }
+    CHECK_FALSE(is_without_noise(noisy(sphere(1, 4), 0.05)));
+}
+
+TEST_CASE("which way faces are turned, and in what order they come, says nothing about noise") {
+    const Mesh mesh = noisy(torus(1, 0.3), 0.01);
+    Mesh inside_out = mesh;
+    inside_out.faces.col(0).swap(inside_out.faces.col(1));
+    CHECK(bulge_coherence(inside_out) == Approx(bulge_coherence(mesh)));
+    CHECK(bulge_coherence(shuffled(mesh, 1)) == Approx(bulge_coherence(mesh)));
 }
 
 TEST_CASE("noise is smoothed away, and the shape keeps its size") {

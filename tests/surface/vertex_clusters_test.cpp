@@ -1,11 +1,14 @@
 #include <skelgen/surface/vertex_clusters.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <vector>
 
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/parallel.hpp>
 #include <skelgen/extract.hpp>
+#include <skelgen/surface/denoise.hpp>
 #include <skelgen/surface/prepare.hpp>
 
 #include "catch.hpp"
@@ -148,6 +151,34 @@ TEST_CASE("a body of many faces is clustered, and names what stands for each ver
         const Vec3 place = body.similarity.to_input(core::point(body.mesh.vertices, v));
         CHECK((place - Vec3(0.3, 0, 0)).norm() == Approx(0.1).margin(2 * cell));
     }
+}
+
+TEST_CASE("a large mesh that is not sound or has noise is clustered as it is once that is mended", "[surface]") {
+    const Mesh tubes = subdivided(three_tubes(), 1);
+    Mesh noisy = tubes, doubled = tubes;
+    for (Eigen::Index v = 0; v < noisy.vertices.rows(); ++v)
+        noisy.vertices(v, v % 3) += 0.01 * std::sin(static_cast<double>(7 * v * v));
+    doubled.faces.conservativeResize(tubes.faces.rows() + 1, 3);
+    doubled.faces.bottomRows<1>() = tubes.faces.row(1000);
+    REQUIRE_FALSE(is_without_noise(noisy));
+    PrepareOptions few;
+    few.most_faces = static_cast<int>(tubes.faces.rows() / 3);
+    const auto kept = [&](const Mesh& mesh) {
+        const std::vector<int> source = prepare(mesh, few).source;
+        return std::set<int>(source.begin(), source.end());
+    };
+    const auto check_same = [&](const Mesh& mesh, const Mesh& mended) {
+        const std::set<int> expected = kept(mended);
+        CHECK(static_cast<int>(expected.size()) < few.most_faces / 3);
+        for (const int threads : {1, 2}) {
+            const core::ThreadScope scope(threads);
+            const bool is_same = kept(mesh) == expected; // not printed: thousands of numbers
+            CHECK(is_same);
+        }
+    };
+    check_same(tubes, tubes);
+    check_same(noisy, remove_noise(noisy).mesh);
+    check_same(doubled, tubes);
 }
 
 TEST_CASE("the regions of a large mesh's curve hold each of its vertices once", "[surface]") {

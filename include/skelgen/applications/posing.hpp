@@ -12,7 +12,7 @@ namespace skelgen::applications {
 /// How a body is to be held.
 enum class RestPose {
     as_is,  ///< as it is
-    t_pose, ///< the template's rest pose: arms level, to the sides
+    t_pose, ///< the template's rest pose: arms level, to the sides, and shoulders as high as they then are
     a_pose, ///< the same with the arms lowered by 45 degrees
 };
 
@@ -23,13 +23,31 @@ template <typename Scalar>
                                                    const Orientations<Scalar>& now,
                                                    const Eigen::Quaternion<Scalar>& to_canonical);
 
+/// The way to each joint from its parent, at the parent's first orientation, once the shoulders lie to the chest as the
+/// model's do, both together as far from it as they were: they go up and forwards with raised arms. Those of other
+/// joints are as they are. `from` and `to`: the orientations of both skeletons' joints. O(joints).
+/// \throws Error usage when the skeletons' joints are not the template's.
+template <typename Scalar>
+[[nodiscard]] std::vector<Vector3<Scalar>>
+girdle_lines(const KinematicSkeleton<Scalar>& skeleton, const Orientations<Scalar>& from,
+             const KinematicSkeleton<Scalar>& model, const Orientations<Scalar>& to,
+             const SkeletonTemplate& skeleton_template);
+
 /// What each joint does to the parts of the body that are fixed to it when the joints turn from the orientations `from`
-/// to `to`: forward kinematics. Joints keep their places relative to their parents; the root goes to `root`. O(joints).
+/// to `to`: forward kinematics. Joints keep their places relative to their parents, or take those of `lines`, see
+/// girdle_lines; the root goes to `root`. O(joints).
 /// \throws Error usage when there are not as many orientations as joints.
 template <typename Scalar>
-[[nodiscard]] std::vector<RigidMotion<Scalar>> motions(const KinematicSkeleton<Scalar>& skeleton,
-                                                       const Orientations<Scalar>& from, const Orientations<Scalar>& to,
-                                                       const Vector3<Scalar>& root);
+[[nodiscard]] std::vector<RigidMotion<Scalar>>
+motions(const KinematicSkeleton<Scalar>& skeleton, const Orientations<Scalar>& from, const Orientations<Scalar>& to,
+        const Vector3<Scalar>& root, const std::vector<Vector3<Scalar>>& lines = {});
+
+/// The same to a rest pose, with the root at the origin; `to_canonical` as in orientations_in. O(joints).
+/// \throws Error usage when the skeleton's joints are not the template's.
+template <typename Scalar>
+[[nodiscard]] std::vector<RigidMotion<Scalar>> rest_motions(RestPose pose, const KinematicSkeleton<Scalar>& skeleton,
+                                                            const SkeletonTemplate& skeleton_template,
+                                                            const Eigen::Quaternion<Scalar>& to_canonical);
 
 /// The skeleton moved likewise: joints and end points by their joints' motions, the frame by the root's. O(joints).
 template <typename Scalar>

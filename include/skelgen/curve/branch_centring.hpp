@@ -47,6 +47,13 @@ template <typename Scalar>
                                                       const MedialBalls<Scalar>& balls,
                                                       const BranchCentringOptions& options = {});
 
+/// The same roughly, in an eighth of the time: in three rounds, all but the last at twice the spacing. Branches stay
+/// joined where they were, and points outside there. Enough to lay a template into the curve. O(k) sections.
+/// \throws as centre_branches.
+template <typename Scalar>
+[[nodiscard]] BranchedCurve<Scalar> centre_roughly(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
+                                                   const BranchCentringOptions& options = {});
+
 } // namespace skelgen::curve
 
 #ifdef SKELGEN_HEADER_ONLY

@@ -32,6 +32,7 @@ struct CurveOptions {
     LeafExtensionOptions leaves;
     PruningOptions pruning;
     BranchCentringOptions centring;
+    bool is_draft = false; ///< only roughly in the middle, without regions: see centre_roughly
 };
 
 /// \throws Error usage when an option is out of its range.
@@ -43,7 +44,7 @@ struct ContractedCurve {
     BranchedCurve<Scalar> branched;
     std::vector<int> origin_of_vertex; ///< per vertex of the body, among the origins of the branches
     MedialBalls<Scalar> balls;
-    BranchCentringOptions centring; ///< how they are, or were
+    BranchCentringOptions centring; ///< how they are to be laid there
 };
 
 /// A curve skeleton, and whether the contraction that it comes from came to its end.
@@ -54,6 +55,7 @@ struct CurveResult {
     int iterations = 0;          ///< of the contraction
     Scalar volume_ratio = 1;     ///< enclosed volume that the contraction left, relative to the start's
     bool is_point = false;       ///< too compact for a curve, as a ball is: its only node is the centre
+    bool is_draft = false;       ///< as the options have it
     std::shared_ptr<const ContractedCurve<Scalar>>
         contracted; ///< of the body, to be centred anew; none in a curve in input coordinates
 };
@@ -77,6 +79,10 @@ template <typename Scalar>
 /// The last two of those steps anew, with so many rounds of centring. \throws Error as find_curve.
 template <typename Scalar>
 [[nodiscard]] CurveResult<Scalar> recentred(CurveResult<Scalar> found, const Body<Scalar>& body, int rounds);
+
+/// A draft made a whole curve; others as they are. \throws Error as find_curve.
+template <typename Scalar>
+[[nodiscard]] CurveResult<Scalar> finished(CurveResult<Scalar> found, const Body<Scalar>& body);
 
 } // namespace skelgen::curve
 

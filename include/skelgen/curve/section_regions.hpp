@@ -7,6 +7,10 @@
 
 namespace skelgen::curve {
 
+/// Per node of a curve the radius of the ball around it that touches the surface. O(k log faces).
+template <typename Scalar>
+[[nodiscard]] std::vector<Scalar> ball_radii(const Points<Scalar>& nodes, const Body<Scalar>& body);
+
 /// The curve of centred branches: each node with the radius of the ball around it that touches the surface, and with
 /// the vertices that are nearest along the surface to the section across its branch or to its ball, of those that
 /// belonged to its branch: `origin_of_vertex` says so for each, by the numbers of Branch::origins. Every vertex comes

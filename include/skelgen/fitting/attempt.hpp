@@ -41,7 +41,8 @@ template <typename Scalar>
 
 /// The result in the input's coordinates, or why there is none.
 template <typename Scalar>
-[[nodiscard]] Outcome<Fit<Scalar>> to_fit(const Body<Scalar>& body, Attempt<Scalar> attempt);
+[[nodiscard]] Outcome<Fit<Scalar>> to_fit(const Body<Scalar>& body, Attempt<Scalar> attempt,
+                                          const ExtractOptions& options);
 
 } // namespace skelgen::fitting
 

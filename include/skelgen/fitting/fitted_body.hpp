@@ -11,7 +11,8 @@ namespace skelgen::fitting {
 template <typename Scalar = double>
 struct Fit {
     KinematicSkeleton<Scalar> skeleton;
-    CurveSkeleton<Scalar> curve;  ///< that the skeleton was fitted to: the given one, or one that serves better
+    CurveSkeleton<Scalar> curve;  ///< that the skeleton was fitted to: the given one, or one that serves better; a
+                                  ///< draft made whole; empty unless `ExtractOptions::with_curve`
     Scalar geodesic_diameter = 0; ///< largest geodesic distance on the body, estimated, in the input's unit
     StageTimings timings;         ///< of `curve`: what it took to look for curves that serve better
 };

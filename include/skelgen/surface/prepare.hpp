@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <skelgen/core/mesh.hpp>
@@ -8,6 +9,7 @@
 #include <skelgen/surface/clean.hpp>
 #include <skelgen/surface/denoise.hpp>
 #include <skelgen/surface/envelope.hpp>
+#include <skelgen/surface/vertex_clusters.hpp>
 
 namespace skelgen::surface {
 
@@ -43,7 +45,8 @@ struct BodyMaterial {
     CleanMesh<Scalar> clean; ///< in its own axes unless it is sound; only the vertices that its faces use count
     int bodies = 1;          ///< how many stand apart in the input
     int dropped_pieces = 0;
-    std::vector<Remedy> remedies; ///< that may do, the gentlest first; never empty
+    std::vector<Remedy> remedies;                     ///< that may do, the gentlest first; never empty
+    std::optional<ClusteredMesh<Scalar>> coarse = {}; ///< of a large clean mesh that is to be taken as it is
 };
 
 /// Cleans a mesh, in its own axes unless it is sound, and chooses what belongs to the body. One piece that is closed

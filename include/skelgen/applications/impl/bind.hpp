@@ -124,12 +124,8 @@ JointWeights body_weights(const Body<Scalar>& body, const KinematicSkeleton<Scal
     const HeatedPose<Scalar> as_is{body, heating_bones(skeleton, skeleton_template)};
     const JointWeights first = weights_in<Scalar>({as_is}, skeleton_template, regions);
 
-    const Orientations<Scalar> now = bone_orientations(skeleton, skeleton_template);
-    const auto motion =
-        motions<Scalar>(skeleton, now,
-                        orientations_in(RestPose::t_pose, skeleton_template, now,
-                                        Eigen::Quaternion<Scalar>(Eigen::Quaternion<Scalar>::Identity())),
-                        Vector3<Scalar>::Zero());
+    const auto motion = rest_motions<Scalar>(RestPose::t_pose, skeleton, skeleton_template,
+                                             Eigen::Quaternion<Scalar>(Eigen::Quaternion<Scalar>::Identity()));
     Body<Scalar> rest = body;
     const auto held_by = [&](const JointWeights& weights) {
         return skinned<Scalar>(body.mesh.vertices, strongest_influences<Scalar>(weights.cast<Scalar>()), motion);

@@ -66,7 +66,8 @@ PosedBody<Scalar> pose_like(const TriangleMesh<Scalar>& mesh, const Body<Scalar>
     const Orientations<Scalar> from = bone_orientations(skeleton, skeleton_template);
     const Orientations<Scalar> to = bone_orientations(model, skeleton_template);
     const Skin<Scalar> skin = bind(mesh, body, skeleton, skeleton_template);
-    auto motion = motions<Scalar>(skeleton, from, to, model.joints.front().position);
+    auto motion = motions<Scalar>(skeleton, from, to, model.joints.front().position,
+                                  girdle_lines(skeleton, from, model, to, skeleton_template));
     const Vector3<Scalar> way = detail::median_way(moved(skeleton, skeleton_template, motion), model);
     for (RigidMotion<Scalar>& of_joint : motion) of_joint.translation += way;
     return {{skinned(mesh.vertices, skin, motion), mesh.faces}, moved(skeleton, skeleton_template, motion)};

@@ -5,9 +5,26 @@
 #include <cstddef>
 #include <numbers>
 
+#include <skelgen/applications/bones.hpp>
 #include <skelgen/core/error.hpp>
 
 namespace skelgen::applications {
+namespace detail {
+
+/// Per joint the way to it from its parent; of the root none.
+template <typename Scalar>
+std::vector<Vector3<Scalar>> lines_from_parents(const KinematicSkeleton<Scalar>& skeleton) {
+    std::vector<Vector3<Scalar>> out;
+    for (const Joint<Scalar>& joint : skeleton.joints) {
+        const int from = joint.parent;
+        out.push_back(from < 0
+                          ? Vector3<Scalar>(Vector3<Scalar>::Zero())
+                          : Vector3<Scalar>(joint.position - skeleton.joints[static_cast<std::size_t>(from)].position));
+    }
+    return out;
+}
+
+} // namespace detail
 
 template <typename Scalar>
 Orientations<Scalar> orientations_in(RestPose pose, const SkeletonTemplate& skeleton_template,
@@ -30,21 +47,67 @@ Orientations<Scalar> orientations_in(RestPose pose, const SkeletonTemplate& skel
 }
 
 template <typename Scalar>
+std::vector<Vector3<Scalar>> girdle_lines(const KinematicSkeleton<Scalar>& skeleton, const Orientations<Scalar>& from,
+                                          const KinematicSkeleton<Scalar>& model, const Orientations<Scalar>& to,
+                                          const SkeletonTemplate& skeleton_template) {
+    const std::size_t count = skeleton_template.joints.size();
+    for (const std::size_t size : {skeleton.joints.size(), model.joints.size(), from.size(), to.size()})
+        if (size != count) throw Error(ErrorCode::usage, "a skeleton's joints must be the template's");
+    std::vector<Vector3<Scalar>> out = detail::lines_from_parents(skeleton);
+    const std::vector<Vector3<Scalar>> wanted = detail::lines_from_parents(model);
+    std::vector<std::size_t> shoulders;
+    Scalar length = 0, of_model = 0; // of all of them
+    for (std::size_t j = 0; j < count; ++j) {
+        if (skeleton_template.joints[j].role != JointRole::shoulder) continue;
+        if (!skeleton.joints[j].is_present || !model.joints[j].is_present) continue;
+        shoulders.push_back(j);
+        length += out[j].norm();
+        of_model += wanted[j].norm();
+    }
+    if (!(of_model > 0)) return out;
+    for (const std::size_t j : shoulders) {
+        const auto parent = static_cast<std::size_t>(skeleton_template.joints[j].parent);
+        out[j] = length / of_model * (from[parent] * (to[parent].conjugate() * wanted[j]));
+    }
+    return out;
+}
+
+template <typename Scalar>
 std::vector<RigidMotion<Scalar>> motions(const KinematicSkeleton<Scalar>& skeleton, const Orientations<Scalar>& from,
-                                         const Orientations<Scalar>& to, const Vector3<Scalar>& root) {
-    if (from.size() != skeleton.joints.size() || to.size() != skeleton.joints.size())
+                                         const Orientations<Scalar>& to, const Vector3<Scalar>& root,
+                                         const std::vector<Vector3<Scalar>>& lines) {
+    const std::size_t count = skeleton.joints.size();
+    if (from.size() != count || to.size() != count || (!lines.empty() && lines.size() != count))
         throw Error(ErrorCode::usage, "a pose must have as many orientations as the skeleton has joints");
     std::vector<RigidMotion<Scalar>> out;
-    for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+    for (std::size_t j = 0; j < count; ++j) {
         const Joint<Scalar>& joint = skeleton.joints[j];
-        const Vector3<Scalar> place =
-            joint.parent < 0 ? root : out[static_cast<std::size_t>(joint.parent)](joint.position);
+        Vector3<Scalar> place = root;
+        if (joint.parent >= 0) {
+            const auto parent = static_cast<std::size_t>(joint.parent);
+            place = out[parent](lines.empty() ? joint.position
+                                              : Vector3<Scalar>(skeleton.joints[parent].position + lines[j]));
+        }
         RigidMotion<Scalar> motion;
         motion.rotation = (to[j] * from[j].conjugate()).normalized();
         motion.translation = place - motion.rotation * joint.position;
         out.push_back(motion);
     }
     return out;
+}
+
+template <typename Scalar>
+std::vector<RigidMotion<Scalar>> rest_motions(RestPose pose, const KinematicSkeleton<Scalar>& skeleton,
+                                              const SkeletonTemplate& skeleton_template,
+                                              const Eigen::Quaternion<Scalar>& to_canonical) {
+    const Orientations<Scalar> now = bone_orientations(skeleton, skeleton_template);
+    const Orientations<Scalar> wanted = orientations_in(pose, skeleton_template, now, to_canonical);
+    const Vector3<Scalar> origin = Vector3<Scalar>::Zero();
+    if (pose == RestPose::as_is) return motions<Scalar>(skeleton, now, wanted, origin);
+    const Orientations<Scalar> upright(now.size(), Eigen::Quaternion<Scalar>::Identity());
+    return motions<Scalar>(
+        skeleton, now, wanted, origin,
+        girdle_lines(skeleton, now, rest_skeleton<Scalar>(skeleton_template), upright, skeleton_template));
 }
 
 template <typename Scalar>

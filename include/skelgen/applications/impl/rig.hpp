@@ -72,9 +72,9 @@ Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
     rig.skin = bind(mesh, body, skeleton, skeleton_template);
 
     const Orientations<Scalar> now = bone_orientations(skeleton, skeleton_template);
-    const Orientations<Scalar> wanted =
-        orientations_in(rest, skeleton_template, now, rotation_to_canonical(skeleton.frame));
-    const auto motion = motions<Scalar>(skeleton, now, wanted, Vector3<Scalar>::Zero());
+    const Eigen::Quaternion<Scalar> to_canonical = rotation_to_canonical(skeleton.frame);
+    const Orientations<Scalar> wanted = orientations_in(rest, skeleton_template, now, to_canonical);
+    const auto motion = rest_motions(rest, skeleton, skeleton_template, to_canonical);
     rig.mesh = {skinned(mesh.vertices, rig.skin, motion), mesh.faces};
 
     const Orientations<Scalar> axes = rest_axes<Scalar>(skeleton_template);

@@ -159,6 +159,14 @@ BranchedCurve<Scalar> pulled_inside(BranchedCurve<Scalar> branched, const Sectio
 /// Rounds before those after which branches that run along each other become one: a third of them.
 inline int rounds_apart(const BranchCentringOptions& options) { return (options.rounds + 2) / 3; }
 
+/// Between points of the curve: as the options say, wider where there would be too many.
+template <typename Scalar>
+Scalar spacing_of(const BranchedCurve<Scalar>& branched, const Body<Scalar>& body,
+                  const BranchCentringOptions& options) {
+    return std::max(static_cast<Scalar>(options.spacing) * core::bounding_diagonal(body.mesh.vertices),
+                    total_length(branched) / most_points);
+}
+
 /// One round of moving branches to the middle of the surface. \param tips the places of those knots that are ends, and
 /// stay the same knots.
 template <typename Scalar>
@@ -283,8 +291,7 @@ template <typename Scalar>
 CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
                                         const MedialBalls<Scalar>& balls, const BranchCentringOptions& options) {
     validate(options);
-    const Scalar spacing = std::max(static_cast<Scalar>(options.spacing) * core::bounding_diagonal(body.mesh.vertices),
-                                    detail::total_length(branched) / detail::most_points);
+    const Scalar spacing = detail::spacing_of(branched, body, options);
     const std::vector<Vector3<Scalar>> tips = branched.knots;
     for (int round = 0; round < detail::rounds_apart(options); ++round)
         branched = detail::centring_round(std::move(branched), body, tips, options, spacing, true);
@@ -300,6 +307,23 @@ CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Bo
         if (detail::all_inside(led, body, spacing)) return led;
     }
     return detail::all_pulled_inside(std::move(out), body, spacing);
+}
+
+template <typename Scalar>
+BranchedCurve<Scalar> centre_roughly(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
+                                     const BranchCentringOptions& options) {
+    validate(options);
+    constexpr int few = 3; // with fewer, some bodies lose a limb
+    const Scalar spacing = detail::spacing_of(branched, body, options), wide = 2 * spacing;
+    const std::vector<Vector3<Scalar>> tips = branched.knots;
+    const int rounds = std::min(few, options.rounds);
+    for (int round = 0; round < rounds; ++round) { // the last one finely: ends lie where the axes last lead
+        const bool is_last = round + 1 == rounds;
+        branched = detail::centring_round(std::move(branched), body, tips, options, is_last ? spacing : wide, false);
+        if (round > 0 && !is_last) branched = merge_parallel_branches(std::move(branched), body);
+    }
+    branched = prune_twigs(resampled(std::move(branched), wide), body, options.least_relief);
+    return detail::smoothed(resampled(std::move(branched), wide));
 }
 
 } // namespace skelgen::curve

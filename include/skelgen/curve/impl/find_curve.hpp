@@ -91,6 +91,24 @@ bool is_compact(const CurveSkeleton<Scalar>& curve) {
     return length < 2 * least_elongation<Scalar> * *std::max_element(curve.radii.begin(), curve.radii.end());
 }
 
+/// What is too compact for a curve as a point.
+template <typename Scalar>
+CurveResult<Scalar> or_point(CurveResult<Scalar> found, const Body<Scalar>& body) {
+    found.is_point = is_compact(found.curve);
+    if (found.is_point) found.curve = centre_point(body);
+    return found;
+}
+
+/// The last two steps, roughly.
+template <typename Scalar>
+CurveResult<Scalar> drafted(CurveResult<Scalar> found, const Body<Scalar>& body) {
+    const auto& [branched, origin, balls, centring] = *found.contracted;
+    found.curve = join_branches(centre_roughly(branched, body, centring)).curve;
+    found.curve.radii = ball_radii(found.curve.nodes, body);
+    found.is_draft = true;
+    return or_point(std::move(found), body);
+}
+
 } // namespace detail
 
 template <typename Scalar>
@@ -111,10 +129,14 @@ CurveResult<Scalar> find_curve(const Body<Scalar>& body, const CurveOptions& wan
     SplitCurve<Scalar> split = split_branches(curve);
     std::vector<int> origin = node_of_vertex(curve, body.mesh.vertices.rows());
     for (int& node : origin) node = split.origin_of_node[static_cast<std::size_t>(node)];
-    auto contracted = std::make_shared<const ContractedCurve<Scalar>>(
+    CurveResult<Scalar> found;
+    found.converged = thin.converged;
+    found.iterations = thin.iterations;
+    found.volume_ratio = thin.volume_ratio;
+    found.contracted = std::make_shared<const ContractedCurve<Scalar>>(
         ContractedCurve<Scalar>{std::move(split.branched), std::move(origin), balls, options.centring});
-    return recentred<Scalar>({{}, thin.converged, thin.iterations, thin.volume_ratio, false, std::move(contracted)},
-                             body, options.centring.rounds);
+    return options.is_draft ? detail::drafted(std::move(found), body)
+                            : recentred(std::move(found), body, options.centring.rounds);
 }
 
 template <typename Scalar>
@@ -123,9 +145,15 @@ CurveResult<Scalar> recentred(CurveResult<Scalar> found, const Body<Scalar>& bod
     BranchCentringOptions options = centring;
     options.rounds = rounds;
     found.curve = curve_with_regions(centre_branches(branched, body, balls, options), body, origin);
-    found.is_point = detail::is_compact(found.curve);
-    if (found.is_point) found.curve = detail::centre_point(body);
-    return found;
+    found.is_draft = false;
+    return detail::or_point(std::move(found), body);
+}
+
+template <typename Scalar>
+CurveResult<Scalar> finished(CurveResult<Scalar> found, const Body<Scalar>& body) {
+    if (!found.is_draft) return found;
+    const int rounds = found.contracted->centring.rounds;
+    return recentred(std::move(found), body, rounds);
 }
 
 } // namespace skelgen::curve

@@ -52,12 +52,18 @@ void claim_balls(Claims<Scalar>& claims, const CurveSkeleton<Scalar>& curve, con
 } // namespace detail
 
 template <typename Scalar>
+std::vector<Scalar> ball_radii(const Points<Scalar>& nodes, const Body<Scalar>& body) {
+    std::vector<Scalar> out;
+    for (Eigen::Index k = 0; k < nodes.rows(); ++k) out.push_back(body.tree.distance(body.mesh, core::point(nodes, k)));
+    return out;
+}
+
+template <typename Scalar>
 CurveSkeleton<Scalar> curve_with_regions(const CentredBranches<Scalar>& centred, const Body<Scalar>& body,
                                          const std::vector<int>& origin_of_vertex) {
     const JoinedCurve<Scalar> joined = join_branches(centred.branched);
     CurveSkeleton<Scalar> out = joined.curve;
-    for (Eigen::Index k = 0; k < out.nodes.rows(); ++k)
-        out.radii.push_back(body.tree.distance(body.mesh, core::point(out.nodes, k)));
+    out.radii = ball_radii(out.nodes, body);
     detail::Claims<Scalar> claims;
     detail::claim_sections(claims, centred, joined, body, origin_of_vertex);
     std::vector<bool> has_section(out.radii.size(), false);

@@ -40,13 +40,17 @@ inline std::vector<std::vector<int>> template_chains(const SkeletonTemplate& ske
     return chains;
 }
 
-/// Where each unmatched junction of the curve goes: the matched neighbour in the reduced graph with the most branches.
+/// Where each unmatched junction of the curve goes at which two ways part: the matched neighbour in the reduced graph
+/// with the most branches. Where one way passes what branches off is no limb, as horns are none: that stays on its way.
 template <typename Scalar>
-std::vector<int> merge_targets(const core::CurveGraph<Scalar>& graph, const std::vector<bool>& matched) {
-    std::vector<int> target(matched.size());
+std::vector<int> merge_targets(const core::CurveGraph<Scalar>& graph, const std::vector<bool>& matched,
+                               const std::vector<std::vector<int>>& ways) {
+    std::vector<int> passing(matched.size(), 0), target(matched.size());
+    for (const std::vector<int>& way : ways)
+        for (const int v : way) ++passing[at(v)];
     for (int v = 0; v < graph.size(); ++v) {
         target[at(v)] = v;
-        if (graph.degree(v) < 3 || matched[at(v)]) continue;
+        if (graph.degree(v) < 3 || matched[at(v)] || passing[at(v)] < 2) continue;
         int best = -1;
         for (const auto& [first, length] : graph.neighbours[at(v)]) {
             const int w = core::branch(graph, v, first).back();
@@ -139,17 +143,20 @@ Outcome<Embedding> embed(const CurveSkeleton<Scalar>& curve, const SkeletonTempl
         ++out.matched_nodes;
     }
 
-    const std::vector<int> target = detail::merge_targets(graph, matched);
-    for (std::vector<int>& joints : detail::template_chains(skeleton_template, reduced_template.origin)) {
+    std::vector<std::vector<int>> chains = detail::template_chains(skeleton_template, reduced_template.origin), ways;
+    for (const std::vector<int>& joints : chains) {
         const int start = out.node_of_joint[detail::at(joints.front())];
         const int end = out.node_of_joint[detail::at(joints.back())];
         const core::ShortestPaths<Scalar> paths = core::shortest_paths(graph, start);
         if (!std::isfinite(paths.distance[detail::at(end)])) return detail::in_several_pieces();
-        std::vector<int> nodes = paths.path_to(end);
+        ways.push_back(paths.path_to(end));
+    }
+    const std::vector<int> target = detail::merge_targets(graph, matched, ways);
+    for (std::size_t i = 0; i < chains.size(); ++i) {
         // Where a chain leads past the root, the junction there is not the upper one's: an absent leg's stump.
-        const bool past_root = std::find(joints.begin() + 1, joints.end(), 0) != joints.end();
-        if (!past_root) nodes = detail::without_merged(nodes, target);
-        out.chains.push_back({std::move(joints), std::move(nodes)});
+        const bool past_root = std::find(chains[i].begin() + 1, chains[i].end(), 0) != chains[i].end();
+        if (!past_root) ways[i] = detail::without_merged(ways[i], target);
+        out.chains.push_back({std::move(chains[i]), std::move(ways[i])});
     }
     return out;
 }

@@ -85,7 +85,7 @@ Attempt<Scalar> fit_to_curve(const Body<Scalar>& body, const curve::CurveResult<
 }
 
 template <typename Scalar>
-Outcome<Fit<Scalar>> to_fit(const Body<Scalar>& body, Attempt<Scalar> attempt) {
+Outcome<Fit<Scalar>> to_fit(const Body<Scalar>& body, Attempt<Scalar> attempt, const ExtractOptions& options) {
     if (!attempt.outcome) return attempt.outcome.failure();
     Candidate<Scalar>& found = *attempt.outcome;
     std::vector<std::string>& warnings = found.skeleton.quality.warnings;
@@ -94,8 +94,13 @@ Outcome<Fit<Scalar>> to_fit(const Body<Scalar>& body, Attempt<Scalar> attempt) {
         warnings.push_back(std::to_string(body.dropped_pieces) + " pieces not connected to the body were left out");
     if (!found.curve.converged) warnings.push_back("the curve skeleton's contraction did not converge");
     found.skeleton = anatomy::no_surer_than_the_whole(std::move(found.skeleton));
-    return Fit<Scalar>{surface::to_input(body, found.skeleton), surface::to_input(body, found.curve.curve),
-                       body.similarity.scale * found.geodesic_diameter, attempt.timings};
+    Fit<Scalar> out{
+        surface::to_input(body, found.skeleton), {}, body.similarity.scale * found.geodesic_diameter, attempt.timings};
+    if (!options.with_curve) return out;
+    core::Stopwatch stage;
+    out.curve = surface::to_input(body, curve::finished(std::move(found.curve), body).curve);
+    out.timings.curve += stage.lap();
+    return out;
 }
 
 } // namespace skelgen::fitting

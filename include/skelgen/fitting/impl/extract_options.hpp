@@ -27,6 +27,7 @@ SKELGEN_INLINE ExtractOptions for_first_try(ExtractOptions options) {
     vertices = std::max(vertices / 2, std::min(vertices, least_vertices));
     double& weight = options.curve.contraction.medial_weight;
     weight = std::min(more_firmly * weight, most_firmly);
+    options.curve.is_draft = true;
     return options;
 }
 

@@ -31,10 +31,10 @@ std::optional<curve::CurveResult<Scalar>> less_centred(const Body<Scalar>& body,
                                                        const SkeletonTemplate& wanted, const ExtractOptions& options) {
     constexpr int few = 3;                 // one coarse round, and two of those that join branches
     constexpr Scalar hardly = Scalar(0.1); // of the chains' length
+    if (!given.contracted || given.is_draft || options.curve.centring.rounds <= few) return std::nullopt;
     const CurveSkeleton<Scalar>& curve = given.curve;
     const auto embedding = embedding::embed(curve, wanted, options.matching);
-    if (!given.contracted || options.curve.centring.rounds <= few || !embedding || core::cycle_count(curve) > 0)
-        return std::nullopt;
+    if (!embedding || core::cycle_count(curve) > 0) return std::nullopt;
     const bool is_all_matched = embedding::unmatched_share(curve, *embedding) <= hardly;
     if (!is_all_matched && !embedding::legs_go_on(curve, *embedding, wanted)) return std::nullopt;
     if (!embedding::fitting_proportions(curve, wanted, options.matching).fits_badly) return std::nullopt;

@@ -77,7 +77,7 @@ Outcome<Fit<Scalar>> fit_partial(const Body<Scalar>& body, const SkeletonTemplat
         auto [attempt, least_distortion] = detail::fit_part_to_curve(body, curve, wanted, options);
         timings = timings + attempt.timings;
         attempt.timings = timings;
-        if (attempt.outcome) return to_fit(body, std::move(attempt));
+        if (attempt.outcome) return to_fit(body, std::move(attempt), options);
         if (least_distortion > nearly * well_fitted) break;
         finer.proxy.vertices = std::min(finer.proxy.vertices + finer.proxy.vertices / 2, curve::most_proxy_vertices);
     }

@@ -49,7 +49,7 @@ Outcome<Fit<Scalar>> fit_touching_body(const Body<Scalar>& body, const curve::Cu
             attempt.outcome->skeleton =
                 detail::less_certain_for_contacts(std::move(attempt.outcome->skeleton), contacts, cut);
         attempt.timings = attempt.timings + cutting;
-        return to_fit(fitted_body, std::move(attempt));
+        return to_fit(fitted_body, std::move(attempt), options);
     };
     std::optional<Attempt<Scalar>> best;
     const embedding::PartedBody<Scalar>* best_way = nullptr;

@@ -37,16 +37,20 @@ int farthest_near(int leaf, Scalar reach, const Eigen::VectorX<Scalar>& far,
     return best;
 }
 
+/// The least of a rim's distances.
+template <typename Scalar>
+Scalar distance_to(const std::vector<int>& rim, const Eigen::VectorX<Scalar>& distance) {
+    Scalar least = std::numeric_limits<Scalar>::infinity();
+    for (const int v : rim) least = std::min(least, distance[v]);
+    return least;
+}
+
 /// The rim that comes nearest to where the distances are from; empty where there is none.
 template <typename Scalar>
 std::vector<int> nearest_rim(const std::vector<std::vector<int>>& rims, const Eigen::VectorX<Scalar>& distance) {
-    const auto nearness = [&](const std::vector<int>& rim) {
-        Scalar least = std::numeric_limits<Scalar>::infinity();
-        for (const int v : rim) least = std::min(least, distance[v]);
-        return least;
-    };
-    const auto nearest = std::min_element(rims.begin(), rims.end(),
-                                          [&](const auto& a, const auto& b) { return nearness(a) < nearness(b); });
+    const auto nearest = std::min_element(rims.begin(), rims.end(), [&](const auto& a, const auto& b) {
+        return distance_to(a, distance) < distance_to(b, distance);
+    });
     return nearest == rims.end() ? std::vector<int>() : *nearest;
 }
 
@@ -90,7 +94,10 @@ std::vector<EndPoint<Scalar>> find_end_points(const Body<Scalar>& body, const Cu
     measure(heads.empty() ? arms : heads);
     place(legs, heads.empty() ? arms : heads);
     place(upper, legs);
-    for (EndPoint<Scalar>& end : ends) end.rim = detail::nearest_rim(body.rims, end.distance);
+    for (EndPoint<Scalar>& end : ends) {
+        end.rim = detail::nearest_rim(body.rims, end.distance);
+        for (const auto& cut : body.cuts) end.from_cut = std::min(end.from_cut, detail::distance_to(cut, end.distance));
+    }
     return ends;
 }
 

@@ -35,18 +35,33 @@ Points<Scalar> to_neighbours(const Points<Scalar>& vertices, const Edges& edges)
     return sum;
 }
 
+/// Per vertex how far it is below the mean of its neighbours, along its normal. Faces count each inner edge twice.
 template <typename Scalar>
-Scalar coherence(const TriangleMesh<Scalar>& mesh, const Edges& edges) {
-    Points<Scalar> off, normals;
-    core::in_parallel([&] { off = to_neighbours(mesh.vertices, edges); },
-                      [&] { normals = core::vertex_normals(mesh); });
-    const Eigen::Matrix<Scalar, Eigen::Dynamic, 1> bulge = off.cwiseProduct(normals).rowwise().sum();
-    core::Accumulator alike = 0, all = 0;
-    for (const auto& [a, b] : edges) {
-        alike += bulge[a] * bulge[b];
-        all += Scalar(0.5) * (bulge[a] * bulge[a] + bulge[b] * bulge[b]);
+std::vector<Scalar> bulges(const TriangleMesh<Scalar>& mesh) {
+    struct Around { ///< a vertex: sums
+        Vector3<Scalar> to_neighbours = Vector3<Scalar>::Zero(), normal = Vector3<Scalar>::Zero();
+        int neighbours = 0;
+    };
+    std::vector<Around> around(static_cast<std::size_t>(mesh.vertices.rows()));
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+        const Vector3<Scalar> normal = core::face_area_vector(mesh, f);
+        for (int k = 0; k < 3; ++k) {
+            const int v = mesh.faces(f, k), next = mesh.faces(f, (k + 1) % 3), last = mesh.faces(f, (k + 2) % 3);
+            const Vector3<Scalar> place = core::point(mesh.vertices, v);
+            Around& here = around[static_cast<std::size_t>(v)];
+            here.to_neighbours += core::point(mesh.vertices, next) - place;
+            here.to_neighbours += core::point(mesh.vertices, last) - place;
+            here.normal += normal;
+            here.neighbours += 2;
+        }
     }
-    return all > 0 ? static_cast<Scalar>(alike / all) : Scalar(1);
+    std::vector<Scalar> out(around.size(), Scalar(0));
+    for (std::size_t v = 0; v < out.size(); ++v) {
+        const auto& [to_neighbours, normal, neighbours] = around[v];
+        const Scalar length = normal.norm() * static_cast<Scalar>(neighbours);
+        if (length > 0) out[v] = to_neighbours.dot(normal) / length;
+    }
+    return out;
 }
 
 /// One pass: there and back again.
@@ -69,18 +84,30 @@ SKELGEN_INLINE void validate(const DenoiseOptions& options) {
 
 template <typename Scalar>
 Scalar bulge_coherence(const TriangleMesh<Scalar>& mesh) {
-    return detail::coherence(mesh, core::edges_of(mesh.faces));
+    const std::vector<Scalar> bulges = detail::bulges(mesh);
+    core::Accumulator alike = 0, all = 0;
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+        const auto bulge = [&](int corner) { return bulges[static_cast<std::size_t>(mesh.faces(f, corner))]; };
+        const Scalar a = bulge(0), b = bulge(1), c = bulge(2);
+        alike += a * b + b * c + c * a;
+        all += a * a + b * b + c * c;
+    }
+    return all > 0 ? static_cast<Scalar>(alike / all) : Scalar(1);
+}
+
+template <typename Scalar>
+bool is_without_noise(const TriangleMesh<Scalar>& mesh, const DenoiseOptions& options) {
+    validate(options);
+    return bulge_coherence(mesh) >= static_cast<Scalar>(options.least_coherence);
 }
 
 template <typename Scalar>
 DenoisedMesh<Scalar> remove_noise(TriangleMesh<Scalar> mesh, const DenoiseOptions& options) {
-    validate(options);
-    const detail::Edges edges = core::edges_of(mesh.faces);
-    const auto least = static_cast<Scalar>(options.least_coherence),
-               enough = static_cast<Scalar>(options.enough_coherence);
     DenoisedMesh<Scalar> out{std::move(mesh), 0};
-    if (detail::coherence(out.mesh, edges) >= least) return out;
-    for (; out.passes < options.most_passes && detail::coherence(out.mesh, edges) < enough; ++out.passes)
+    if (is_without_noise(out.mesh, options)) return out;
+    const detail::Edges edges = core::edges_of(out.mesh.faces);
+    const auto enough = static_cast<Scalar>(options.enough_coherence);
+    for (; out.passes < options.most_passes && bulge_coherence(out.mesh) < enough; ++out.passes)
         out.mesh.vertices = detail::smoothed_once(std::move(out.mesh.vertices), edges, options);
     return out;
 }

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,8 +20,10 @@
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/options.hpp>
+#include <skelgen/core/parallel.hpp>
 #include <skelgen/surface/canonical_form.hpp>
 #include <skelgen/surface/clean.hpp>
+#include <skelgen/surface/denoise.hpp>
 #include <skelgen/surface/fill_holes.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
 #include <skelgen/surface/pieces.hpp>
@@ -81,24 +85,30 @@ inline std::vector<int> coarser_rim(const std::vector<int>& rim, const std::vect
     return is_ring ? out : std::vector<int>();
 }
 
+/// A sound piece that is all of the clean mesh, coarser.
+template <typename Scalar>
+ChosenPiece<Scalar> coarser(const ChosenPiece<Scalar>& piece, ClusteredMesh<Scalar> coarse) {
+    ChosenPiece<Scalar> out{std::move(coarse.mesh), std::move(coarse.source), piece.dropped_pieces, piece.notes};
+    out.standing = std::move(coarse.cluster);
+    return out;
+}
+
 /// The piece in about so many faces, all of its vertices stood for.
 template <typename Scalar>
 ChosenPiece<Scalar> clustered(const ChosenPiece<Scalar>& piece, int faces) {
-    ManifoldParts<Scalar> part; // where the piece may be none
-    if (!piece.is_sound) part = largest_manifold_part(piece.mesh);
-    ClusteredMesh<Scalar> coarse = cluster_vertices(piece.is_sound ? piece.mesh : part.mesh, faces);
-    std::vector<int> cluster = std::move(coarse.cluster), source = std::move(coarse.source);
-    if (!piece.is_sound) {
-        cluster = composed(carried_over(identity(piece.mesh.vertices.rows()), part.source), cluster);
-        source = composed(std::move(source), part.source);
-    }
+    if (piece.is_sound) return coarser(piece, cluster_vertices(piece.mesh, faces));
+    const ManifoldParts<Scalar> part = largest_manifold_part(piece.mesh); // where the piece may be none
+    ClusteredMesh<Scalar> coarse = cluster_vertices(part.mesh, faces);
+    const std::vector<int> cluster =
+        composed(carried_over(identity(piece.mesh.vertices.rows()), part.source), coarse.cluster);
+    std::vector<int> source = composed(std::move(coarse.source), part.source);
     ChosenPiece<Scalar> out{std::move(coarse.mesh), {}, piece.dropped_pieces + part.dropped_pieces, piece.notes};
     for (const std::vector<int>& rim : piece.rims)
         if (std::vector<int> coarser = coarser_rim(rim, cluster); coarser.size() > 2)
             out.rims.push_back(std::move(coarser));
     if (piece.source.empty()) {
         out.source = std::move(source);
-        out.standing = std::move(cluster);
+        out.standing = cluster;
     } else {
         out.standing = composed(
             carried_over(identity(1 + *std::max_element(piece.source.begin(), piece.source.end())), piece.source),
@@ -180,12 +190,14 @@ std::vector<int> nearest_on(const Body<Scalar>& body, const TriangleMesh<Scalar>
     return out;
 }
 
-/// The body of a chosen piece; `placed` as in CleanMesh.
 template <typename Scalar>
-Body<Scalar> body_of(ChosenPiece<Scalar> piece, const std::vector<int>& placed, const PrepareOptions& options) {
-    piece.mesh = remove_noise(std::move(piece.mesh), options.denoise).mesh;
-    if (options.most_faces > 0 && piece.mesh.faces.rows() > options.most_faces)
-        piece = clustered(piece, options.most_faces / 2);
+bool is_too_fine(const TriangleMesh<Scalar>& mesh, const PrepareOptions& options) {
+    return options.most_faces > 0 && mesh.faces.rows() > options.most_faces;
+}
+
+/// The body of a chosen piece as it is; `placed` as in CleanMesh.
+template <typename Scalar>
+Body<Scalar> body_as_is(ChosenPiece<Scalar> piece, const std::vector<int>& placed) {
     const CanonicalMesh<Scalar> canonical = canonical_form(piece.mesh);
     ManifoldParts<Scalar> part =
         piece.is_sound ? manifold_part_of_sound(canonical.mesh) : largest_manifold_part(canonical.mesh);
@@ -214,6 +226,14 @@ Body<Scalar> body_of(ChosenPiece<Scalar> piece, const std::vector<int>& placed, 
     return body;
 }
 
+/// The same without noise, and no finer than a body is to be.
+template <typename Scalar>
+Body<Scalar> body_of(ChosenPiece<Scalar> piece, const std::vector<int>& placed, const PrepareOptions& options) {
+    piece.mesh = remove_noise(std::move(piece.mesh), options.denoise).mesh;
+    if (is_too_fine(piece.mesh, options)) piece = clustered(piece, options.most_faces / 2);
+    return body_as_is(std::move(piece), placed);
+}
+
 /// Of the box around a mesh's faces.
 template <typename Scalar>
 Vector3<Scalar> extent_of(const TriangleMesh<Scalar>& mesh) {
@@ -234,6 +254,15 @@ ChosenPiece<Scalar> chosen_of(const BodyMaterial<Scalar>& material) {
     piece.notes.insert(piece.notes.begin(), material.clean.notes.begin(), material.clean.notes.end());
     piece.dropped_pieces += material.dropped_pieces;
     return piece;
+}
+
+/// That piece as a body.
+template <typename Scalar>
+Body<Scalar> body_of_largest_piece(const BodyMaterial<Scalar>& material, const PrepareOptions& options) {
+    const CleanMesh<Scalar>& clean = material.clean;
+    if (!material.coarse) return body_of(chosen_of(material), clean.placed, options);
+    const ChosenPiece<Scalar> whole{{}, {}, material.dropped_pieces, clean.notes};
+    return body_as_is(coarser(whole, *material.coarse), clean.placed);
 }
 
 /// The same, rounder.
@@ -280,6 +309,29 @@ Outcome<Body<Scalar>> body_of_envelope(Remedy remedy, const BodyMaterial<Scalar>
     return body;
 }
 
+/// A mesh that is too fine in fewer faces, if `is_sound` then says that it is sound and it has no noise. Another thread
+/// clusters it while this one finds that out, which takes as long: most meshes of that size are.
+template <typename Scalar, typename IsSound>
+std::optional<ClusteredMesh<Scalar>> coarse_if_sound(const TriangleMesh<Scalar>& mesh, const PrepareOptions& options,
+                                                     const IsSound& is_sound) {
+    std::optional<ClusteredMesh<Scalar>> coarse;
+    std::atomic<bool> is_wanted = is_too_fine(mesh, options);
+    if (!is_wanted) {
+        is_sound();
+        return coarse;
+    }
+    core::in_parallel([&] { is_wanted = is_sound() && is_without_noise(mesh, options.denoise); },
+                      [&] {
+                          if (!is_wanted) return;
+                          try {
+                              coarse = cluster_vertices(mesh, options.most_faces / 2);
+                          } catch (const Error&) { // it has no area, and will not be found to be sound
+                          }
+                      });
+    if (!is_wanted) coarse.reset();
+    return coarse;
+}
+
 } // namespace detail
 
 template <typename Scalar>
@@ -289,8 +341,13 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
     constexpr Eigen::Index few_vertices = 3000; // as many as the curve's proxy has
     require_surface(mesh);
     validate(options);
-    BodyMaterial<Scalar> out{clean_in_own_axes(mesh), 1, 0, {}};
-    BodyFaces chosen = faces_of_body(out.clean.mesh, options.component, out.clean.is_sound);
+    BodyMaterial<Scalar> out;
+    BodyFaces chosen;
+    std::optional<ClusteredMesh<Scalar>> coarse = detail::coarse_if_sound(mesh, options, [&] {
+        out.clean = clean_in_own_axes(mesh);
+        chosen = faces_of_body(out.clean.mesh, options.component, out.clean.is_sound);
+        return out.clean.is_sound && chosen.faces.rows() == mesh.faces.rows();
+    });
     if (options.component > chosen.bodies)
         throw Error(ErrorCode::usage, "there is no body number " + std::to_string(options.component) + ", only " +
                                           std::to_string(chosen.bodies));
@@ -311,6 +368,7 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
                                                   ? std::vector<Remedy>{Remedy::largest_piece, Remedy::rounded}
                                                   : std::vector<Remedy>{Remedy::largest_piece};
     if (out.clean.is_sound) {
+        out.coarse = std::move(coarse);
         out.remedies = for_one_piece;
         return out;
     }
@@ -330,10 +388,9 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
 
 template <typename Scalar>
 Outcome<Body<Scalar>> make_body_by(Remedy remedy, const BodyMaterial<Scalar>& material, const PrepareOptions& options) {
-    Outcome<Body<Scalar>> body = remedy == Remedy::largest_piece
-                                     ? detail::body_of(detail::chosen_of(material), material.clean.placed, options)
-                                 : remedy == Remedy::rounded ? detail::body_of_rounded_piece(material, options)
-                                                             : detail::body_of_envelope(remedy, material, options);
+    Outcome<Body<Scalar>> body = remedy == Remedy::largest_piece ? detail::body_of_largest_piece(material, options)
+                                 : remedy == Remedy::rounded     ? detail::body_of_rounded_piece(material, options)
+                                                                 : detail::body_of_envelope(remedy, material, options);
     if (body) body->similarity = material.clean.similarity.then(body->similarity);
     return body;
 }
@@ -341,10 +398,12 @@ Outcome<Body<Scalar>> make_body_by(Remedy remedy, const BodyMaterial<Scalar>& ma
 template <typename Scalar>
 Body<Scalar> prepare(const TriangleMesh<Scalar>& mesh, const PrepareOptions& options) {
     require_surface(mesh);
-    const CleanMesh<Scalar> whole = clean(mesh);
-    detail::ChosenPiece<Scalar> piece = detail::choose_piece(whole);
-    piece.notes.insert(piece.notes.begin(), whole.notes.begin(), whole.notes.end());
-    return detail::body_of(std::move(piece), whole.placed, options);
+    BodyMaterial<Scalar> material;
+    material.coarse = detail::coarse_if_sound(mesh, options, [&] {
+        material.clean = clean(mesh);
+        return material.clean.is_sound;
+    });
+    return detail::body_of_largest_piece(material, options);
 }
 
 } // namespace skelgen::surface

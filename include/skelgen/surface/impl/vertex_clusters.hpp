@@ -27,12 +27,14 @@ std::vector<std::uint64_t> grid_cells(const Points<Scalar>& places, Scalar width
     constexpr std::int64_t middle = std::int64_t(1) << 20; // of 21 bits
     constexpr std::uint64_t mask = (std::uint64_t(1) << 21) - 1;
     constexpr Scalar odd = Scalar(0.382); // of a cell: no plane of the grid goes through the middle of the surface
+    constexpr auto most = static_cast<Scalar>(middle - 1); // beyond are vertices that no face has
     std::vector<std::uint64_t> out(static_cast<std::size_t>(places.rows()), 0);
     constexpr std::size_t in_a_row = 1 << 15;
     core::parallel_for(out.size(), in_a_row, [&](std::size_t v) {
         for (int k = 0; k < 3; ++k) {
-            const Scalar along = places(static_cast<Eigen::Index>(v), k) / width + odd;
-            const auto cell = static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(along)) + middle);
+            const Scalar along = std::floor(places(static_cast<Eigen::Index>(v), k) / width + odd);
+            const auto cell =
+                static_cast<std::uint64_t>(static_cast<std::int64_t>(std::max(-most, std::min(most, along))) + middle);
             out[v] = out[v] << 21 | (cell & mask);
         }
     });
@@ -133,11 +135,14 @@ bool absorb_slivers(Clusters& clusters, const TriangleMesh<Scalar>& mesh, const 
     for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
         for (int k = 0; k < 3; ++k) {
             const int a = mesh.faces(f, k), b = mesh.faces(f, (k + 1) % 3);
-            const int from = clusters[static_cast<std::size_t>(a)], to = clusters[static_cast<std::size_t>(b)];
-            if (from == to) continue;
-            around.add(from, to); // and the other way round along the edge's other side
-            if (around.are_few(from) && (core::point(places, a) - core::point(places, b)).squaredNorm() > width * width)
-                is_close[static_cast<std::size_t>(from)] = false;
+            if (a > b) continue; // its other side, or on the boundary, where no cluster is a sliver
+            const int one = clusters[static_cast<std::size_t>(a)], other = clusters[static_cast<std::size_t>(b)];
+            if (one == other) continue;
+            around.add(one, other);
+            around.add(other, one);
+            if (!around.are_few(one) && !around.are_few(other)) continue;
+            if ((core::point(places, a) - core::point(places, b)).squaredNorm() > width * width)
+                is_close[static_cast<std::size_t>(one)] = is_close[static_cast<std::size_t>(other)] = false;
         }
     const auto is_sliver = [&](std::size_t c) {
         return middles.count[c] > 0 && !is_boundary[c] && is_close[c] && around.are_few(static_cast<int>(c));
