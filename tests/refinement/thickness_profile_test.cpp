@@ -54,6 +54,25 @@ Limb<double> leg(double ankle, double knee, double stoutness) {
     return limb;
 }
 
+/// The same leg bent at its knee: its centreline cuts the corner there, and the sections on the way are thick of both
+/// bones' flesh.
+Limb<double> bent(Limb<double> limb, double knee, double degrees) {
+    const double cut = 0.2 * (limb.from_tip[0] - limb.from_tip[1]), angle = degrees * 3.14159265358979 / 180;
+    const Eigen::RowVector3d up(-1, 0, 0), down(std::cos(angle), std::sin(angle), 0); // from the knee
+    const Eigen::VectorXd from_tip = limb.line.arc[limb.line.arc.size() - 1] - limb.line.arc.array();
+    for (Eigen::Index i = 0; i < from_tip.size(); ++i) {
+        const double above = from_tip[i] - knee, part = (above / cut + 1) / 2;
+        limb.line.points.row(i) = above > 0 ? Eigen::RowVector3d(above * up) : Eigen::RowVector3d(-above * down);
+        if (part <= 0 || part >= 1) continue;
+        limb.line.points.row(i) = cut * ((1 - part) * down + part * up);
+        limb.line.thickness[i] *= 1.3;
+        limb.line.flatness[i] = 1;
+    }
+    for (Eigen::Index i = 1; i < from_tip.size(); ++i)
+        limb.line.arc[i] = limb.line.arc[i - 1] + (limb.line.points.row(i) - limb.line.points.row(i - 1)).norm();
+    return limb;
+}
+
 std::vector<Limb<double>> matched(const std::vector<Limb<double>>& limbs) {
     return match_thickness_profiles(limbs, builtin_template("human21")).limbs;
 }
@@ -117,6 +136,26 @@ TEST_CASE("both legs' calves are equally long") {
     CHECK(found_calf(0) == Approx(found_calf(1)));
     CHECK(found_calf(0) == Approx(calf).epsilon(0.06));
     CHECK(limbs[1].from_tip[2] > 1.03 * limbs[0].from_tip[2]); // each foot in its own shoe
+}
+
+TEST_CASE("a bent leg's ankle is where a straight one's is, and its calf as long") {
+    const Limb<double> rest = leg(0.2, 0.6, 1);
+    const double ankle = rest.from_tip[2], knee = rest.from_tip[1];
+    std::vector<Limb<double>> straight{leg(ankle, knee, 0.05)};
+    straight = matched(straight);
+    for (const double degrees : {90.0, 120.0}) {
+        INFO("bent by " << degrees << " degrees");
+        const Limb<double> leg_before = bent(leg(ankle, knee, 0.05), knee, degrees);
+        const Fold<double> fold = find_fold(leg_before, {leg_before.from_tip[0], knee, ankle});
+        CHECK(fold.bent == 1);
+        CHECK(fold.longer > 0.05 * knee);
+        CHECK(fold.along_bones(ankle) == ankle);
+        CHECK(fold.along_bones(fold.farther) == Approx(fold.farther + fold.longer));
+        const auto found = match_thickness_profiles<double>({leg_before}, builtin_template("human21"));
+        CHECK(found.limbs[0].from_tip[2] == Approx(straight[0].from_tip[2]).epsilon(0.03));
+        CHECK(found.ratio == Approx((straight[0].from_tip[1] - straight[0].from_tip[2]) / (knee - ankle)).epsilon(0.06));
+    }
+    CHECK(find_fold(straight[0], {straight[0].from_tip[0], knee, ankle}).bent == 0);
 }
 
 TEST_CASE("a leg without a section of its own follows the other one") {

@@ -54,12 +54,6 @@ struct Fold {
         if (from_tip >= farther) return from_tip + longer;
         return nearer + (from_tip - nearer) * (1 + longer / (farther - nearer));
     }
-    /// And the other way.
-    [[nodiscard]] Scalar along_centreline(Scalar from_tip) const {
-        if (from_tip <= nearer) return from_tip;
-        if (from_tip >= farther + longer) return from_tip - longer;
-        return nearer + (from_tip - nearer) / (1 + longer / (farther - nearer));
-    }
     [[nodiscard]] bool holds(Scalar from_tip) const { return from_tip > nearer && from_tip < farther; }
 };
 

@@ -30,7 +30,7 @@ inline constexpr int least_clothed_sections = 3;
 template <typename Scalar>
 inline constexpr Scalar usual_ratio = Scalar(0.1);
 
-/// Thickness of the limb where its sections are its own, along its bones.
+/// Thickness of the limb where its sections are its own; along its bones where the fold is given.
 template <typename Scalar>
 std::vector<Sample<Scalar>> thickness_samples(const Limb<Scalar>& limb, const Fold<Scalar>& fold = {}) {
     std::vector<Sample<Scalar>> samples;
@@ -51,8 +51,6 @@ struct ProfiledLimb {
     BodyPart part;
     std::size_t inner, middle, outer;
     Stretch<Scalar> rest;
-    Fold<Scalar> fold = {};
-    Stretch<Scalar> found = {}; ///< along the bones, as `rest`
     Scalar bone_ratio = 1;
     ProfileFit<Scalar> fit = {};
 };
@@ -74,15 +72,15 @@ std::optional<ProfiledLimb<Scalar>> as_profiled(Limb<Scalar>& limb, const Skelet
 /// thicker than the profile has them: nearer the trunk they are a coat's or a skirt's. A fold is thick, too, but not
 /// all the way to the trunk.
 template <typename Scalar>
-Scalar clothed_attachment(const Limb<Scalar>& limb, const Fold<Scalar>& fold, const Profile& profile,
-                          const Stretch<Scalar>& stretch, Scalar stoutness) {
+Scalar clothed_attachment(const Limb<Scalar>& limb, const Profile& profile, const Stretch<Scalar>& stretch,
+                          Scalar stoutness) {
     const Scalar too_thick = std::log(clothed_growth<Scalar>);
     const Scalar end = limb.line.arc[limb.line.arc.size() - 1];
     int more_too_thick = 0, most = least_clothed_sections - 1; // sections, counted from the trunk
     Scalar attachment = limb.attachment;
     for (Eigen::Index i = 0; i + 1 < limb.line.arc.size(); ++i) {
         if (limb.line.arc[i] <= limb.attachment || !(limb.line.thickness[i] > 0)) continue;
-        const Scalar u = stretch.u(fold.along_bones(end - limb.line.arc[i]));
+        const Scalar u = stretch.u(end - limb.line.arc[i]);
         if (u < above_middle_joint<Scalar>) break;
         const Scalar expected = value_at(profile, u).value_or(static_cast<Scalar>(profile.back()));
         more_too_thick += std::log(limb.line.thickness[i]) > expected + stoutness + too_thick ? 1 : -1;
@@ -94,54 +92,56 @@ Scalar clothed_attachment(const Limb<Scalar>& limb, const Fold<Scalar>& fold, co
 }
 
 template <typename Scalar>
-std::optional<Top<Scalar>> top_of(const ProfiledLimb<Scalar>& p) {
+std::optional<Top<Scalar>> top_of(const ProfiledLimb<Scalar>& p, const Fold<Scalar>& fold = {}) {
     if (!p.limb->top_by_trunk) return std::nullopt;
-    return Top<Scalar>{p.fold.along_bones(*p.limb->top_by_trunk),
-                       p.limb->top_deviation / (p.rest.inner - p.rest.middle)};
+    return Top<Scalar>{fold.along_bones(*p.limb->top_by_trunk), p.limb->top_deviation / (p.rest.inner - p.rest.middle)};
 }
 
-/// Both arms or both legs, the joints of each where its thickness and the other's length put them.
+/// The stretches along the bones where the `found` ones, along centrelines, show a limb to be bent; those where none
+/// is. A centreline cuts the corner, and the fold there has flesh of both bones: bent limbs would seem short.
 template <typename Scalar>
-std::vector<ProfiledLimb<Scalar>> with_best_stretches(std::vector<ProfiledLimb<Scalar>> pair, const Profile& profile,
-                                                      const ThicknessProfileOptions& options) {
-    std::vector<MatchedLimb<Scalar>> matched;
-    for (const ProfiledLimb<Scalar>& p : pair)
-        matched.push_back({thickness_samples(*p.limb, p.fold), p.rest, top_of(p)});
-    const std::vector<Stretch<Scalar>> found = best_stretches(matched, profile, options);
-    for (std::size_t k = 0; k < pair.size(); ++k) {
-        pair[k].found = found[k];
-        pair[k].fit =
-            fit_profile(matched[k].samples, profile, found[k], static_cast<Scalar>(options.thickness_deviation));
+std::vector<Stretch<Scalar>> stretches_along_bones(std::vector<MatchedLimb<Scalar>> matched,
+                                                   const std::vector<ProfiledLimb<Scalar>*>& limbs,
+                                                   const std::vector<Stretch<Scalar>>& found, const Profile& profile,
+                                                   const ThicknessProfileOptions& options, const BendOptions& bend,
+                                                   const BoneLineOptions& bone_line) {
+    bool any_bent = false;
+    for (std::size_t k = 0; k < limbs.size(); ++k) {
+        const Fold<Scalar> fold = find_fold(*limbs[k]->limb, found[k], bend, bone_line);
+        if (!(fold.bent > 0)) continue;
+        any_bent = true;
+        matched[k] = {thickness_samples(*limbs[k]->limb, fold), limbs[k]->rest, top_of(*limbs[k], fold)};
     }
-    return pair;
+    return any_bent ? best_stretches(matched, profile, options) : found;
 }
 
-/// The limbs with the joints of both arms or both legs, from elbow or knee outwards, where they fit best: first as they
-/// are, and where that shows one to be bent, again without the folds.
+/// The limbs with the joints of both arms or both legs, from elbow or knee outwards, where they fit best: elbow and
+/// knee along the centreline, where a fold shows them, what lies beyond along the bones.
 template <typename Scalar>
 std::vector<ProfiledLimb<Scalar>> with_outer_joints(std::vector<ProfiledLimb<Scalar>> limbs, BodyPart part,
                                                     const ThicknessProfileOptions& options, const BendOptions& bend,
                                                     const BoneLineOptions& bone_line) {
     const Profile& profile = part == BodyPart::leg ? leg_profile : arm_profile;
-    const auto others =
-        std::stable_partition(limbs.begin(), limbs.end(), [&](const auto& p) { return p.part == part; });
-    std::vector<ProfiledLimb<Scalar>> pair(limbs.begin(), others);
+    std::vector<ProfiledLimb<Scalar>*> pair;
+    std::vector<MatchedLimb<Scalar>> matched;
+    for (ProfiledLimb<Scalar>& p : limbs)
+        if (p.part == part) {
+            pair.push_back(&p);
+            matched.push_back({thickness_samples(*p.limb), p.rest, top_of(p)});
+        }
     if (pair.empty()) return limbs;
-    pair = with_best_stretches(std::move(pair), profile, options);
-    bool any_bent = false;
-    for (ProfiledLimb<Scalar>& p : pair) {
-        p.fold = find_fold(*p.limb, p.found, bend, bone_line);
-        any_bent = any_bent || p.fold.bent > 0;
-    }
-    if (any_bent) pair = with_best_stretches(std::move(pair), profile, options);
-    for (ProfiledLimb<Scalar>& p : pair) {
-        p.limb->attachment = clothed_attachment(*p.limb, p.fold, profile, p.found, p.fit.stoutness);
+    const std::vector<Stretch<Scalar>> found = best_stretches(matched, profile, options);
+    const std::vector<Stretch<Scalar>> along_bones =
+        stretches_along_bones(matched, pair, found, profile, options, bend, bone_line);
+    for (std::size_t k = 0; k < pair.size(); ++k) {
+        ProfiledLimb<Scalar>& p = *pair[k];
+        p.fit = fit_profile(matched[k].samples, profile, found[k], static_cast<Scalar>(options.thickness_deviation));
+        p.limb->attachment = clothed_attachment(*p.limb, profile, found[k], p.fit.stoutness);
         std::vector<Scalar>& from_tip = p.limb->from_tip;
-        for (std::size_t i = p.outer; i < from_tip.size(); ++i) from_tip[i] *= p.found.outer / p.rest.outer;
-        from_tip[p.middle] = p.fold.along_centreline(p.found.middle);
-        p.bone_ratio = (p.found.middle - p.found.outer) / (p.rest.middle - p.rest.outer);
+        for (std::size_t i = p.outer; i < from_tip.size(); ++i) from_tip[i] *= along_bones[k].outer / p.rest.outer;
+        from_tip[p.middle] = found[k].middle;
+        p.bone_ratio = (along_bones[k].middle - along_bones[k].outer) / (p.rest.middle - p.rest.outer);
     }
-    std::copy(pair.begin(), pair.end(), limbs.begin());
     return limbs;
 }
 
@@ -175,10 +175,11 @@ Scalar upper_bone_length(const std::vector<ProfiledLimb<Scalar>>& limbs, BodyPar
     for (const ProfiledLimb<Scalar>& p : limbs) {
         const std::optional<Top<Scalar>> top = top_of(p);
         if (p.part != part || !top) continue;
-        const Scalar deviation = deviation_of(*top, p.fit.stoutness, p.found);
+        const Scalar middle = p.limb->from_tip[p.middle];
+        const Scalar deviation =
+            deviation_of(*top, p.fit.stoutness, Stretch<Scalar>{p.limb->from_tip[p.outer], middle, 0});
         const Scalar weight = 1 / (deviation * deviation);
-        sum += weight *
-               std::log(std::max(top->from_tip - p.found.middle, shortest_upper_bone<Scalar> * by_ratio) / by_ratio);
+        sum += weight * std::log(std::max(top->from_tip - middle, shortest_upper_bone<Scalar> * by_ratio) / by_ratio);
         weights += weight;
         count += 1;
     }
