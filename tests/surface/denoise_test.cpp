@@ -2,6 +2,7 @@
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/surface/denoise.hpp>
+#include <skelgen/surface/impl/denoise.hpp>
 
 #include "catch.hpp"
 #include "mesh_changes.hpp"
@@ -52,6 +53,8 @@ TEST_CASE("which way faces are turned, and in what order they come, says nothing
     inside_out.faces.col(0).swap(inside_out.faces.col(1));
     CHECK(bulge_coherence(inside_out) == Approx(bulge_coherence(mesh)));
     CHECK(bulge_coherence(shuffled(mesh, 1)) == Approx(bulge_coherence(mesh)));
+    CHECK(surface::detail::coherence_of_closed(mesh) == Approx(bulge_coherence(mesh)));
+    CHECK(surface::detail::coherence_of_closed(inside_out) == Approx(bulge_coherence(mesh)));
 }
 
 TEST_CASE("noise is smoothed away, and the shape keeps its size") {
