@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
@@ -19,8 +18,8 @@ using namespace skelgen::test;
 namespace {
 
 /// A closed surface without any symmetry: a stretched sphere with a dent and a bulge.
-Mesh lopsided(int times = 3) {
-    Mesh mesh = sphere(1, times);
+Mesh lopsided() {
+    Mesh mesh = sphere(1, 3);
     for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v) {
         const Vec3 p = mesh.vertices.row(v);
         const double bulge = 0.8 * std::exp(-2 * (p - Vec3(0.3, 0.2, 0.93)).squaredNorm()) -
@@ -31,8 +30,8 @@ Mesh lopsided(int times = 3) {
 }
 
 /// The same but for the mirror at the plane y = 0, as most bodies standing straight are.
-Mesh mirror_symmetric(int times) {
-    Mesh mesh = sphere(1, times);
+Mesh mirror_symmetric() {
+    Mesh mesh = sphere(1, 3);
     for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v) {
         const Vec3 p = mesh.vertices.row(v);
         const double bulge = 0.8 * std::exp(-2 * (p - Vec3(0.3, 0, 0.95)).squaredNorm());
@@ -102,7 +101,7 @@ TEST_CASE("faces keep their corners and their sense") {
 }
 
 TEST_CASE("a body moved, turned, scaled and shuffled has the same canonical form") {
-    const Mesh mesh = lopsided(GENERATE(3, 7)); // few vertices, and so many that they are in the order of space
+    const Mesh mesh = lopsided();
     const CanonicalMesh<double> expected = canonical_form(mesh);
     unsigned seed = 1;
     for (const Motion& motion : motions()) {
@@ -116,7 +115,7 @@ TEST_CASE("a body moved, turned, scaled and shuffled has the same canonical form
 
 TEST_CASE("a mirror-symmetric body has the same canonical form however it is turned") {
     // Its left and its right are equal up to rounding: only the order of the faces' corners can tell which is which.
-    const Mesh mesh = mirror_symmetric(GENERATE(3, 7));
+    const Mesh mesh = mirror_symmetric();
     const CanonicalMesh<double> expected = canonical_form(mesh);
     for (unsigned seed = 1; seed <= 6; ++seed) {
         const CanonicalMesh<double> canonical =
@@ -126,21 +125,6 @@ TEST_CASE("a mirror-symmetric body has the same canonical form however it is tur
         const bool same_faces = canonical.mesh.faces == expected.mesh.faces; // not printed: a thousand lines
         CHECK(same_faces);
     }
-}
-
-TEST_CASE("of many vertices those that are neighbours come soon after each other") {
-    const Mesh mesh = canonical_form(lopsided(7)).mesh;
-    const std::vector<int> by_height = surface::detail::by_height(mesh.vertices);
-    std::vector<int> rank(by_height.size());
-    for (std::size_t i = 0; i < rank.size(); ++i) rank[static_cast<std::size_t>(by_height[i])] = static_cast<int>(i);
-    double apart = 0, ranks_apart = 0; // on average, as ratios tell more than a few great steps
-    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
-        const int a = mesh.faces(f, 0), b = mesh.faces(f, 1);
-        apart += std::log(std::abs(a - b));
-        ranks_apart += std::log(std::abs(rank[static_cast<std::size_t>(a)] - rank[static_cast<std::size_t>(b)]));
-    }
-    UNSCOPED_INFO("ratio " << std::exp((apart - ranks_apart) / static_cast<double>(mesh.faces.rows())));
-    CHECK(std::exp((apart - ranks_apart) / static_cast<double>(mesh.faces.rows())) < 0.6);
 }
 
 TEST_CASE("single and double precision agree") {

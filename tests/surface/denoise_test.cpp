@@ -52,6 +52,14 @@ TEST_CASE("which way faces are turned, and in what order they come, says nothing
     inside_out.faces.col(0).swap(inside_out.faces.col(1));
     CHECK(bulge_coherence(inside_out) == Approx(bulge_coherence(mesh)));
     CHECK(bulge_coherence(shuffled(mesh, 1)) == Approx(bulge_coherence(mesh)));
+    for (const double more : {-1e-9, 1e-9}) { // a closed surface is judged by its faces, as it is by its edges
+        DenoiseOptions options;
+        options.least_coherence = bulge_coherence(mesh) + more;
+        options.enough_coherence = 1;
+        CHECK(is_without_noise(mesh, options) == (more < 0));
+        CHECK(is_without_noise(inside_out, options) == (more < 0));
+        CHECK((remove_noise(mesh, options).passes == 0) == (more < 0));
+    }
 }
 
 TEST_CASE("noise is smoothed away, and the shape keeps its size") {

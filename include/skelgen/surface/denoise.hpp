@@ -17,16 +17,16 @@ struct DenoiseOptions {
 /// \throws Error usage when an option is out of its range.
 void validate(const DenoiseOptions& options);
 
-/// How alike neighbouring vertices bulge: correlation, over the edges of all faces, of the vertices' distances in front
-/// of the mean of their neighbours. Near 1 on a smooth surface, whatever its triangles; about 0 and below where every
-/// vertex goes its own way. 1 for a flat one. O(n).
+/// How alike neighbouring vertices bulge: correlation, over the edges, of the vertices' distances in front of the mean
+/// of their neighbours. Near 1 on a smooth surface, whatever its triangles; about 0 and below where every vertex goes
+/// its own way. 1 for a flat one. O(n log n).
 template <typename Scalar>
 [[nodiscard]] Scalar bulge_coherence(const TriangleMesh<Scalar>& mesh);
 
-/// Whether a surface bulges as coherently as one without noise, which remove_noise leaves untouched. O(n).
-/// \throws Error usage when an option is out of its range.
+/// Whether a closed surface bulges as coherently as one without noise, which remove_noise leaves untouched: each of its
+/// edges must have two faces. O(n). \throws Error usage when an option is out of its range.
 template <typename Scalar>
-[[nodiscard]] bool is_without_noise(const TriangleMesh<Scalar>& mesh, const DenoiseOptions& options = {});
+[[nodiscard]] bool is_without_noise(const TriangleMesh<Scalar>& closed, const DenoiseOptions& options = {});
 
 /// A mesh after some passes of smoothing that keep its volume (Tau95). O(passes n + n log n).
 template <typename Scalar>
@@ -41,7 +41,7 @@ struct DenoisedMesh {
 
 /// Smooths a mesh whose vertices are displaced by noise until they bulge coherently (Tau95), which keeps limbs as thick
 /// as they are. A mesh without noise is left untouched. Any unit; any mesh whose faces refer to its vertices.
-/// O(n), with noise O(passes n + n log n). \throws Error usage when an option is out of its range.
+/// O(passes n + n log n). \throws Error usage when an option is out of its range.
 template <typename Scalar>
 [[nodiscard]] DenoisedMesh<Scalar> remove_noise(TriangleMesh<Scalar> mesh, const DenoiseOptions& options = {});
 

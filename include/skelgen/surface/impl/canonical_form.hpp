@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -138,7 +136,7 @@ Eigen::Matrix<Accumulator, 3, 3> principal_rotation(const TriangleMesh<Scalar>& 
 /// Vertices in the order of their height along a direction askew to the axes, on which the two halves of a symmetric
 /// body do not tie. In the accumulator's precision: in float a hundred thousand heights would have many ties.
 template <typename Scalar>
-std::vector<int> by_height(const Points<Scalar>& vertices) {
+std::vector<int> geometric_order(const Points<Scalar>& vertices) {
     const Vector3<Accumulator> askew(1, 0.7548776662466927, 0.5698402909980532);
     std::vector<std::pair<Accumulator, int>> heights;
     heights.reserve(static_cast<std::size_t>(vertices.rows()));
@@ -148,40 +146,6 @@ std::vector<int> by_height(const Points<Scalar>& vertices) {
     order.reserve(heights.size());
     for (const auto& [height, v] : core::sorted_by_number(std::move(heights))) order.push_back(v);
     return order;
-}
-
-/// Per vertex the number of the cell in which it lies, along a curve that fills the box around them all (Mor66).
-template <typename Scalar>
-std::vector<std::size_t> cells_on_filling_curve(const Points<Scalar>& vertices) {
-    constexpr int bits = 5;               // of a cell's place along each axis
-    constexpr Scalar odd = Scalar(0.382); // of a cell: none ends where a symmetric body has its middle
-    constexpr Scalar cells = (1 << bits) - 1;
-    const Vector3<Scalar> least = vertices.colwise().minCoeff();
-    const Scalar per_length = cells / (vertices.colwise().maxCoeff().transpose() - least).maxCoeff();
-    std::vector<std::size_t> out(static_cast<std::size_t>(vertices.rows()), 0);
-    for (std::size_t v = 0; v < out.size(); ++v)
-        for (int k = 0; k < 3; ++k) {
-            const Scalar along = (vertices(static_cast<Eigen::Index>(v), k) - least[k]) * per_length + odd;
-            const auto cell = static_cast<std::size_t>(along);
-            for (int bit = 0; bit < bits; ++bit) out[v] |= (cell >> bit & 1) << (3 * bit + k);
-        }
-    return out;
-}
-
-/// Vertices in the order in which the pipeline has them. Of many those that are near each other come soon after each
-/// other, so that what walks along the surface finds them in the processor's cache: cell by cell, in each by height.
-template <typename Scalar>
-std::vector<int> geometric_order(const Points<Scalar>& vertices) {
-    constexpr Eigen::Index many = 1 << 15; // with their faces, what a cache holds
-    std::vector<int> order = by_height(vertices);
-    if (vertices.rows() < many) return order;
-    const std::vector<std::size_t> cells = cells_on_filling_curve(vertices);
-    std::vector<std::size_t> next(1 + *std::max_element(cells.begin(), cells.end()) + 1, 0);
-    for (const std::size_t cell : cells) ++next[cell + 1];
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    std::vector<int> out(order.size());
-    for (const int v : order) out[next[cells[static_cast<std::size_t>(v)]]++] = v;
-    return out;
 }
 
 /// Faces on renumbered vertices, each from its lowest one on, in ascending order.

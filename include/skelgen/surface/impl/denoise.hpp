@@ -35,9 +35,23 @@ Points<Scalar> to_neighbours(const Points<Scalar>& vertices, const Edges& edges)
     return sum;
 }
 
-/// Per vertex how far it is below the mean of its neighbours, along its normal. Faces count each inner edge twice.
 template <typename Scalar>
-std::vector<Scalar> bulges(const TriangleMesh<Scalar>& mesh) {
+Scalar coherence(const TriangleMesh<Scalar>& mesh, const Edges& edges) {
+    Points<Scalar> off, normals;
+    core::in_parallel([&] { off = to_neighbours(mesh.vertices, edges); },
+                      [&] { normals = core::vertex_normals(mesh); });
+    const Eigen::Matrix<Scalar, Eigen::Dynamic, 1> bulge = off.cwiseProduct(normals).rowwise().sum();
+    core::Accumulator alike = 0, all = 0;
+    for (const auto& [a, b] : edges) {
+        alike += bulge[a] * bulge[b];
+        all += Scalar(0.5) * (bulge[a] * bulge[a] + bulge[b] * bulge[b]);
+    }
+    return all > 0 ? static_cast<Scalar>(alike / all) : Scalar(1);
+}
+
+/// Per vertex of a closed surface how far it is below the mean of its neighbours, along its normal.
+template <typename Scalar>
+std::vector<Scalar> bulges_of_closed(const TriangleMesh<Scalar>& mesh) {
     struct Around { ///< a vertex: sums
         Vector3<Scalar> to_neighbours = Vector3<Scalar>::Zero(), normal = Vector3<Scalar>::Zero();
         int neighbours = 0;
@@ -64,6 +78,20 @@ std::vector<Scalar> bulges(const TriangleMesh<Scalar>& mesh) {
     return out;
 }
 
+/// The same as `coherence`, of a closed surface, each edge of which two faces have: without a list of edges.
+template <typename Scalar>
+Scalar coherence_of_closed(const TriangleMesh<Scalar>& mesh) {
+    const std::vector<Scalar> bulges = bulges_of_closed(mesh);
+    core::Accumulator alike = 0, all = 0;
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+        const auto bulge = [&](int corner) { return bulges[static_cast<std::size_t>(mesh.faces(f, corner))]; };
+        const Scalar a = bulge(0), b = bulge(1), c = bulge(2);
+        alike += a * b + b * c + c * a;
+        all += a * a + b * b + c * c;
+    }
+    return all > 0 ? static_cast<Scalar>(alike / all) : Scalar(1);
+}
+
 /// One pass: there and back again.
 template <typename Scalar>
 Points<Scalar> smoothed_once(Points<Scalar> vertices, const Edges& edges, const DenoiseOptions& options) {
@@ -84,30 +112,24 @@ SKELGEN_INLINE void validate(const DenoiseOptions& options) {
 
 template <typename Scalar>
 Scalar bulge_coherence(const TriangleMesh<Scalar>& mesh) {
-    const std::vector<Scalar> bulges = detail::bulges(mesh);
-    core::Accumulator alike = 0, all = 0;
-    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
-        const auto bulge = [&](int corner) { return bulges[static_cast<std::size_t>(mesh.faces(f, corner))]; };
-        const Scalar a = bulge(0), b = bulge(1), c = bulge(2);
-        alike += a * b + b * c + c * a;
-        all += a * a + b * b + c * c;
-    }
-    return all > 0 ? static_cast<Scalar>(alike / all) : Scalar(1);
+    return detail::coherence(mesh, core::edges_of(mesh.faces));
 }
 
 template <typename Scalar>
-bool is_without_noise(const TriangleMesh<Scalar>& mesh, const DenoiseOptions& options) {
+bool is_without_noise(const TriangleMesh<Scalar>& closed, const DenoiseOptions& options) {
     validate(options);
-    return bulge_coherence(mesh) >= static_cast<Scalar>(options.least_coherence);
+    return detail::coherence_of_closed(closed) >= static_cast<Scalar>(options.least_coherence);
 }
 
 template <typename Scalar>
 DenoisedMesh<Scalar> remove_noise(TriangleMesh<Scalar> mesh, const DenoiseOptions& options) {
+    validate(options);
+    const detail::Edges edges = core::edges_of(mesh.faces);
+    const auto least = static_cast<Scalar>(options.least_coherence),
+               enough = static_cast<Scalar>(options.enough_coherence);
     DenoisedMesh<Scalar> out{std::move(mesh), 0};
-    if (is_without_noise(out.mesh, options)) return out;
-    const detail::Edges edges = core::edges_of(out.mesh.faces);
-    const auto enough = static_cast<Scalar>(options.enough_coherence);
-    for (; out.passes < options.most_passes && bulge_coherence(out.mesh) < enough; ++out.passes)
+    if (detail::coherence(out.mesh, edges) >= least) return out;
+    for (; out.passes < options.most_passes && detail::coherence(out.mesh, edges) < enough; ++out.passes)
         out.mesh.vertices = detail::smoothed_once(std::move(out.mesh.vertices), edges, options);
     return out;
 }
