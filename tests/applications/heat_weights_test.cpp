@@ -2,6 +2,7 @@
 #include <skelgen/core/builtin_templates.hpp>
 
 #include "anatomy/rest_skeleton.hpp"
+#include "applications/weights.hpp"
 #include "catch.hpp"
 #include "shapes.hpp"
 
@@ -112,6 +113,20 @@ TEST_CASE("islands: a vertex alone gets its neighbours' mean", "[applications][w
     mesh.vertices.col(2).maxCoeff(&top);
     weights.row(top) << 0.1, 0.1, 0.8;
     CHECK((without_islands(weights, mesh.faces) - as_they_were).cwiseAbs().maxCoeff() < 1e-12);
+}
+
+TEST_CASE("islands: none is left, wherever the realms of many joints meet", "[applications][weights]") {
+    const TriangleMesh<double> mesh = test::sphere(1, 3);
+    // Each vertex follows most a joint of its own, and all follow a second one, which no mean may make the strongest.
+    const Eigen::Index n = mesh.vertices.rows();
+    JointWeights weights = JointWeights::Zero(n, n + 1);
+    for (Eigen::Index v = 0; v < n; ++v) weights.row(v)(v) = 0.6;
+    weights.col(n).setConstant(0.4);
+    const JointWeights joined = without_islands(weights, mesh.faces);
+    CHECK((joined.rowwise().sum().array() - 1).abs().maxCoeff() < 1e-12);
+    CHECK(test::islands(strongest_influences<double>(weights), mesh.faces) == n);
+    CHECK(test::islands(strongest_influences<double>(joined), mesh.faces) == 0);
+    for (Eigen::Index v = 0; v < n; ++v) CHECK(joined.row(v).maxCoeff() > 0.5);
 }
 
 } // namespace

@@ -48,8 +48,8 @@ template <typename Scalar>
 [[nodiscard]] JointWeights following_one_limb(JointWeights weights, const SkeletonTemplate& skeleton_template);
 
 /// The weights with no vertex that follows most a joint which none of its neighbours follows most, as may be left where
-/// the realms of several bones meet: it gets its neighbours' mean, in a few rounds. `faces` name the weights' rows.
-/// O(faces + n joints).
+/// the realms of several bones meet: it gets the mean of those of its neighbours that follow most what most of them do.
+/// `faces` name the weights' rows. O(faces + n joints).
 [[nodiscard]] JointWeights without_islands(JointWeights weights, const Triangles& faces);
 
 } // namespace skelgen::applications

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 
 #include <Eigen/SparseCholesky>
 
@@ -202,31 +203,37 @@ SKELGEN_INLINE JointWeights following_one_limb(JointWeights weights, const Skele
 }
 
 SKELGEN_INLINE JointWeights without_islands(JointWeights weights, const Triangles& faces) {
-    constexpr int rounds = 4; // one does for nearly all
-    for (int round = 0; round < rounds; ++round) {
-        std::vector<int> strongest(static_cast<std::size_t>(weights.rows()));
-        for (Eigen::Index v = 0; v < weights.rows(); ++v)
-            weights.row(v).maxCoeff(&strongest[static_cast<std::size_t>(v)]);
-        std::vector<bool> is_island(strongest.size(), true);
-        std::vector<std::vector<int>> neighbours(strongest.size());
-        for (Eigen::Index f = 0; f < faces.rows(); ++f)
-            for (int k = 0; k < 3; ++k) {
-                const auto a = static_cast<std::size_t>(faces(f, k)),
-                           b = static_cast<std::size_t>(faces(f, (k + 1) % 3));
-                neighbours[a].push_back(static_cast<int>(b));
-                neighbours[b].push_back(static_cast<int>(a));
-                if (strongest[a] == strongest[b]) is_island[a] = is_island[b] = false;
-            }
-        const JointWeights before = weights;
-        bool any = false;
-        for (std::size_t v = 0; v < is_island.size(); ++v) {
-            if (!is_island[v] || neighbours[v].empty()) continue;
-            any = true;
-            Eigen::RowVectorX<core::Accumulator> sum = Eigen::RowVectorX<core::Accumulator>::Zero(weights.cols());
-            for (const int neighbour : neighbours[v]) sum += before.row(neighbour);
-            weights.row(static_cast<Eigen::Index>(v)) = sum / static_cast<core::Accumulator>(neighbours[v].size());
+    std::vector<int> strongest(static_cast<std::size_t>(weights.rows()));
+    for (Eigen::Index v = 0; v < weights.rows(); ++v) weights.row(v).maxCoeff(&strongest[static_cast<std::size_t>(v)]);
+    std::vector<bool> is_island(strongest.size(), true);
+    const auto at = [](int v) { return static_cast<std::size_t>(v); };
+    for (Eigen::Index f = 0; f < faces.rows(); ++f)
+        for (int k = 0; k < 3; ++k) {
+            const std::size_t a = at(faces(f, k)), b = at(faces(f, (k + 1) % 3));
+            if (strongest[a] == strongest[b]) is_island[a] = is_island[b] = false;
         }
-        if (!any) break;
+    std::map<int, std::vector<int>> neighbours; // of the islands, those of an inner edge twice
+    for (Eigen::Index f = 0; f < faces.rows(); ++f)
+        for (int k = 0; k < 3; ++k) {
+            const int v = faces(f, k);
+            if (is_island[at(v)])
+                neighbours[v].insert(neighbours[v].end(), {faces(f, (k + 1) % 3), faces(f, (k + 2) % 3)});
+        }
+    // One after the other: who has joined a neighbour stays with it, and so does the neighbour.
+    for (const auto& [v, around] : neighbours) {
+        if (std::any_of(around.begin(), around.end(), [&](int w) { return strongest[at(w)] == strongest[at(v)]; }))
+            continue;
+        Eigen::RowVectorX<core::Accumulator> all = Eigen::RowVectorX<core::Accumulator>::Zero(weights.cols()),
+                                             sum = all;
+        for (const int w : around) all[strongest[at(w)]] += weights(w, strongest[at(w)]);
+        all.maxCoeff(&strongest[at(v)]);
+        int count = 0;
+        for (const int w : around) {
+            if (strongest[at(w)] != strongest[at(v)]) continue;
+            sum += weights.row(w);
+            ++count;
+        }
+        weights.row(v) = sum / static_cast<core::Accumulator>(count);
     }
     return weights;
 }
