@@ -64,7 +64,10 @@ Outcome<Fit<Scalar>> fit_touching_body(const Body<Scalar>& body, const curve::Cu
     }
     if (best) {
         best->timings = {}; // counted
-        return finish(best_way->body, *std::move(best), true);
+        // Bodies that are cut apart have 0.37 and more; a chair whose back was cut into arms has 0.07.
+        constexpr Scalar least_confidence = Scalar(0.15);
+        Outcome<Fit<Scalar>> apart = finish(best_way->body, *std::move(best), true);
+        if (apart && mean_confidence(apart->skeleton) >= least_confidence) return apart;
     }
     return finish(body, fit_to_finer_curves(body, found, wanted, options, attempts), false);
 }
