@@ -22,7 +22,7 @@ if(BUILD_SHARED_LIBS)
 else()
   set(SKELGEN_STATIC ON)
 endif()
-list(JOIN skelgen_codec_packages " " skelgen_codec_packages)
+list(JOIN skelgen_linked_codec_packages " " skelgen_codec_packages)
 configure_package_config_file(cmake/skelgen-config.cmake.in "${PROJECT_BINARY_DIR}/skelgen-config.cmake"
                               INSTALL_DESTINATION "${package_dir}")
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/skelgen-config-version.cmake" COMPATIBILITY SameMinorVersion)

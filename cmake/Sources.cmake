@@ -422,6 +422,7 @@ set(skelgen_codec_sources
     src/io/draco_codec.cpp
     src/io/gzip.cpp
     src/io/meshopt_codec.cpp
+    src/io/scene_library.cpp
 )
 
 set(skelgen_render_sources

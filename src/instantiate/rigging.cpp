@@ -33,7 +33,8 @@ namespace skelgen::applications {
                                                       const Orientations<Scalar>&, const Vector3<Scalar>&,             \
                                                       const std::vector<Vector3<Scalar>>&);                            \
     template std::vector<RigidMotion<Scalar>> rest_motions(RestPose, const KinematicSkeleton<Scalar>&,                 \
-                                                           const SkeletonTemplate&, const Eigen::Quaternion<Scalar>&); \
+                                                           const SkeletonTemplate&, const Orientations<Scalar>&,       \
+                                                           const Eigen::Quaternion<Scalar>&);                          \
     template KinematicSkeleton<Scalar> moved(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&,                \
                                              const std::vector<RigidMotion<Scalar>>&);                                 \
     template Skin<Scalar> strongest_influences(const Eigen::MatrixX<Scalar>&);                                         \

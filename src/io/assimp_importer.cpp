@@ -15,13 +15,10 @@
 #include <vector>
 
 #include <Eigen/LU>
-#include <assimp/IOSystem.hpp>
-#include <assimp/Importer.hpp>
-#include <assimp/config.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include "animation_choice.hpp"
+#include "scene_library.hpp"
 #include "scene_pose.hpp"
 #include "vertex_merger.hpp"
 #endif
@@ -42,15 +39,6 @@ bool is_collada(std::string_view bytes) {
 namespace {
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::bad_input, message); }
-
-/// No file but the scene's own is to be read.
-class NoFiles : public Assimp::IOSystem {
-public:
-    bool Exists(const char* /*file*/) const override { return false; }
-    [[nodiscard]] char getOsSeparator() const override { return '/'; }
-    Assimp::IOStream* Open(const char* /*file*/, const char* /*mode*/) override { return nullptr; }
-    void Close(Assimp::IOStream* /*file*/) override {}
-};
 
 Eigen::Vector3d to_eigen(const aiVector3D& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
@@ -208,18 +196,10 @@ private:
 };
 
 PolygonMesh import_here(std::string_view bytes, MeshFormat format, const ReadMeshOptions& options) {
-    Assimp::Importer importer;
-    importer.SetIOHandler(new NoFiles); // which it then owns
-    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
-                                                            aiComponent_COLORS | aiComponent_TEXCOORDS |
-                                                            aiComponent_TEXTURES | aiComponent_LIGHTS |
-                                                            aiComponent_CAMERAS);
-    const aiScene* const scene =
-        importer.ReadFileFromMemory(bytes.data(), bytes.size(), static_cast<unsigned>(aiProcess_RemoveComponent),
-                                    format == MeshFormat::dae ? "dae" : "fbx");
-    if (scene == nullptr || scene->mRootNode == nullptr)
-        refuse(std::string("cannot be read: ") + importer.GetErrorString() + "; export it again, or as GLB");
-    return SceneReader(*scene, options).read();
+    PolygonMesh mesh;
+    with_imported_scene(bytes, format == MeshFormat::dae ? "dae" : "fbx",
+                        [&](const aiScene& scene) { mesh = SceneReader(scene, options).read(); });
+    return mesh;
 }
 
 } // namespace

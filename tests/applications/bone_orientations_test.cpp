@@ -148,8 +148,11 @@ TEST_CASE("orientations: a raised shoulder comes down at rest, and up again", "[
     for (const char* name : {"left_shoulder", "left_elbow", "left_wrist", "left_hand"})
         skeleton.joints[index_of(name)].position += lift;
     const auto rest = rest_skeleton<double>(human());
-    const auto unposed =
-        moved(skeleton, human(), rest_motions<double>(RestPose::t_pose, skeleton, human(), Rotation::Identity()));
+    const auto was = bone_orientations(skeleton, human());
+    const auto held = [&](RestPose pose) {
+        return moved(skeleton, human(), rest_motions<double>(pose, skeleton, human(), was, Rotation::Identity()));
+    };
+    const auto unposed = held(RestPose::t_pose);
     const auto from_chest = [](const KinematicSkeleton<double>& of, const char* name) -> Eigen::Vector3d {
         return of.joints[index_of(name)].position - of.joints[index_of("chest")].position;
     };
@@ -159,15 +162,14 @@ TEST_CASE("orientations: a raised shoulder comes down at rest, and up again", "[
     for (const char* name : {"left_shoulder", "right_shoulder"})
         CHECK(from_chest(unposed, name).norm() == Approx(both / 2));
 
-    const auto was = bone_orientations(skeleton, human()), now = bone_orientations(unposed, human());
+    const auto now = bone_orientations(unposed, human());
     const auto lines = girdle_lines(unposed, now, skeleton, was, human());
     const auto again = moved(unposed, human(), motions<double>(unposed, now, was, skeleton.joints[0].position, lines));
     for (std::size_t j = 0; j < again.joints.size(); ++j)
         CHECK((again.joints[j].position - skeleton.joints[j].position).norm() < 1e-9);
 
     // As it is, nothing moves but the whole.
-    const auto as_is =
-        moved(skeleton, human(), rest_motions<double>(RestPose::as_is, skeleton, human(), Rotation::Identity()));
+    const auto as_is = held(RestPose::as_is);
     CHECK((from_chest(as_is, "left_shoulder") - from_chest(skeleton, "left_shoulder")).norm() < 1e-9);
 
     const Eigen::Vector3d line = from_chest(skeleton, "left_shoulder");

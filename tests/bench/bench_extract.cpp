@@ -84,6 +84,14 @@ ExtractOptions joints_alone() {
     return options;
 }
 
+/// What an extraction takes at once beside the mesh.
+double peak_bytes(const TriangleMesh<double>& mesh) {
+    forget_peak();
+    const double before = memory_kb("VmRSS");
+    [[maybe_unused]] const auto kept = extract_skeleton(mesh, joints_alone());
+    return 1024 * (memory_kb("VmHWM") - before);
+}
+
 /// What was measured of one mesh, CPU milliseconds.
 struct Measured {
     double faces = 0, read = 0, whole = 0, cgal = 0; ///< `cgal`: 0 where it does not take the mesh
@@ -104,12 +112,10 @@ Measured measure(const fs::path& file, int rounds) {
     std::optional<bench::CgalSkeletonizer> other;
     if (mesh.faces.rows() <= most_for_cgal) other.emplace(mesh);
     if (other && !other->is_closed()) other.reset();
+    out.bytes_per_face = peak_bytes(mesh) / out.faces;
     for (int round = 0; round < rounds; ++round) {
         StageTimings timings;
-        forget_peak();
-        const double before = memory_kb("VmRSS");
         whole.push_back(time_of([&] { timings = extract_skeleton(mesh, joints_alone()).timings; }));
-        out.bytes_per_face = std::max(out.bytes_per_face, 1024 * (memory_kb("VmHWM") - before) / out.faces);
         const std::array<double, 5> parts{timings.surface, timings.curve, timings.embed, timings.refine, timings.sides};
         for (std::size_t i = 0; i < parts.size(); ++i) stages[i].push_back(parts[i] / timings.total);
         if (other) cgal.push_back(time_of([&] { nodes = other->run(); }));

@@ -67,6 +67,7 @@ double slope_of_arms(const KinematicSkeleton<double>& skeleton) {
 std::vector<applications::RigidMotion<double>> unposing(const KinematicSkeleton<double>& skeleton,
                                                         const SkeletonTemplate& human) {
     return applications::rest_motions<double>(applications::RestPose::t_pose, skeleton, human,
+                                              applications::bone_orientations(skeleton, human),
                                               Eigen::Quaterniond::Identity());
 }
 

@@ -7,6 +7,9 @@
 
 namespace skelgen::anatomy {
 
+/// A joint of less confidence looks misplaced: calibrated, seven in ten of those below are wrong.
+inline constexpr double unlikely = 0.1;
+
 /// A skeleton whose joints have confidences.
 template <typename Scalar = double>
 struct JudgedSkeleton {
@@ -20,7 +23,7 @@ struct JudgedSkeleton {
 /// they were made alike (per joint that of the bone from its parent): making them alike is no evidence. Of the joints
 /// that were `moved` inside, half of that. On
 /// real and synthetic bodies 98 of 100 joints above 0.7 lie within 3 % of the geodesic diameter from the true place, 94
-/// of those between 0.1 and 0.7, 30 of those below. Joints below 0.1 by their bones are misplaced and named in a
+/// of those between 0.1 and 0.7, 30 of those below. Joints `unlikely` by their bones are misplaced and named in a
 /// warning; where one of an arm or a leg is among them, it may lie on the other side: `sides_confidence` falls to 0.75
 /// of itself. `skeleton` is in template order, its joints where they stay. O(joints^2).
 template <typename Scalar>

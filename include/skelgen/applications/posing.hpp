@@ -42,12 +42,12 @@ template <typename Scalar>
 motions(const KinematicSkeleton<Scalar>& skeleton, const Orientations<Scalar>& from, const Orientations<Scalar>& to,
         const Vector3<Scalar>& root, const std::vector<Vector3<Scalar>>& lines = {});
 
-/// The same to a rest pose, with the root at the origin; `to_canonical` as in orientations_in. O(joints).
+/// The same to a rest pose, with the root at the origin. `now`, `to_canonical`: as in orientations_in. O(joints).
 /// \throws Error usage when the skeleton's joints are not the template's.
 template <typename Scalar>
-[[nodiscard]] std::vector<RigidMotion<Scalar>> rest_motions(RestPose pose, const KinematicSkeleton<Scalar>& skeleton,
-                                                            const SkeletonTemplate& skeleton_template,
-                                                            const Eigen::Quaternion<Scalar>& to_canonical);
+[[nodiscard]] std::vector<RigidMotion<Scalar>>
+rest_motions(RestPose pose, const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
+             const Orientations<Scalar>& now, const Eigen::Quaternion<Scalar>& to_canonical);
 
 /// The skeleton moved likewise: joints and end points by their joints' motions, the frame by the root's. O(joints).
 template <typename Scalar>

@@ -80,8 +80,7 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] CurveResult<Scalar> recentred(CurveResult<Scalar> found, const Body<Scalar>& body, int rounds);
 
-/// A draft made a whole curve, centred in few rounds where more lead out of the body; others as they are.
-/// \throws Error as find_curve.
+/// A draft made a whole curve; others as they are. \throws Error as find_curve.
 template <typename Scalar>
 [[nodiscard]] CurveResult<Scalar> finished(CurveResult<Scalar> found, const Body<Scalar>& body);
 

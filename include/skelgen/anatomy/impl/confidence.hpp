@@ -79,7 +79,6 @@ template <typename Scalar>
 JudgedSkeleton<Scalar> estimate_confidence(KinematicSkeleton<Scalar> skeleton,
                                            const SkeletonTemplate& skeleton_template,
                                            const std::vector<Scalar>& measured, const std::vector<int>& moved) {
-    constexpr double unlikely = 0.1; // calibrated: seven in ten of the joints below are wrong
     // Puts sides that were sure among those from 0.6 to 0.8, of which a third is wrong on hard synthetic bodies.
     constexpr double side_in_doubt = 0.75;
     const std::vector<double> doubt = detail::joint_doubts(skeleton, skeleton_template, measured);

@@ -125,6 +125,7 @@ JointWeights body_weights(const Body<Scalar>& body, const KinematicSkeleton<Scal
     const JointWeights first = weights_in<Scalar>({as_is}, skeleton_template, regions);
 
     const auto motion = rest_motions<Scalar>(RestPose::t_pose, skeleton, skeleton_template,
+                                             bone_orientations(skeleton, skeleton_template),
                                              Eigen::Quaternion<Scalar>(Eigen::Quaternion<Scalar>::Identity()));
     Body<Scalar> rest = body;
     const auto held_by = [&](const JointWeights& weights) {

@@ -97,10 +97,9 @@ std::vector<RigidMotion<Scalar>> motions(const KinematicSkeleton<Scalar>& skelet
 }
 
 template <typename Scalar>
-std::vector<RigidMotion<Scalar>> rest_motions(RestPose pose, const KinematicSkeleton<Scalar>& skeleton,
-                                              const SkeletonTemplate& skeleton_template,
-                                              const Eigen::Quaternion<Scalar>& to_canonical) {
-    const Orientations<Scalar> now = bone_orientations(skeleton, skeleton_template);
+std::vector<RigidMotion<Scalar>>
+rest_motions(RestPose pose, const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
+             const Orientations<Scalar>& now, const Eigen::Quaternion<Scalar>& to_canonical) {
     const Orientations<Scalar> wanted = orientations_in(pose, skeleton_template, now, to_canonical);
     const Vector3<Scalar> origin = Vector3<Scalar>::Zero();
     if (pose == RestPose::as_is) return motions<Scalar>(skeleton, now, wanted, origin);

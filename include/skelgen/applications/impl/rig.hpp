@@ -72,9 +72,7 @@ Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
     rig.skin = bind(mesh, body, skeleton, skeleton_template);
 
     const Orientations<Scalar> now = bone_orientations(skeleton, skeleton_template);
-    const Eigen::Quaternion<Scalar> to_canonical = rotation_to_canonical(skeleton.frame);
-    const Orientations<Scalar> wanted = orientations_in(rest, skeleton_template, now, to_canonical);
-    const auto motion = rest_motions(rest, skeleton, skeleton_template, to_canonical);
+    const auto motion = rest_motions(rest, skeleton, skeleton_template, now, rotation_to_canonical(skeleton.frame));
     rig.mesh = {skinned(mesh.vertices, rig.skin, motion), mesh.faces};
 
     const Orientations<Scalar> axes = rest_axes<Scalar>(skeleton_template);
@@ -82,7 +80,7 @@ Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
         const TemplateJoint& joint = skeleton_template.joints[j];
         const Vector3<Scalar> end = bone_end(skeleton, skeleton_template, static_cast<int>(j));
         rig.joints.push_back({joint.name, joint.parent, joint.role, joint.side, motion[j](skeleton.joints[j].position),
-                              motion[j](end), (wanted[j] * axes[j]).normalized()});
+                              motion[j](end), (motion[j].rotation * now[j] * axes[j]).normalized()});
     }
     return detail::put_in_place(std::move(rig), height_by_bones(skeleton, skeleton_template));
 }

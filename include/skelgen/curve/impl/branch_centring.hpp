@@ -3,6 +3,8 @@
 #include <skelgen/curve/branch_centring.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -106,16 +108,21 @@ BranchedCurve<Scalar> smoothed(BranchedCurve<Scalar> branched) {
     return branched;
 }
 
-/// A place inside a section's contour near one outside: on a chord from the contour's nearest point, `depth` along it
-/// or in its middle; of the chords on which that lies inside, the one that goes straightest on. The place itself where
-/// there is none.
+/// A place inside a section's contour near one outside: on a chord from where the contour comes nearest, `depth` along
+/// it or in its middle; of the chords on which that lies inside, the one that goes straightest on. The place itself
+/// where there is none.
 template <typename Scalar>
 Vector3<Scalar> place_within(const BranchSection<Scalar>& section, const Vector3<Scalar>& place, Scalar depth) {
     const auto& points = section.contour.points;
-    const auto nearer = [&](const Vector3<Scalar>& a, const Vector3<Scalar>& b) {
-        return (a - place).squaredNorm() < (b - place).squaredNorm();
-    };
-    const Vector3<Scalar> entry = *std::min_element(points.begin(), points.end(), nearer);
+    Vector3<Scalar> entry = place;
+    Scalar nearest = std::numeric_limits<Scalar>::infinity();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vector3<Scalar>&from = points[i], &to = points[(i + 1) % points.size()];
+        const auto [distance, along] = core::nearest_on_segment<Scalar, 3>(place, from, to);
+        if (!(distance < nearest)) continue;
+        nearest = distance;
+        entry = from + along * (to - from);
+    }
     const Vector3<Scalar> on = (entry - place).normalized();
     Vector3<Scalar> best = place;
     Scalar straightest = 0;

@@ -13,7 +13,6 @@
 #include <skelgen/curve/centring.hpp>
 #include <skelgen/curve/regions.hpp>
 #include <skelgen/curve/section_regions.hpp>
-#include <skelgen/surface/body.hpp>
 
 namespace skelgen::curve {
 
@@ -92,13 +91,6 @@ bool is_compact(const CurveSkeleton<Scalar>& curve) {
     return length < 2 * least_elongation<Scalar> * *std::max_element(curve.radii.begin(), curve.radii.end());
 }
 
-template <typename Scalar>
-bool is_all_inside(const CurveSkeleton<Scalar>& curve, const Body<Scalar>& body) {
-    for (Eigen::Index k = 0; k < curve.nodes.rows(); ++k)
-        if (!surface::is_inside(body, core::point(curve.nodes, k))) return false;
-    return true;
-}
-
 /// What is too compact for a curve as a point.
 template <typename Scalar>
 CurveResult<Scalar> or_point(CurveResult<Scalar> found, const Body<Scalar>& body) {
@@ -160,12 +152,8 @@ CurveResult<Scalar> recentred(CurveResult<Scalar> found, const Body<Scalar>& bod
 template <typename Scalar>
 CurveResult<Scalar> finished(CurveResult<Scalar> found, const Body<Scalar>& body) {
     if (!found.is_draft) return found;
-    constexpr int few = 3; // rounds: where limbs lie close, the last ones may push a branch out between them
     const int rounds = found.contracted->centring.rounds;
-    CurveResult<Scalar> whole = recentred(found, body, rounds);
-    if (rounds <= few || detail::is_all_inside(whole.curve, body)) return whole;
-    CurveResult<Scalar> less = recentred(std::move(found), body, few);
-    return detail::is_all_inside(less.curve, body) ? less : whole;
+    return recentred(std::move(found), body, rounds);
 }
 
 } // namespace skelgen::curve

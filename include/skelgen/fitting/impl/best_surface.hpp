@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include <skelgen/anatomy/confidence.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/precision.hpp>
 #include <skelgen/core/stopwatch.hpp>
@@ -49,10 +50,10 @@ inline std::string noise_smoothed(double noise) {
 /// How sure a skeleton is: of its sides, but less for every joint that looks misplaced.
 template <typename Scalar>
 double sureness(const KinematicSkeleton<Scalar>& skeleton) {
-    constexpr double unlikely = 0.1; // as anatomy::estimate_confidence has it
     const auto misplaced =
-        std::count_if(skeleton.joints.begin(), skeleton.joints.end(),
-                      [](const Joint<Scalar>& joint) { return joint.is_present && joint.confidence < unlikely; });
+        std::count_if(skeleton.joints.begin(), skeleton.joints.end(), [](const Joint<Scalar>& joint) {
+            return joint.is_present && joint.confidence < anatomy::unlikely;
+        });
     return skeleton.quality.sides_confidence / static_cast<double>(1 + misplaced);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include <skelgen/anatomy/confidence.hpp>
 #include <skelgen/core/stopwatch.hpp>
 #include <skelgen/embedding/embed.hpp>
 #include <skelgen/embedding/loop_cuts.hpp>
@@ -64,10 +65,9 @@ Outcome<Fit<Scalar>> fit_touching_body(const Body<Scalar>& body, const curve::Cu
     }
     if (best) {
         best->timings = {}; // counted
-        // Bodies that are cut apart have 0.37 and more; a chair whose back was cut into arms has 0.07.
-        constexpr Scalar least_confidence = Scalar(0.15);
         Outcome<Fit<Scalar>> apart = finish(best_way->body, *std::move(best), true);
-        if (apart && mean_confidence(apart->skeleton) >= least_confidence) return apart;
+        // What is a body only once it is cut apart, and looks misplaced as a whole then, may be furniture.
+        if (apart && mean_confidence(apart->skeleton) >= anatomy::unlikely) return apart;
     }
     return finish(body, fit_to_finer_curves(body, found, wanted, options, attempts), false);
 }

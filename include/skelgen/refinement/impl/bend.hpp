@@ -44,13 +44,11 @@ template <typename Scalar>
 Scalar nearest_arc(const Centreline<Scalar>& line, const Vector3<Scalar>& p) {
     Scalar least = std::numeric_limits<Scalar>::infinity(), arc = 0;
     for (Eigen::Index i = 0; i + 1 < line.points.rows(); ++i) {
-        const Vector3<Scalar> a = core::point(line.points, i), along = core::point(line.points, i + 1) - a;
-        const Scalar length = along.squaredNorm();
-        const Scalar t = length > 0 ? std::clamp((p - a).dot(along) / length, Scalar(0), Scalar(1)) : Scalar(0);
-        const Scalar distance = (a + t * along - p).squaredNorm();
-        if (distance >= least) continue;
+        const auto [distance, along] =
+            core::nearest_on_segment<Scalar, 3>(p, core::point(line.points, i), core::point(line.points, i + 1));
+        if (!(distance < least)) continue;
         least = distance;
-        arc = line.arc[i] + t * (line.arc[i + 1] - line.arc[i]);
+        arc = line.arc[i] + along * (line.arc[i + 1] - line.arc[i]);
     }
     return arc;
 }
