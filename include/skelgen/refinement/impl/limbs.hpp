@@ -105,7 +105,7 @@ template <typename Scalar>
 Limb<Scalar> draw_limb(Limb<Scalar> limb, const Slicer<Scalar>& slicer, const EndPoint<Scalar>& end,
                        const CentrelineOptions& options) {
     const Scalar length = detail::drawn_length<Scalar> * limb.from_tip.front();
-    limb.line = draw_centreline(slicer, ring_centres(slicer, end, length, static_cast<Scalar>(options.step)), options);
+    limb.line = draw_centreline(slicer, ring_centres(slicer, end, length, 2 * static_cast<Scalar>(options.step)), options);
     limb.attachment = detail::attachment_of(limb);
     return limb;
 }

@@ -3,8 +3,11 @@
 #include <skelgen/refinement/profile_matcher.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+
+#include <Eigen/Core>
 
 namespace skelgen::refinement {
 namespace detail {
@@ -50,13 +53,27 @@ inline constexpr Scalar shortest_upper_bone = Scalar(0.1);
 template <typename Scalar>
 inline constexpr Scalar widest_search = Scalar(0.3);
 
-/// Step of the first grid of logarithms.
-template <typename Scalar>
-inline constexpr Scalar search_step = Scalar(0.03);
+/// Steps of the grids of logarithms, each grid around the best of the one before; the last is half a percent of a
+/// length.
+inline constexpr std::array search_steps{0.03, 0.005};
 
-/// How many times finer the second grid is: half a percent of a length.
+/// Stretch::u for many places: without dividing for each.
 template <typename Scalar>
-inline constexpr Scalar finer_search = Scalar(6);
+class StretchedCoordinate {
+public:
+    explicit StretchedCoordinate(const Stretch<Scalar>& s)
+        : s_(s), per_end_(1 / s.outer), per_lower_(1 / (s.middle - s.outer)), per_upper_(1 / (s.inner - s.middle)) {}
+
+    [[nodiscard]] Scalar operator()(Scalar from_tip) const {
+        if (from_tip < s_.outer) return from_tip * per_end_ - 1;
+        if (from_tip < s_.middle) return (from_tip - s_.outer) * per_lower_;
+        return 1 + (from_tip - s_.middle) * per_upper_;
+    }
+
+private:
+    Stretch<Scalar> s_;
+    Scalar per_end_, per_lower_, per_upper_;
+};
 
 template <typename Scalar>
 Scalar squared(Scalar x) {
@@ -162,17 +179,21 @@ StretchRatios<Scalar> cheapest_ratios(const std::vector<MatchedLimb<Scalar>>& li
                                       const ThicknessProfileOptions& options) {
     std::vector<StretchCost<Scalar>> costs;
     for (const MatchedLimb<Scalar>& limb : limbs) costs.emplace_back(limb, profile, options);
-    constexpr Scalar step = search_step<Scalar>;
-    const StretchRatios<Scalar> none{0, std::vector<Scalar>(limbs.size(), Scalar(0))};
-    const auto coarse = search_ratios(costs, none, widest_search<Scalar>, step);
-    return search_ratios(costs, coarse, step, step / finer_search<Scalar>);
+    StretchRatios<Scalar> best{0, std::vector<Scalar>(limbs.size(), Scalar(0))};
+    Scalar reach = widest_search<Scalar>;
+    for (const double step : search_steps) {
+        best = search_ratios(costs, best, reach, static_cast<Scalar>(step));
+        reach = static_cast<Scalar>(step);
+    }
+    return best;
 }
 
 } // namespace detail
 
 template <typename Scalar>
 std::optional<Scalar> value_at(const Profile& profile, Scalar u) {
-    const Scalar x = (u - detail::first_u<Scalar>) / detail::step_u<Scalar>;
+    constexpr Scalar per_u = 1 / detail::step_u<Scalar>;
+    const Scalar x = (u - detail::first_u<Scalar>)*per_u;
     if (!(x >= 0) || x >= static_cast<Scalar>(profile.size() - 1)) return std::nullopt;
     const auto i = static_cast<std::size_t>(x);
     const auto here = static_cast<Scalar>(profile[i]), next = static_cast<Scalar>(profile[i + 1]);
@@ -182,36 +203,28 @@ std::optional<Scalar> value_at(const Profile& profile, Scalar u) {
 template <typename Scalar>
 ProfileFit<Scalar> fit_profile(const std::vector<Sample<Scalar>>& samples, const Profile& profile,
                                const Stretch<Scalar>& stretch, Scalar deviation) {
-    struct Residual {
-        Scalar value, weight;
-    };
-    std::vector<Residual> residuals;
-    residuals.reserve(samples.size());
+    using Values = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
+    Values residuals(samples.size()), weights(samples.size());
+    Eigen::Index n = 0; // on the profile
+    const detail::StretchedCoordinate<Scalar> coordinate(stretch);
     for (const Sample<Scalar>& sample : samples) {
-        const Scalar u = stretch.u(sample.from_tip);
-        if (const auto expected = value_at(profile, u))
-            residuals.push_back(
-                {sample.log_thickness - *expected, sample.weight * (u < 0 ? detail::end_weight<Scalar> : Scalar(1))});
+        const Scalar u = coordinate(sample.from_tip);
+        const auto expected = value_at(profile, u);
+        if (!expected) continue;
+        residuals[n] = sample.log_thickness - *expected;
+        weights[n++] = sample.weight * (u < 0 ? detail::end_weight<Scalar> : Scalar(1));
     }
-    Scalar offset = 0; // how stout the limb is
-    for (int round = 0; round < detail::stoutness_rounds; ++round) {
-        Scalar sum = 0, weights = 0;
-        for (const Residual& r : residuals) {
-            const Scalar far = (r.value - offset) / (detail::halved_at<Scalar> * deviation);
-            const Scalar weight = round == 0 ? r.weight : r.weight / (1 + far * far);
-            sum += weight * r.value;
-            weights += weight;
-        }
-        if (!(weights > 0)) return {};
-        offset = sum / weights;
+    const auto value = residuals.head(n), weight = weights.head(n);
+    const Scalar all = weight.sum();
+    if (!(all > 0)) return {};
+    Scalar offset = (weight * value).sum() / all; // how stout the limb is
+    const Scalar scale = 1 / (detail::halved_at<Scalar> * deviation);
+    for (int round = 1; round < detail::stoutness_rounds; ++round) {
+        const Values robust = weight / (1 + (scale * (value - offset)).square());
+        offset = (robust * value).sum() / robust.sum();
     }
-    Scalar sum = 0, weights = 0;
-    for (const Residual& r : residuals) {
-        const Scalar far = (r.value - offset) / deviation;
-        sum += r.weight * std::min(far * far, static_cast<Scalar>(worst_misfit));
-        weights += r.weight;
-    }
-    return {sum / weights, offset};
+    const auto misfit = ((value - offset) / deviation).square().min(static_cast<Scalar>(worst_misfit));
+    return {(weight * misfit).sum() / all, offset};
 }
 
 template <typename Scalar>
