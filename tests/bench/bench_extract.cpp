@@ -34,7 +34,7 @@ namespace {
 using namespace skelgen;
 namespace fs = std::filesystem;
 
-constexpr std::size_t meshes_per_set = 4;
+constexpr std::size_t meshes_per_set = 10;
 constexpr Eigen::Index most_for_cgal = 120000; // faces: it takes minutes from there on
 
 /// CPU milliseconds of this process.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include <Eigen/Core>
@@ -54,8 +55,9 @@ template <typename Scalar>
 inline constexpr Scalar widest_search = Scalar(0.3);
 
 /// Steps of the grids of logarithms, each grid around the best of the one before; the last is half a percent of a
-/// length.
-inline constexpr std::array search_steps{0.03, 0.005};
+/// length. For what the best costs a wider first step is enough: which of two like ones it is does not matter then.
+inline constexpr std::array steps_to_best{0.03, 0.005};
+inline constexpr std::array steps_to_cost{0.06, 0.02, 0.005};
 
 /// Stretch::u for many places: without dividing for each.
 template <typename Scalar>
@@ -174,14 +176,14 @@ StretchRatios<Scalar> search_ratios(const std::vector<StretchCost<Scalar>>& cost
 }
 
 /// The cheapest of all ratios.
-template <typename Scalar>
+template <typename Scalar, std::size_t count>
 StretchRatios<Scalar> cheapest_ratios(const std::vector<MatchedLimb<Scalar>>& limbs, const Profile& profile,
-                                      const ThicknessProfileOptions& options) {
+                                      const ThicknessProfileOptions& options, const std::array<double, count>& steps) {
     std::vector<StretchCost<Scalar>> costs;
     for (const MatchedLimb<Scalar>& limb : limbs) costs.emplace_back(limb, profile, options);
     StretchRatios<Scalar> best{0, std::vector<Scalar>(limbs.size(), Scalar(0))};
     Scalar reach = widest_search<Scalar>;
-    for (const double step : search_steps) {
+    for (const double step : steps) {
         best = search_ratios(costs, best, reach, static_cast<Scalar>(step));
         reach = static_cast<Scalar>(step);
     }
@@ -236,7 +238,7 @@ Scalar deviation_of(const Top<Scalar>& top, Scalar stoutness, const Stretch<Scal
 template <typename Scalar>
 std::vector<Stretch<Scalar>> best_stretches(const std::vector<MatchedLimb<Scalar>>& limbs, const Profile& profile,
                                             const ThicknessProfileOptions& options) {
-    const auto best = detail::cheapest_ratios(limbs, profile, options);
+    const auto best = detail::cheapest_ratios(limbs, profile, options, detail::steps_to_best);
     std::vector<Stretch<Scalar>> stretches;
     for (std::size_t k = 0; k < limbs.size(); ++k)
         stretches.push_back(detail::StretchCost<Scalar>(limbs[k], profile, options).stretch(best.outer[k], best.bone));
@@ -245,7 +247,7 @@ std::vector<Stretch<Scalar>> best_stretches(const std::vector<MatchedLimb<Scalar
 
 template <typename Scalar>
 Scalar least_cost(const MatchedLimb<Scalar>& limb, const Profile& profile, const ThicknessProfileOptions& options) {
-    return detail::cheapest_ratios<Scalar>({limb}, profile, options).cost;
+    return detail::cheapest_ratios<Scalar>({limb}, profile, options, detail::steps_to_cost).cost;
 }
 
 } // namespace skelgen::refinement
