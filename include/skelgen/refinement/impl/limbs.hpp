@@ -105,7 +105,11 @@ template <typename Scalar>
 Limb<Scalar> draw_limb(Limb<Scalar> limb, const Slicer<Scalar>& slicer, const EndPoint<Scalar>& end,
                        const CentrelineOptions& options) {
     const Scalar length = detail::drawn_length<Scalar> * limb.from_tip.front();
-    limb.line = draw_centreline(slicer, ring_centres(slicer, end, length, 2 * static_cast<Scalar>(options.step)), options);
+    // A first line through fewer rings than sections is straighter, and sooner drawn; a neck with its head is too
+    // short.
+    const bool is_long = limb.joints.size() > 2;
+    const Scalar spacing = static_cast<Scalar>(is_long ? 2 * options.step : options.step);
+    limb.line = draw_centreline(slicer, ring_centres(slicer, end, length, spacing), options);
     limb.attachment = detail::attachment_of(limb);
     return limb;
 }

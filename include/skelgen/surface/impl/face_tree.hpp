@@ -64,25 +64,22 @@ template <typename Scalar>
 struct Ray {
     const TriangleMesh<Scalar>& mesh;
     Vector3<Scalar> place, direction;
-    Vector3<Scalar> inverse = direction.unaryExpr(&inverse_of); ///< of the direction
-
-    /// Along axes that the ray is normal to so great that only what is level with the ray is near; finite, as nothing
-    /// times infinity is no number.
-    static Scalar inverse_of(Scalar component) {
-        const Scalar greatest = std::sqrt(std::numeric_limits<Scalar>::max());
-        return std::abs(component) * greatest > 1 ? 1 / component : greatest;
-    }
+    Vector3<Scalar> inverse = direction.cwiseInverse(); ///< infinite along axes that the ray is normal to
 
     /// How far along the ray a box begins; infinite where the ray does not meet it before `farthest`.
     [[nodiscard]] Scalar way_to(const Box<Scalar>& box, Scalar farthest) const {
+        constexpr Scalar none = std::numeric_limits<Scalar>::infinity();
         Scalar enter = 0, leave = farthest;
         for (int k = 0; k < 3; ++k) {
+            if (direction[k] == 0) {
+                if (place[k] < box.min()[k] || place[k] > box.max()[k]) return none;
+                continue;
+            }
             const Scalar a = (box.min()[k] - place[k]) * inverse[k], b = (box.max()[k] - place[k]) * inverse[k];
             enter = std::max(enter, std::min(a, b));
             leave = std::min(leave, std::max(a, b));
         }
-        constexpr Scalar rounded_up = 1 + 64 * std::numeric_limits<Scalar>::epsilon();
-        return enter <= leave * rounded_up ? enter : std::numeric_limits<Scalar>::infinity();
+        return enter <= leave * (1 + 64 * std::numeric_limits<Scalar>::epsilon()) ? enter : none;
     }
     [[nodiscard]] bool meets(const Box<Scalar>& box) const {
         return way_to(box, std::numeric_limits<Scalar>::max()) < std::numeric_limits<Scalar>::infinity();
@@ -121,9 +118,7 @@ struct FirstAlong {
     typename FaceTree<Scalar>::Hit first;
 
     [[nodiscard]] Scalar way_to(const Box<Scalar>& box) const { return ray.way_to(box, first.distance); }
-    [[nodiscard]] bool may_be_nearer(Scalar way) const {
-        return way <= first.distance && way < std::numeric_limits<Scalar>::infinity();
-    }
+    [[nodiscard]] bool may_be_nearer(Scalar way) const { return way <= first.distance && std::isfinite(way); }
     void look_at(int face) {
         const Scalar distance = ray.past(face).distance;
         if (distance >= 0 && distance < first.distance) first = {face, distance};
