@@ -78,7 +78,7 @@ private:
         self.place_ = 0;
         const std::string_view asked = name;
         return (asked == SceneFile::name("fbx") || asked == SceneFile::name("dae")) && *mode == 'r' ? &self.file_
-                                                                                                   : nullptr;
+                                                                                                    : nullptr;
     }
 
     static std::size_t read(aiFile* file, char* to, std::size_t size, std::size_t count) {
