@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -28,6 +29,7 @@
 #include <skelgen/synth/body.hpp>
 
 #include "cgal_skeleton.hpp"
+#include "program.hpp"
 
 namespace {
 
@@ -233,6 +235,72 @@ void measure_growth(double most, int rounds) {
         std::printf("\nThe whole grows as the number of faces to the power of %.2f.\n", growth_exponent(rows));
 }
 
+/// A folder of its own, which goes with this.
+class ScratchFolder {
+public:
+    ScratchFolder() { fs::create_directories(path_); }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+    ~ScratchFolder() { fs::remove_all(path_); }
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_ = fs::temp_directory_path() / ("skelgen-bench-" + std::to_string(::time(nullptr)));
+};
+
+/// The program from file to file, beside CGAL's reader alone, and by how much more it does of several bodies with two
+/// jobs, which a machine of two processors or more shows.
+void measure_program(fs::path body, int rounds) {
+    constexpr int copies = 12;
+    const ScratchFolder scratch;
+    if (body.empty()) {
+        body = scratch.path() / "generated.off";
+        write_mesh(body, synth::synthesize_body({}, synth::named_pose("walk"), 14000).mesh);
+    }
+    const fs::path meshes = scratch.path() / "meshes";
+    fs::create_directory(meshes);
+    for (int i = 0; i < copies; ++i) fs::copy_file(body, meshes / (std::to_string(i) + body.extension().string()));
+    std::vector<double> start, whole, reader, one_job, two_jobs;
+    const auto batch = [&](const char* jobs) {
+        return bench::run_program({"batch", meshes.string(), "-o", (scratch.path() / "out").string(), "--jobs", jobs})
+            .wall;
+    };
+    for (int round = 0; round < 3 * rounds; ++round) {
+        start.push_back(bench::run_program({"--version"}).cpu);
+        whole.push_back(
+            bench::run_program({"extract", body.string(), "-o", (scratch.path() / "body.json").string()}).cpu);
+        reader.push_back(time_of([&] {
+            if (bench::read_by_cgal(body) == 0) throw Error(ErrorCode::internal, "CGAL read no face");
+        }));
+    }
+    for (int round = 0; round < rounds; ++round) {
+        one_job.push_back(batch("1"));
+        two_jobs.push_back(batch("2"));
+    }
+    std::printf("\nThe program starts in %.1f ms. %s takes it %.0f ms from file to file, %.2f times what CGAL's reader "
+                "takes.\nTwo jobs do %.2f times what one does.\n",
+                median(start), body.filename().c_str(), median(whole), median(whole) / median(reader),
+                median(one_job) / median(two_jobs));
+}
+
+/// By how much sooner two threads are done with a body of 400 thousand faces than one.
+void measure_threads(int rounds) {
+    const TriangleMesh<double> mesh =
+        in_four(in_four(synth::synthesize_body({}, synth::named_pose("walk"), 25000).mesh));
+    std::array<std::vector<double>, 2> times;
+    for (int round = 0; round < rounds; ++round)
+        for (int threads : {1, 2}) {
+            ExtractOptions options = joints_alone();
+            options.threads = threads;
+            const auto begin = std::chrono::steady_clock::now();
+            [[maybe_unused]] const auto found = extract_skeleton(mesh, options);
+            const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+            times[static_cast<std::size_t>(threads - 1)].push_back(taken.count());
+        }
+    std::printf("Two threads are %.2f times as fast on %ld faces.\n", median(times[0]) / median(times[1]),
+                static_cast<long>(mesh.faces.rows()));
+}
+
 int run_benchmarks(int argc, char** argv) {
     int rounds = 5;
     double most = 3300000;
@@ -240,6 +308,7 @@ int run_benchmarks(int argc, char** argv) {
         if (std::string(argv[i]) == "--rounds") rounds = std::max(1, std::atoi(argv[i + 1]));
         if (std::string(argv[i]) == "--most-faces") most = std::atof(argv[i + 1]);
     }
+    fs::path body; // the first set's first
     print_head();
     if (const char* bodies = std::getenv("SKELGEN_BODIES"); bodies != nullptr && *bodies != '\0') {
         std::vector<fs::path> sets;
@@ -247,8 +316,11 @@ int run_benchmarks(int argc, char** argv) {
             if (entry.is_directory()) sets.push_back(entry.path());
         std::sort(sets.begin(), sets.end());
         for (const fs::path& set : sets) print_row(set.filename().string(), of_set(set, rounds));
+        if (!sets.empty()) body = pick_files(sets.front(), 2).front();
     }
     measure_growth(most, rounds);
+    measure_threads(rounds);
+    measure_program(body, rounds);
     return EXIT_SUCCESS;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Simple_cartesian.h>
@@ -42,6 +43,11 @@ std::size_t CgalSkeletonizer::run() const {
     CGAL::Mean_curvature_flow_skeletonization<SurfaceMesh>::Skeleton skeleton;
     CGAL::extract_mean_curvature_flow_skeleton(mesh_->surface, skeleton);
     return boost::num_vertices(skeleton);
+}
+
+std::size_t read_by_cgal(const std::filesystem::path& file) {
+    SurfaceMesh surface;
+    return CGAL::IO::read_polygon_mesh(file.string(), surface) ? surface.number_of_faces() : 0;
 }
 
 } // namespace skelgen::bench

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 
 #include <skelgen/core/mesh.hpp>
@@ -26,5 +27,8 @@ private:
     struct Mesh;
     std::unique_ptr<Mesh> mesh_;
 };
+
+/// Reads a file as CGAL does; the number of its faces.
+[[nodiscard]] std::size_t read_by_cgal(const std::filesystem::path& file);
 
 } // namespace skelgen::bench
