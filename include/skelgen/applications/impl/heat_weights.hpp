@@ -221,8 +221,8 @@ SKELGEN_INLINE JointWeights without_islands(JointWeights weights, const Triangle
         }
     // One after the other: who has joined a neighbour stays with it, and so does the neighbour.
     for (const auto& [v, around] : neighbours) {
-        if (std::any_of(around.begin(), around.end(), [&](int w) { return strongest[at(w)] == strongest[at(v)]; }))
-            continue;
+        const int own = strongest[at(v)]; // a lambda cannot hold what a binding names
+        if (std::any_of(around.begin(), around.end(), [&](int w) { return strongest[at(w)] == own; })) continue;
         Eigen::RowVectorX<core::Accumulator> all = Eigen::RowVectorX<core::Accumulator>::Zero(weights.cols()),
                                              sum = all;
         for (const int w : around) all[strongest[at(w)]] += weights(w, strongest[at(w)]);
