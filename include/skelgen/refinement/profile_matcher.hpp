@@ -116,7 +116,8 @@ template <typename Scalar>
                                                           const Profile& profile,
                                                           const ThicknessProfileOptions& options);
 
-/// What the best stretch for that limb alone costs: squared deviations of thickness and lengths. As `best_stretches`.
+/// What the best stretch for that limb alone costs: squared deviations of thickness and lengths. As `best_stretches`,
+/// in wider steps at first.
 template <typename Scalar>
 [[nodiscard]] Scalar least_cost(const MatchedLimb<Scalar>& limb, const Profile& profile,
                                 const ThicknessProfileOptions& options);
