@@ -21,12 +21,14 @@ namespace detail {
 
 using core::Accumulator;
 
-/// A sum over the faces of a mesh, to which `add(sum, face)` adds one: of large meshes block by block, and then over
-/// the blocks, so that it is the same by however many threads.
+/// A sum over the faces of a mesh, to which `add(sum, face)` adds one: of large meshes in blocks of about one size, and
+/// then over the blocks, so that it is the same by however many threads.
 template <typename Sum, typename Add>
 Sum summed_over_faces(Eigen::Index faces, const Sum& zero, const Add& add) {
-    constexpr Eigen::Index in_block = 1 << 17;
-    std::vector<Sum> sums(static_cast<std::size_t>(std::max<Eigen::Index>(1, (faces + in_block - 1) / in_block)), zero);
+    constexpr Eigen::Index most_in_block = 1 << 17;
+    const Eigen::Index blocks = std::max<Eigen::Index>(1, (faces + most_in_block - 1) / most_in_block);
+    const Eigen::Index in_block = (faces + blocks - 1) / blocks;
+    std::vector<Sum> sums(static_cast<std::size_t>(blocks), zero);
     core::parallel_for(sums.size(), 1, [&](std::size_t b) {
         const Eigen::Index begin = static_cast<Eigen::Index>(b) * in_block;
         Sum sum = zero;
@@ -39,17 +41,20 @@ Sum summed_over_faces(Eigen::Index faces, const Sum& zero, const Add& add) {
 }
 
 /// Sums over all faces, hence in the accumulator's precision.
-struct SurfaceMoments {
+struct FirstMoments {
     Accumulator area = 0;
     Vector3<Accumulator> centroid = Vector3<Accumulator>::Zero();
-    Eigen::Matrix<Accumulator, 3, 3> covariance = Eigen::Matrix<Accumulator, 3, 3>::Zero();
 
-    SurfaceMoments& operator+=(const SurfaceMoments& other) {
+    FirstMoments& operator+=(const FirstMoments& other) {
         area += other.area;
         centroid += other.centroid;
-        covariance += other.covariance;
         return *this;
     }
+};
+
+struct SurfaceMoments : FirstMoments {
+    std::vector<Accumulator> areas;                                                         ///< of the faces
+    Eigen::Matrix<Accumulator, 3, 3> covariance = Eigen::Matrix<Accumulator, 3, 3>::Zero(); ///< its lower triangle
 };
 
 template <typename Scalar>
@@ -61,27 +66,35 @@ Vector3<Accumulator> corner(const TriangleMesh<Scalar>& mesh, Eigen::Index f, in
 /// Exact first and second moments of the surface, independent of how it is triangulated.
 template <typename Scalar>
 SurfaceMoments surface_moments(const TriangleMesh<Scalar>& mesh) {
-    const auto add_first = [&](SurfaceMoments& moments, Eigen::Index f) {
+    using Matrix = Eigen::Matrix<Accumulator, 3, 3>;
+    SurfaceMoments out;
+    out.areas.resize(static_cast<std::size_t>(mesh.faces.rows()));
+    const auto add_first = [&](FirstMoments& moments, Eigen::Index f) {
         const Accumulator area = core::face_area_vector(mesh, f).norm();
+        out.areas[static_cast<std::size_t>(f)] = area;
         moments.area += area;
         const Vector3<Accumulator> sum = corner(mesh, f, 0) + corner(mesh, f, 1) + corner(mesh, f, 2);
         moments.centroid += area / 3 * sum;
     };
-    SurfaceMoments moments = summed_over_faces(mesh.faces.rows(), SurfaceMoments(), add_first);
-    if (!(moments.area > 0)) return moments;
-    moments.centroid /= moments.area;
-    const auto add_second = [&](SurfaceMoments& second, Eigen::Index f) {
-        const Accumulator area = core::face_area_vector(mesh, f).norm();
+    static_cast<FirstMoments&>(out) = summed_over_faces(mesh.faces.rows(), FirstMoments(), add_first);
+    if (!(out.area > 0)) return out;
+    out.centroid /= out.area;
+    const auto add_second = [&](Matrix& covariance, Eigen::Index f) {
+        const Accumulator weight = out.areas[static_cast<std::size_t>(f)] / 12;
         Vector3<Accumulator> sum = Vector3<Accumulator>::Zero();
+        const auto add = [&](const Vector3<Accumulator>& d) {
+            for (int i = 0; i < 3; ++i)
+                for (int k = 0; k <= i; ++k) covariance(i, k) += weight * d[i] * d[k];
+        };
         for (int k = 0; k < 3; ++k) {
-            const Vector3<Accumulator> d = corner(mesh, f, k) - moments.centroid;
-            core::add_outer_product<Accumulator>(second.covariance, area / 12, d);
+            const Vector3<Accumulator> d = corner(mesh, f, k) - out.centroid;
+            add(d);
             sum += d;
         }
-        core::add_outer_product<Accumulator>(second.covariance, area / 12, sum);
+        add(sum);
     };
-    moments.covariance = summed_over_faces(mesh.faces.rows(), SurfaceMoments(), add_second).covariance / moments.area;
-    return moments;
+    out.covariance = summed_over_faces(mesh.faces.rows(), Matrix(Matrix::Zero()), add_second) / out.area;
+    return out;
 }
 
 /// The mean of points, summed up in the accumulator's precision.
@@ -95,12 +108,13 @@ Vector3<Scalar> mean_of(const Points<Scalar>& points) {
 
 /// Third moments of the surface along three directions, over the faces' centres.
 template <typename Scalar>
-Vector3<Accumulator> skewness(const TriangleMesh<Scalar>& mesh, const Vector3<Accumulator>& centroid,
+Vector3<Accumulator> skewness(const TriangleMesh<Scalar>& mesh, const SurfaceMoments& moments,
                               const std::array<Vector3<Accumulator>, 3>& axes) {
     const auto add = [&](Vector3<Accumulator>& sum, Eigen::Index f) {
-        const Accumulator area = core::face_area_vector(mesh, f).norm();
-        const Vector3<Accumulator> from_centroid[3] = {corner(mesh, f, 0) - centroid, corner(mesh, f, 1) - centroid,
-                                                       corner(mesh, f, 2) - centroid};
+        const Accumulator area = moments.areas[static_cast<std::size_t>(f)];
+        const Vector3<Accumulator> from_centroid[3] = {corner(mesh, f, 0) - moments.centroid,
+                                                       corner(mesh, f, 1) - moments.centroid,
+                                                       corner(mesh, f, 2) - moments.centroid};
         for (std::size_t k = 0; k < 3; ++k) {
             Accumulator along = 0;
             for (const Vector3<Accumulator>& place : from_centroid) along += axes[k].dot(place);
@@ -119,7 +133,7 @@ Eigen::Matrix<Accumulator, 3, 3> principal_rotation(const TriangleMesh<Scalar>& 
     std::array<Vector3<Accumulator>, 3> axes;
     for (int k = 0; k < 3; ++k)
         for (int i = 0; i < 3; ++i) axes[static_cast<std::size_t>(k)][i] = solver.eigenvectors()(i, 2 - k);
-    const Vector3<Accumulator> sums = skewness(mesh, moments.centroid, axes);
+    const Vector3<Accumulator> sums = skewness(mesh, moments, axes);
     std::array<Accumulator, 3> skew{sums[0], sums[1], sums[2]};
     for (std::size_t k = 0; k < 3; ++k) {
         if (skew[k] < 0) axes[k] = -axes[k];

@@ -9,7 +9,9 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/disjoint_sets.hpp>
@@ -54,41 +56,83 @@ inline std::vector<bool> boundary_vertices(const Triangles& faces, std::size_t v
     return out;
 }
 
-/// Vertices that become one: per vertex the lowest of its cluster, itself where it stays alone.
-using Clusters = std::vector<int>;
+/// Vertices that become one.
+struct Clusters {
+    std::vector<int> of_vertex;
+    std::vector<int> lowest; ///< per cluster its lowest vertex; in ascending order
 
-/// Those of each cell that its edges join; those on the boundary stay alone.
-template <typename Scalar>
-Clusters clusters_in_cells(const TriangleMesh<Scalar>& mesh, const std::vector<std::uint64_t>& cells,
-                           const std::vector<bool>& is_boundary) {
-    core::DisjointSets joined(cells.size());
-    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
-        for (int k = 0; k < 3; ++k) {
-            const auto a = static_cast<std::size_t>(mesh.faces(f, k)),
-                       b = static_cast<std::size_t>(mesh.faces(f, (k + 1) % 3));
-            if (a < b && cells[a] == cells[b] && !is_boundary[a] && !is_boundary[b]) joined.unite(a, b);
+    [[nodiscard]] std::size_t count() const { return lowest.size(); }
+    [[nodiscard]] std::size_t of(int vertex) const {
+        return static_cast<std::size_t>(of_vertex[static_cast<std::size_t>(vertex)]);
+    }
+};
+
+/// The clusters of vertices with the same label, below `labels`, in the order of their lowest vertices.
+inline Clusters clusters_labelled(std::vector<int> label, std::size_t labels) {
+    Clusters out;
+    std::vector<int> number(labels, -1);
+    for (std::size_t v = 0; v < label.size(); ++v) {
+        int& cluster = number[static_cast<std::size_t>(label[v])];
+        if (cluster < 0) {
+            cluster = static_cast<int>(out.count());
+            out.lowest.push_back(static_cast<int>(v));
         }
-    Clusters out(cells.size());
-    for (std::size_t v = 0; v < out.size(); ++v) out[v] = static_cast<int>(joined.find(v));
+        label[v] = cluster;
+    }
+    out.of_vertex = std::move(label);
     return out;
 }
 
-/// Where the vertices of each cluster are in the middle, known by its lowest vertex.
+/// Of each cluster, whether it has a vertex on the boundary, which is then its only one.
+inline std::vector<bool> boundary_clusters(const Clusters& clusters, const std::vector<bool>& is_boundary) {
+    std::vector<bool> out(clusters.count());
+    for (std::size_t c = 0; c < out.size(); ++c) out[c] = is_boundary[static_cast<std::size_t>(clusters.lowest[c])];
+    return out;
+}
+
+/// Clusters of a surface's vertices, and its edges from one to another, the lower vertex first; not all of those on the
+/// boundary.
+struct ClustersAndEdges {
+    Clusters clusters;
+    std::vector<std::array<int, 2>> edges;
+};
+
+/// Those of each cell that its edges join; those on the boundary stay alone.
+inline ClustersAndEdges clusters_in_cells(const Triangles& faces, const std::vector<std::uint64_t>& cells,
+                                          const std::vector<bool>& is_boundary) {
+    ClustersAndEdges out;
+    core::DisjointSets joined(cells.size());
+    for (Eigen::Index f = 0; f < faces.rows(); ++f)
+        for (int k = 0; k < 3; ++k) {
+            const int low = faces(f, k), high = faces(f, (k + 1) % 3);
+            if (low > high) continue; // its other side, or on the boundary
+            const auto a = static_cast<std::size_t>(low), b = static_cast<std::size_t>(high);
+            if (cells[a] == cells[b] && !is_boundary[a] && !is_boundary[b])
+                joined.unite(a, b);
+            else
+                out.edges.push_back({low, high});
+        }
+    std::vector<int> label(cells.size());
+    for (std::size_t v = 0; v < label.size(); ++v) label[v] = static_cast<int>(joined.find(v));
+    out.clusters = clusters_labelled(std::move(label), cells.size());
+    return out;
+}
+
+/// Where the vertices of each cluster are in the middle.
 struct ClusterMiddles {
     std::vector<Vector3<core::Accumulator>> places;
-    std::vector<int> count; ///< of vertices; 0 for those that are not the lowest of a cluster
+    std::vector<int> count; ///< of vertices
 };
 
 template <typename Scalar>
 ClusterMiddles middles_of(const Clusters& clusters, const Points<Scalar>& places) {
-    ClusterMiddles out{{clusters.size(), Vector3<core::Accumulator>::Zero()}, std::vector<int>(clusters.size(), 0)};
-    for (std::size_t v = 0; v < clusters.size(); ++v) {
-        const auto cluster = static_cast<std::size_t>(clusters[v]);
-        for (int k = 0; k < 3; ++k) out.places[cluster][k] += places(static_cast<Eigen::Index>(v), k);
+    ClusterMiddles out{{clusters.count(), Vector3<core::Accumulator>::Zero()}, std::vector<int>(clusters.count(), 0)};
+    for (int v = 0; v < static_cast<int>(places.rows()); ++v) {
+        const std::size_t cluster = clusters.of(v);
+        for (int k = 0; k < 3; ++k) out.places[cluster][k] += places(v, k);
         ++out.count[cluster];
     }
-    for (std::size_t v = 0; v < clusters.size(); ++v)
-        if (out.count[v] > 0) out.places[v] /= out.count[v];
+    for (std::size_t c = 0; c < clusters.count(); ++c) out.places[c] /= out.count[c];
     return out;
 }
 
@@ -124,37 +168,36 @@ private:
     std::vector<std::array<int, most + 1>> lists_;
 };
 
-/// Clusters that have but three others or fewer around them, where a corner of a cell cuts the surface, become part of
-/// the largest of those. \returns whether there were any.
+/// Clusters that have but three others or fewer around them, where a corner of a cell cuts the surface, as part of the
+/// largest of those; none where there are no such ones. `edges` are those between clusters, and may be others besides.
 template <typename Scalar>
-bool absorb_slivers(Clusters& clusters, const TriangleMesh<Scalar>& mesh, const Points<Scalar>& places, Scalar width,
-                    const std::vector<bool>& is_boundary) {
+std::optional<Clusters> without_slivers(const Clusters& clusters, const std::vector<std::array<int, 2>>& edges,
+                                        const Points<Scalar>& places, Scalar width,
+                                        const std::vector<bool>& is_boundary_vertex) {
     const ClusterMiddles middles = middles_of(clusters, places);
-    FewNeighbours around(clusters.size());
-    std::vector<bool> is_close(clusters.size(), true); // all neighbours within the width of a cell
-    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
-        for (int k = 0; k < 3; ++k) {
-            const int a = mesh.faces(f, k), b = mesh.faces(f, (k + 1) % 3);
-            if (a > b) continue; // its other side, or on the boundary, where no cluster is a sliver
-            const int one = clusters[static_cast<std::size_t>(a)], other = clusters[static_cast<std::size_t>(b)];
-            if (one == other) continue;
-            around.add(one, other);
-            around.add(other, one);
-            if (!around.are_few(one) && !around.are_few(other)) continue;
-            if ((core::point(places, a) - core::point(places, b)).squaredNorm() > width * width)
-                is_close[static_cast<std::size_t>(one)] = is_close[static_cast<std::size_t>(other)] = false;
-        }
+    const std::vector<bool> is_boundary = boundary_clusters(clusters, is_boundary_vertex);
+    FewNeighbours around(clusters.count());
+    std::vector<bool> is_close(clusters.count(), true); // all neighbours within the width of a cell
+    for (const auto& [a, b] : edges) {
+        const int one = clusters.of_vertex[static_cast<std::size_t>(a)],
+                  other = clusters.of_vertex[static_cast<std::size_t>(b)];
+        if (one == other || (!around.are_few(one) && !around.are_few(other))) continue;
+        around.add(one, other);
+        around.add(other, one);
+        if ((core::point(places, a) - core::point(places, b)).squaredNorm() > width * width)
+            is_close[static_cast<std::size_t>(one)] = is_close[static_cast<std::size_t>(other)] = false;
+    }
     const auto is_sliver = [&](std::size_t c) {
-        return middles.count[c] > 0 && !is_boundary[c] && is_close[c] && around.are_few(static_cast<int>(c));
+        return !is_boundary[c] && is_close[c] && around.are_few(static_cast<int>(c));
     };
     const auto precedes = [&](std::size_t a, std::size_t b) {
         return middles.count[a] != middles.count[b] ? middles.count[a] > middles.count[b]
                                                     : askew_height(middles.places[a]) > askew_height(middles.places[b]);
     };
-    Clusters part_of(clusters.size());
+    std::vector<int> part_of(clusters.count());
     std::iota(part_of.begin(), part_of.end(), 0);
     bool any = false;
-    for (std::size_t c = 0; c < clusters.size(); ++c) {
+    for (std::size_t c = 0; c < clusters.count(); ++c) {
         if (!is_sliver(c)) continue;
         int largest = -1;
         for (const int other : around.of(static_cast<int>(c))) {
@@ -166,49 +209,51 @@ bool absorb_slivers(Clusters& clusters, const TriangleMesh<Scalar>& mesh, const 
         part_of[c] = largest;
         any = true;
     }
-    if (!any) return false;
-    Clusters lowest(clusters.size(), std::numeric_limits<int>::max());
-    for (int& cluster : clusters) cluster = part_of[static_cast<std::size_t>(cluster)];
-    for (std::size_t v = clusters.size(); v-- > 0;) lowest[static_cast<std::size_t>(clusters[v])] = static_cast<int>(v);
-    for (int& cluster : clusters) cluster = lowest[static_cast<std::size_t>(cluster)];
-    return true;
+    if (!any) return std::nullopt;
+    std::vector<int> label = clusters.of_vertex;
+    for (int& cluster : label) cluster = part_of[static_cast<std::size_t>(cluster)];
+    return clusters_labelled(std::move(label), clusters.count());
 }
 
-/// Leaves the vertices of marked clusters alone. \returns whether there were any.
-inline bool dissolve(Clusters& clusters, const std::vector<bool>& marked) {
+/// The vertices of marked clusters alone; none where they are so already.
+inline std::optional<Clusters> dissolved(const Clusters& clusters, const std::vector<bool>& marked) {
+    std::vector<int> label = clusters.of_vertex;
+    auto labels = static_cast<int>(clusters.count());
     bool any = false;
-    for (std::size_t v = clusters.size(); v-- > 0;) { // the lowest, by which they are known, last
-        if (!marked[static_cast<std::size_t>(clusters[v])] || clusters[v] == static_cast<int>(v)) continue;
-        clusters[v] = static_cast<int>(v);
+    for (std::size_t v = 0; v < label.size(); ++v) {
+        const auto cluster = static_cast<std::size_t>(label[v]);
+        if (!marked[cluster] || clusters.lowest[cluster] == static_cast<int>(v)) continue;
+        label[v] = labels++;
         any = true;
     }
-    return any;
+    if (!any) return std::nullopt;
+    return clusters_labelled(std::move(label), static_cast<std::size_t>(labels));
 }
 
-/// Leaves alone what is no disc, as around a finger. A surface of which discs become points stays what it is (Moo25);
+/// Marks what is no disc, as around a finger. A surface of which discs become points stays what it is (Moo25);
 /// vertices, edges and faces of a disc, and of nothing else that hangs together on a surface, add up to one.
-inline void dissolve_rings(Clusters& clusters, const Triangles& faces) {
-    const auto cluster_of = [&](int v) { return clusters[static_cast<std::size_t>(v)]; };
-    std::vector<int> twice(clusters.size(), 0); // that sum: inner edges are met twice
-    for (const int cluster : clusters) twice[static_cast<std::size_t>(cluster)] += 2;
+inline std::vector<bool> rings_of(const Clusters& clusters, const Triangles& faces) {
+    std::vector<int> twice(clusters.count(), 0); // that sum: inner edges are met twice
+    for (const int cluster : clusters.of_vertex) twice[static_cast<std::size_t>(cluster)] += 2;
     for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-        const int a = cluster_of(faces(f, 0)), b = cluster_of(faces(f, 1)), c = cluster_of(faces(f, 2));
-        if (a == b) --twice[static_cast<std::size_t>(a)];
-        if (b == c) --twice[static_cast<std::size_t>(b)];
-        if (c == a) --twice[static_cast<std::size_t>(c)];
-        if (a == b && b == c) twice[static_cast<std::size_t>(a)] += 2;
+        const std::size_t a = clusters.of(faces(f, 0)), b = clusters.of(faces(f, 1)), c = clusters.of(faces(f, 2));
+        if (a == b) --twice[a];
+        if (b == c) --twice[b];
+        if (c == a) --twice[c];
+        if (a == b && b == c) twice[a] += 2;
     }
-    std::vector<bool> is_ring(clusters.size());
-    for (std::size_t v = 0; v < twice.size(); ++v) is_ring[v] = clusters[v] == static_cast<int>(v) && twice[v] != 2;
-    dissolve(clusters, is_ring);
+    std::vector<bool> out(clusters.count());
+    for (std::size_t c = 0; c < out.size(); ++c) out[c] = twice[c] != 2;
+    return out;
 }
 
-/// The faces whose corners are in three clusters, on those clusters' lowest vertices.
+/// The faces whose corners are in three clusters, on those.
 inline Triangles faces_between(const Clusters& clusters, const Triangles& faces) {
     std::vector<std::array<int, 3>> kept;
     for (Eigen::Index f = 0; f < faces.rows(); ++f) {
         std::array<int, 3> face{};
-        for (int k = 0; k < 3; ++k) face[static_cast<std::size_t>(k)] = clusters[static_cast<std::size_t>(faces(f, k))];
+        for (std::size_t k = 0; k < 3; ++k)
+            face[k] = clusters.of_vertex[static_cast<std::size_t>(faces(f, static_cast<Eigen::Index>(k)))];
         if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) kept.push_back(face);
     }
     Triangles out(static_cast<Eigen::Index>(kept.size()), 3);
@@ -247,31 +292,25 @@ inline std::vector<bool> singular_vertices(const Triangles& faces, const std::ve
     return out;
 }
 
-/// Of each cluster the vertex nearest to its vertices' centre; of those as near, as of two, the highest. Per vertex
-/// that of its cluster, where it is the lowest of it.
+/// Of each cluster the vertex nearest to its vertices' centre; of those as near, as of two, the highest.
 template <typename Scalar>
 std::vector<int> middle_vertices(const Clusters& clusters, const Points<Scalar>& places, Scalar width) {
     using core::Accumulator;
     const auto near = static_cast<Accumulator>(width) * 1e-4; // what is so much nearer is nearest
     const ClusterMiddles middles = middles_of(clusters, places);
-    const auto place = [&](std::size_t v) {
-        return Vector3<Accumulator>(core::point(places, static_cast<Eigen::Index>(v)).template cast<Accumulator>());
-    };
-    const auto off_middle = [&](std::size_t v) {
-        return (middles.places[static_cast<std::size_t>(clusters[v])] - place(v)).norm();
-    };
-    std::vector<Accumulator> least(clusters.size(), std::numeric_limits<Accumulator>::infinity());
-    for (std::size_t v = 0; v < clusters.size(); ++v) {
-        Accumulator& nearest = least[static_cast<std::size_t>(clusters[v])];
+    const auto place = [&](int v) { return Vector3<Accumulator>(core::point(places, v).template cast<Accumulator>()); };
+    const auto off_middle = [&](int v) { return (middles.places[clusters.of(v)] - place(v)).norm(); };
+    const auto n = static_cast<int>(places.rows());
+    std::vector<Accumulator> least(clusters.count(), std::numeric_limits<Accumulator>::infinity());
+    for (int v = 0; v < n; ++v) {
+        Accumulator& nearest = least[clusters.of(v)];
         nearest = std::min(nearest, off_middle(v));
     }
-    std::vector<int> out(clusters.size(), -1);
-    for (std::size_t v = 0; v < clusters.size(); ++v) {
-        const auto cluster = static_cast<std::size_t>(clusters[v]);
-        if (off_middle(v) > least[cluster] + near) continue;
-        int& chosen = out[cluster];
-        if (chosen < 0 || askew_height(place(v)) > askew_height(place(static_cast<std::size_t>(chosen))))
-            chosen = static_cast<int>(v);
+    std::vector<int> out(clusters.count(), -1);
+    for (int v = 0; v < n; ++v) {
+        if (off_middle(v) > least[clusters.of(v)] + near) continue;
+        int& chosen = out[clusters.of(v)];
+        if (chosen < 0 || askew_height(place(v)) > askew_height(place(chosen))) chosen = v;
     }
     return out;
 }
@@ -294,30 +333,25 @@ ClusteredMesh<Scalar> cluster_vertices(const TriangleMesh<Scalar>& mesh, Eigen::
     // A surface of unit area meets 1.5 cells of unit width on average, less slivers 1.26 (measured), and has half as
     // many vertices as faces.
     const Scalar width = std::sqrt(Scalar(1.26) / (Scalar(0.5) * static_cast<Scalar>(faces)));
-    detail::Clusters clusters = detail::clusters_in_cells(mesh, detail::grid_cells(places, width), is_boundary);
+    auto [clusters, edges] = detail::clusters_in_cells(mesh.faces, detail::grid_cells(places, width), is_boundary);
     constexpr int rounds = 2; // of slivers beside slivers
-    for (int round = 0; round < rounds; ++round)
-        if (!detail::absorb_slivers(clusters, mesh, places, width, is_boundary)) break;
-    detail::dissolve_rings(clusters, mesh.faces);
-    Triangles coarse = detail::faces_between(clusters, mesh.faces);
-    while (detail::dissolve(clusters, detail::singular_vertices(coarse, is_boundary)))
-        coarse = detail::faces_between(clusters, mesh.faces);
-
-    const std::vector<int> middle = detail::middle_vertices(clusters, places, width);
-    std::vector<int> index(n, -1);
-    for (std::size_t v = 0; v < n; ++v)
-        if (clusters[v] == static_cast<int>(v)) {
-            index[v] = static_cast<int>(out.source.size());
-            out.source.push_back(middle[v]);
-        }
-    out.cluster.resize(n);
-    for (std::size_t v = 0; v < n; ++v) out.cluster[v] = index[static_cast<std::size_t>(clusters[v])];
+    for (int round = 0; round < rounds; ++round) {
+        auto fewer = detail::without_slivers(clusters, edges, places, width, is_boundary);
+        if (!fewer) break;
+        clusters = *std::move(fewer);
+    }
+    if (auto discs = detail::dissolved(clusters, detail::rings_of(clusters, mesh.faces))) clusters = *std::move(discs);
+    out.mesh.faces = detail::faces_between(clusters, mesh.faces);
+    while (auto manifold = detail::dissolved(
+               clusters, detail::singular_vertices(out.mesh.faces, detail::boundary_clusters(clusters, is_boundary)))) {
+        clusters = *std::move(manifold);
+        out.mesh.faces = detail::faces_between(clusters, mesh.faces);
+    }
+    out.source = detail::middle_vertices(clusters, places, width);
+    out.cluster = std::move(clusters.of_vertex);
     out.mesh.vertices.resize(static_cast<Eigen::Index>(out.source.size()), 3);
     for (std::size_t v = 0; v < out.source.size(); ++v)
         out.mesh.vertices.row(static_cast<Eigen::Index>(v)) = mesh.vertices.row(out.source[v]);
-    out.mesh.faces = std::move(coarse);
-    for (Eigen::Index i = 0; i < out.mesh.faces.size(); ++i)
-        out.mesh.faces.data()[i] = index[static_cast<std::size_t>(out.mesh.faces.data()[i])];
     return out;
 }
 
