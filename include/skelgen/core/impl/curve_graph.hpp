@@ -10,6 +10,8 @@
 #include <queue>
 #include <tuple>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include <skelgen/core/precision.hpp>
 
@@ -57,53 +59,89 @@ ShortestPaths<Scalar> shortest_paths(const SurfaceGraph<Scalar>& graph, int sour
 
 namespace detail {
 
-/// Of each node the least distance and the lowest label of the sources at that distance; infinite and -1 where no path
-/// leads. Nodes wait in slots for distances of half a link's length, in any order (Dia69): what a slot's nodes change
-/// in that slot is looked at again, so that the distances are those of the shortest paths all the same.
+/// What is known of the way to a node: how far it is, or that and the label of the source that it leads from, -1 for
+/// none. Of two that are as far, that with the lower label is nearer.
 template <typename Scalar>
-std::vector<std::pair<Scalar, int>> nearest_by_slots(const SurfaceGraph<Scalar>& graph,
-                                                     std::vector<Source<Scalar>> sources) {
+using Labelled = std::pair<Scalar, int>;
+
+template <typename Scalar>
+Scalar distance_of(Scalar way) {
+    return way;
+}
+template <typename Scalar>
+Scalar distance_of(const Labelled<Scalar>& way) {
+    return way.first;
+}
+template <typename Scalar>
+Scalar with_link(Scalar way, Scalar length) {
+    return way + length;
+}
+template <typename Scalar>
+Labelled<Scalar> with_link(const Labelled<Scalar>& way, Scalar length) {
+    return {way.first + length, way.second};
+}
+template <typename Scalar>
+bool is_nearer(Scalar way, Scalar known) {
+    return way < known;
+}
+template <typename Scalar>
+bool is_nearer(const Labelled<Scalar>& way, const Labelled<Scalar>& known) {
+    if (way.first > known.first) return false; // as most are
+    return known.second < 0 || way < known;
+}
+
+/// A node, and a way to it.
+template <typename Way>
+struct WayTo {
+    Way way;
+    int node;
+};
+
+/// The nearest way to each node from some sources; `none` where none leads. Nodes wait in slots for distances of half a
+/// link's length, in any order (Dia69): what a slot's nodes change in that slot is looked at again, so that the
+/// distances are those of the shortest paths all the same.
+template <typename Way, typename Scalar>
+std::vector<Way> nearest_by_slots(const SurfaceGraph<Scalar>& graph, std::vector<WayTo<Way>> sources, const Way& none) {
     constexpr Scalar most_slots = 4096;
-    using Claim = Source<Scalar>;
-    std::vector<std::pair<Scalar, int>> best(graph.neighbours.size(), {std::numeric_limits<Scalar>::infinity(), -1});
-    const auto is_best = [&](const Claim& claim) {
-        return best[static_cast<std::size_t>(claim.node)] == std::pair(claim.distance, claim.label);
-    };
-    const auto take_if_better = [&](const Claim& claim) {
-        std::pair<Scalar, int>& known = best[static_cast<std::size_t>(claim.node)];
-        if (claim.distance > known.first) return false; // as most are
-        if (known.second >= 0 && known <= std::pair(claim.distance, claim.label)) return false;
-        known = {claim.distance, claim.label};
+    std::vector<Way> best(graph.neighbours.size(), none);
+    const auto is_best = [&](const WayTo<Way>& one) { return best[static_cast<std::size_t>(one.node)] == one.way; };
+    const auto take_if_nearer = [&](const Way& way, int node) {
+        Way& known = best[static_cast<std::size_t>(node)];
+        if (!is_nearer(way, known)) return false;
+        known = way;
         return true;
     };
-    for (const Claim& source : sources) take_if_better(source);
-    std::erase_if(sources, [&](const Claim& source) { return !is_best(source); });
+    for (const WayTo<Way>& source : sources) take_if_nearer(source.way, source.node);
+    std::erase_if(sources, [&](const WayTo<Way>& source) { return !is_best(source); });
     if (sources.empty()) return best;
-    std::sort(sources.begin(), sources.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });
+    std::sort(sources.begin(), sources.end(),
+              [](const auto& a, const auto& b) { return distance_of(a.way) < distance_of(b.way); });
     const Scalar longest = graph.neighbours.longest(), mean = graph.neighbours.mean();
-    const Scalar width = std::max(mean / 2, longest / most_slots), base = sources.front().distance;
+    const Scalar width = std::max(mean / 2, longest / most_slots), base = distance_of(sources.front().way);
     const Scalar per_length = width > 0 ? 1 / width : Scalar(0);
     const std::size_t slots = std::bit_ceil(static_cast<std::size_t>(longest * per_length) + 2);
-    const auto slot_of = [&](Scalar distance) { return static_cast<std::size_t>((distance - base) * per_length); };
-    std::vector<std::vector<Claim>> waiting(slots); // slot k, k + slots, ... in one
+    const auto slot_of = [&](const Way& way) {
+        return static_cast<std::size_t>((distance_of(way) - base) * per_length);
+    };
+    std::vector<std::vector<WayTo<Way>>> waiting(slots); // slot k, k + slots, ... in one
     std::size_t pending = 0;
     auto source = sources.begin();
     for (std::size_t slot = 0; pending > 0 || source != sources.end(); ++slot) {
-        if (pending == 0) slot = slot_of(source->distance);
-        std::vector<Claim>& here = waiting[slot & (slots - 1)];
-        for (; source != sources.end() && slot_of(source->distance) <= slot; ++source) {
+        if (pending == 0) slot = slot_of(source->way);
+        std::vector<WayTo<Way>>& here = waiting[slot & (slots - 1)];
+        for (; source != sources.end() && slot_of(source->way) <= slot; ++source) {
             here.push_back(*source);
             ++pending;
         }
         while (!here.empty()) {
-            const Claim next = here.back();
+            const WayTo<Way> next = here.back();
             here.pop_back();
             --pending;
             if (!is_best(next)) continue;
-            for (const auto& [w, length] : graph.neighbours[static_cast<std::size_t>(next.node)]) {
-                const Claim claim{next.distance + length, next.label, w};
-                if (!take_if_better(claim)) continue;
-                waiting[slot_of(claim.distance) & (slots - 1)].push_back(claim);
+            for (const auto& [node, length] : graph.neighbours[static_cast<std::size_t>(next.node)]) {
+                const Way way = with_link(next.way, length);
+                if (!take_if_nearer(way, node)) continue;
+                waiting[slot_of(way) & (slots - 1)].push_back({way, node});
                 ++pending;
             }
         }
@@ -115,19 +153,21 @@ std::vector<std::pair<Scalar, int>> nearest_by_slots(const SurfaceGraph<Scalar>&
 
 template <typename Scalar>
 std::vector<Scalar> distances_from(const SurfaceGraph<Scalar>& graph, const std::vector<int>& sources) {
-    std::vector<Source<Scalar>> all;
-    for (const int node : sources) all.push_back({Scalar(0), 0, node});
-    std::vector<Scalar> distances;
-    distances.reserve(graph.neighbours.size());
-    for (const auto& [distance, label] : detail::nearest_by_slots(graph, std::move(all))) distances.push_back(distance);
-    return distances;
+    std::vector<detail::WayTo<Scalar>> all;
+    for (const int node : sources) all.push_back({Scalar(0), node});
+    return detail::nearest_by_slots(graph, std::move(all), std::numeric_limits<Scalar>::infinity());
 }
 
 template <typename Scalar>
 std::vector<int> nearest_source(const SurfaceGraph<Scalar>& graph, const std::vector<Source<Scalar>>& sources) {
+    using Way = detail::Labelled<Scalar>;
+    std::vector<detail::WayTo<Way>> all;
+    for (const Source<Scalar>& source : sources) all.push_back({{source.distance, source.label}, source.node});
     std::vector<int> labels;
     labels.reserve(graph.neighbours.size());
-    for (const auto& [distance, label] : detail::nearest_by_slots(graph, sources)) labels.push_back(label);
+    for (const auto& [distance, label] :
+         detail::nearest_by_slots(graph, std::move(all), Way(std::numeric_limits<Scalar>::infinity(), -1)))
+        labels.push_back(label);
     return labels;
 }
 

@@ -25,11 +25,9 @@ Eigen::VectorX<Scalar> distances_from(const core::SurfaceGraph<Scalar>& surface,
     return Eigen::Map<const Eigen::VectorX<Scalar>>(distance.data(), static_cast<Eigen::Index>(distance.size()));
 }
 
-/// The vertices no farther than `reach` from a leaf, over the surface, of which that is the one where `far` is largest.
+/// Of the vertices no farther than `reach` from a leaf the one where `far` is largest.
 template <typename Scalar>
-int farthest_near(int leaf, Scalar reach, const Eigen::VectorX<Scalar>& far,
-                  const core::SurfaceGraph<Scalar>& surface) {
-    const std::vector<Scalar> from_leaf = core::shortest_paths(surface, leaf, reach).distance;
+int farthest_near(int leaf, Scalar reach, const Eigen::VectorX<Scalar>& far, const std::vector<Scalar>& from_leaf) {
     int best = leaf;
     for (Eigen::Index v = 0; v < far.size(); ++v)
         if (from_leaf[static_cast<std::size_t>(v)] <= reach && std::isfinite(far[v]) && far[v] > far[best])
@@ -73,26 +71,28 @@ std::vector<EndPoint<Scalar>> find_end_points(const Body<Scalar>& body, const Cu
         return out;
     };
     const auto heads = ends_of(BodyPart::trunk), arms = ends_of(BodyPart::arm), legs = ends_of(BodyPart::leg);
-    const auto measure = [&](const std::vector<std::size_t>& which) {
-        core::parallel_for(which.size(), 1, [&](std::size_t i) {
-            EndPoint<Scalar>& end = ends[which[i]];
-            end.distance = detail::distances_from(body.graph, end.vertex);
-        });
-    };
+    const auto measure = [&](EndPoint<Scalar>& end) { end.distance = detail::distances_from(body.graph, end.vertex); };
     const Scalar reach = detail::end_reach<Scalar> * embedding::matched_diameter(curve, embedding);
+    std::vector<std::vector<Scalar>> near(ends.size()); // distances from the leaves, no farther than that
     const auto place = [&](const std::vector<std::size_t>& which, const std::vector<std::size_t>& seen_from) {
         Eigen::VectorX<Scalar> far = Eigen::VectorX<Scalar>::Zero(body.mesh.vertices.rows());
         for (const std::size_t i : seen_from) far += ends[i].distance;
         core::parallel_for(which.size(), 1, [&](std::size_t i) {
             EndPoint<Scalar>& end = ends[which[i]];
-            end.vertex = detail::farthest_near(end.vertex, reach, far, body.graph);
+            end.vertex = detail::farthest_near(end.vertex, reach, far, near[which[i]]);
+            measure(end);
         });
-        measure(which);
     };
     std::vector<std::size_t> upper = heads;
     upper.insert(upper.end(), arms.begin(), arms.end());
-    measure(heads.empty() ? arms : heads);
-    place(legs, heads.empty() ? arms : heads);
+    const std::vector<std::size_t>& first = heads.empty() ? arms : heads;
+    core::parallel_for(first.size() + ends.size(), 1, [&](std::size_t i) {
+        if (i < first.size())
+            measure(ends[first[i]]);
+        else
+            near[i - first.size()] = core::shortest_paths(body.graph, ends[i - first.size()].vertex, reach).distance;
+    });
+    place(legs, first);
     place(upper, legs);
     for (EndPoint<Scalar>& end : ends) {
         end.rim = detail::nearest_rim(body.rims, end.distance);

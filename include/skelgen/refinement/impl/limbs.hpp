@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <utility>
 
 #include <skelgen/core/parallel.hpp>
@@ -126,18 +128,26 @@ std::vector<Limb<Scalar>> trace_limbs(const Slicer<Scalar>& slicer, const std::v
                                       const SkeletonTemplate& skeleton_template, Scalar scale,
                                       const CentrelineOptions& options) {
     std::vector<Limb<Scalar>> limbs(ends.size());
-    core::parallel_for(ends.size(), 1, [&](std::size_t i) {
-        const EndPoint<Scalar>& end_point = ends[i];
-        const TemplateJoint& end = skeleton_template.joint(end_point.joint);
-        Limb<Scalar> limb;
-        limb.joints = detail::joints_up_to(skeleton_template, end_point.joint);
+    for (std::size_t i = 0; i < limbs.size(); ++i) {
+        const TemplateJoint& end = skeleton_template.joint(ends[i].joint);
+        Limb<Scalar>& limb = limbs[i];
+        limb.joints = detail::joints_up_to(skeleton_template, ends[i].joint);
         limb.from_tip.resize(limb.joints.size());
         double distance = end.tip ? (*end.tip - end.position).norm() : 0;
         for (std::size_t j = limb.joints.size(); j-- > 0;) {
             limb.from_tip[j] = scale * static_cast<Scalar>(distance);
             distance += rest_length(skeleton_template, limb.joints[j], skeleton_template.joint(limb.joints[j]).parent);
         }
-        limbs[i] = draw_limb(std::move(limb), slicer, end_point, options);
+    }
+    // Long ones first: a thread that is done sooner draws the short ones.
+    std::vector<std::size_t> order(limbs.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return limbs[a].from_tip.front() > limbs[b].from_tip.front();
+    });
+    core::parallel_for(order.size(), 1, [&](std::size_t i) {
+        Limb<Scalar>& limb = limbs[order[i]];
+        limb = draw_limb(std::move(limb), slicer, ends[order[i]], options);
     });
     return limbs;
 }

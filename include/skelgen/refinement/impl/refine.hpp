@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/parallel.hpp>
 #include <skelgen/refinement/bare_joints.hpp>
 #include <skelgen/refinement/cross_section.hpp>
 #include <skelgen/refinement/fork.hpp>
@@ -147,18 +148,25 @@ trunk_axis_of(const std::vector<Limb<Scalar>>& limbs, const std::vector<EndPoint
     const auto fork = fork_between(slicer.mesh(), ends[legs[0]], ends[legs[1]]);
     if (!fork) return std::nullopt;
     const Scalar thigh = scale * rest_length_of_first_bone(limbs[legs[0]], skeleton_template);
-    std::vector<Vector3<Scalar>> places =
-        places_along_trunk(limbs, ends, slicer, curve, embedding, skeleton_template, *fork, thigh);
-    if (places.empty()) return std::nullopt;
-    places.insert(places.begin(), *fork);
-    for (const Limb<Scalar>& limb : limbs)
-        if (is_head(limb, skeleton_template)) places.push_back(point_on(limb, arc_of(limb, 0)));
-    Points<Scalar> line(static_cast<Eigen::Index>(places.size()), 3);
-    for (std::size_t i = 0; i < places.size(); ++i) core::set_point(line, static_cast<Eigen::Index>(i), places[i]);
-    auto axis = find_trunk_axis(slicer, line, thigh);
-    if (!axis) return axis;
+    std::optional<TrunkAxis<Scalar>> axis;
+    const auto find_axis = [&] {
+        std::vector<Vector3<Scalar>> places =
+            places_along_trunk(limbs, ends, slicer, curve, embedding, skeleton_template, *fork, thigh);
+        if (places.empty()) return;
+        places.insert(places.begin(), *fork);
+        for (const Limb<Scalar>& limb : limbs)
+            if (is_head(limb, skeleton_template)) places.push_back(point_on(limb, arc_of(limb, 0)));
+        Points<Scalar> line(static_cast<Eigen::Index>(places.size()), 3);
+        for (std::size_t i = 0; i < places.size(); ++i) core::set_point(line, static_cast<Eigen::Index>(i), places[i]);
+        axis = find_trunk_axis(slicer, line, thigh);
+    };
     // Half a thigh to both sides of the fork, in fortieths of it: more than a bent knee or an unlike end moves it.
-    axis->crossings = crossings_between(slicer.mesh(), ends[legs[0]], ends[legs[1]], thigh, Scalar(0.05) * thigh);
+    std::vector<Crossing<Scalar>> crossings;
+    core::in_parallel(find_axis, [&] {
+        crossings = crossings_between(slicer.mesh(), ends[legs[0]], ends[legs[1]], thigh, Scalar(0.05) * thigh);
+    });
+    if (!axis) return axis;
+    axis->crossings = std::move(crossings);
     axis->fork = fork_along(axis->crossings, axis->place, axis->up);
     return axis;
 }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include <skelgen/core/parallel.hpp>
 #include <skelgen/refinement/flat_end.hpp>
 
 namespace skelgen::refinement {
@@ -292,11 +293,11 @@ std::vector<Limb<Scalar>>
 shorten_cut_limbs(std::vector<Limb<Scalar>> limbs, const Slicer<Scalar>& slicer,
                   const std::vector<EndPoint<Scalar>>& ends, const SkeletonTemplate& skeleton_template,
                   const ThicknessProfileOptions& options, const CentrelineOptions& centreline) {
-    for (std::size_t i = 0; i < limbs.size(); ++i) {
+    core::parallel_for(limbs.size(), 1, [&](std::size_t i) {
         const auto profiled = detail::as_profiled(limbs[i], skeleton_template);
-        if (!profiled || profiled->outer + 1 >= limbs[i].joints.size()) continue;
+        if (!profiled || profiled->outer + 1 >= limbs[i].joints.size()) return;
         if (four_sidedness(slicer.mesh(), limbs[i], ends[i], limbs[i].from_tip[profiled->outer]) > detail::box<Scalar>)
-            continue;
+            return;
         Limb<Scalar> cut = detail::ending_at(limbs[i], profiled->outer);
         const Scalar cut_cost = detail::cost_of(cut, skeleton_template, options);
         const auto whole_cost = [&] { return detail::cost_of(limbs[i], skeleton_template, options); };
@@ -305,10 +306,10 @@ shorten_cut_limbs(std::vector<Limb<Scalar>> limbs, const Slicer<Scalar>& slicer,
             return {flat_end(slicer.mesh(), limbs[i], ends[i], beyond),
                     open_end(slicer.mesh(), limbs[i], ends[i], beyond)};
         };
-        if (!detail::is_cut(whole_cost, cut_cost, end_shape)) continue;
+        if (!detail::is_cut(whole_cost, cut_cost, end_shape)) return;
         if (ends[i].from_cut < limbs[i].from_tip[profiled->outer]) cut.missing = 0; // the rest went with what it held
         limbs[i] = draw_limb(std::move(cut), slicer, ends[i], centreline);
-    }
+    });
     return limbs;
 }
 
