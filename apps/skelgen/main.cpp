@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstddef>
@@ -39,31 +40,38 @@ constexpr std::array<OptionalCommand, 4> optional_commands{
      {"synth", "SKELGEN_BUILD_SYNTH", SKELGEN_WITH_SYNTH != 0},
      {"view", "SKELGEN_BUILD_VIEW", SKELGEN_WITH_VIEW != 0}}};
 
-void add_commands(CLI::App& app) {
-    add_extract_command(app);
-    add_batch_command(app);
-    add_merge_command(app);
+struct Command {
+    std::string_view name;
+    void (*add)(CLI::App&);
+};
+
+constexpr std::array all_commands {
+    Command{"extract", add_extract_command}, Command{"batch", add_batch_command}, Command{"merge", add_merge_command},
 #if SKELGEN_WITH_EVALUATION
-    add_evaluate_command(app);
+        Command{"evaluate", add_evaluate_command},
 #endif
-    add_curve_command(app);
-    add_convert_command(app);
-    add_align_command(app);
-    add_segment_command(app);
-    add_measure_command(app);
-    add_correspond_command(app);
-    add_rig_command(app);
-    add_pose_command(app);
-    add_animate_command(app);
+        Command{"curve", add_curve_command}, Command{"convert", add_convert_command},
+        Command{"align", add_align_command}, Command{"segment", add_segment_command},
+        Command{"measure", add_measure_command}, Command{"correspond", add_correspond_command},
+        Command{"rig", add_rig_command}, Command{"pose", add_pose_command}, Command{"animate", add_animate_command},
 #if SKELGEN_WITH_RENDER
-    add_render_command(app);
+        Command{"render", add_render_command},
 #endif
 #if SKELGEN_WITH_SYNTH
-    add_synth_command(app);
+        Command{"synth", add_synth_command},
 #endif
 #if SKELGEN_WITH_VIEW
-    add_view_command(app);
+        Command{"view", add_view_command},
 #endif
+};
+
+/// The command that the first argument names, alone: to describe all takes as long as to read a small mesh. All of them
+/// where it names none, as in help.
+void add_commands(CLI::App& app, std::string_view first_argument) {
+    const auto named = std::find_if(all_commands.begin(), all_commands.end(),
+                                    [&](const Command& command) { return command.name == first_argument; });
+    if (named != all_commands.end()) return named->add(app);
+    for (const Command& command : all_commands) command.add(app);
     add_documentation_command(app);
 }
 
@@ -148,7 +156,7 @@ int run(int argc, char** argv) {
     app.set_version_flag("-V,--version", "skelgen " + std::string(version));
     app.require_subcommand(1);
     app.footer(footer());
-    add_commands(app);
+    add_commands(app, argc > 1 ? argv[1] : "");
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) { // --help and --version

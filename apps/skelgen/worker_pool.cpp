@@ -69,7 +69,10 @@ bool receive_all(int socket, void* data, std::size_t size) {
     while (receive_all(socket, &index, sizeof index)) {
         const std::string result = job(static_cast<std::size_t>(index));
         const std::uint64_t size = result.size();
-        if (!send_all(socket, &size, sizeof size) || !send_all(socket, result.data(), result.size())) break;
+        std::string message(sizeof size, '\0'); // both at once: the parent is woken once
+        std::memcpy(message.data(), &size, sizeof size);
+        message += result;
+        if (!send_all(socket, message.data(), message.size())) break;
     }
     ::_exit(0); // not exit(): what the parent registered and buffered is the parent's
 }
@@ -288,6 +291,7 @@ private:
             const std::size_t job = worker->job();
             const double seconds = worker->seconds();
             if (const auto result = worker->take_result()) {
+                if (next_ < count_) feed(worker); // at work while this process reports
                 report_(job, {JobEnd::done, *result, seconds});
             } else if (!alive) {
                 report_(job, {JobEnd::crashed, dismiss(worker), seconds});

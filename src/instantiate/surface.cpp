@@ -41,7 +41,8 @@ namespace skelgen::surface {
                                                                  const FaceTree<Scalar>&, const Vector3<Scalar>&,      \
                                                                  const Vector3<Scalar>&, Scalar);                      \
     template Eigen::AlignedBox<Scalar, 3> robust_box(const TriangleMesh<Scalar>&);                                     \
-    template Triangles faces_within_reach(const TriangleMesh<Scalar>&);                                                \
+    template std::optional<Triangles> faces_within_reach(const TriangleMesh<Scalar>&,                                  \
+                                                         const Eigen::AlignedBox<Scalar, 3>&);                         \
     template Welding find_welds(const TriangleMesh<Scalar>&, Scalar, const std::vector<bool>&);                        \
     template WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>&, Welding);                                            \
     template WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>&, Scalar, const std::vector<bool>&);                   \

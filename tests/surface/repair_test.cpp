@@ -215,10 +215,12 @@ TEST_CASE("vertices that no face uses are left out and do not count for the size
 TEST_CASE("the size is that of most of the surface, and faces that reach far beyond go") {
     const auto size = [](const Mesh& mesh) { return robust_box(mesh).diagonal().norm(); };
     CHECK(size(cube(4)) == Approx(std::sqrt(3)).epsilon(0.02));
+    CHECK(!faces_within_reach(cube(4), robust_box(cube(4))));
     Mesh far = with_vertex(cube(4), Vec3(1e5, 0, 0));
+    CHECK(!faces_within_reach(far, robust_box(far)));
     far = with_faces(far, {{0, 1, static_cast<int>(far.vertices.rows()) - 1}});
     CHECK(size(far) == Approx(size(cube(4))).epsilon(0.02));
-    CHECK(faces_within_reach(far) == cube(4).faces);
+    CHECK(faces_within_reach(far, robust_box(far)) == cube(4).faces);
     CHECK(clean(far).mesh.faces == cube(4).faces);
     CHECK(clean(far).notes.front() == "faces that reach far away left out: 1 face");
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -24,10 +25,11 @@ struct WeldedMesh {
 template <typename Scalar>
 [[nodiscard]] Eigen::AlignedBox<Scalar, 3> robust_box(const TriangleMesh<Scalar>& mesh);
 
-/// The faces none of whose corners lies farther from the robust box than its diagonal: a body reaches a third of
-/// it beyond. O(faces).
+/// The faces none of whose corners lies farther from `box`, the mesh's robust one, than its diagonal: a body reaches a
+/// third of it beyond. None where these are all faces. O(faces).
 template <typename Scalar>
-[[nodiscard]] Triangles faces_within_reach(const TriangleMesh<Scalar>& mesh);
+[[nodiscard]] std::optional<Triangles> faces_within_reach(const TriangleMesh<Scalar>& mesh,
+                                                          const Eigen::AlignedBox<Scalar, 3>& box);
 
 /// Which vertices faces use, and which of these become one.
 struct Welding {

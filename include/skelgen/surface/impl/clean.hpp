@@ -69,11 +69,14 @@ enum class Axes { given, own };
 template <typename Scalar>
 CleanMesh<Scalar> clean_in(Axes axes, const TriangleMesh<Scalar>& mesh) {
     constexpr auto millionth = Scalar(1e-6);
-    Triangles near_faces = faces_within_reach(mesh);
+    Eigen::AlignedBox<Scalar, 3> box = robust_box(mesh);
     std::optional<TriangleMesh<Scalar>> nearer; // where not all is
-    if (near_faces.rows() < mesh.faces.rows()) nearer = TriangleMesh<Scalar>{mesh.vertices, std::move(near_faces)};
+    if (auto near_faces = faces_within_reach(mesh, box)) {
+        nearer = TriangleMesh<Scalar>{mesh.vertices, *std::move(near_faces)};
+        box = robust_box(*nearer);
+    }
     const TriangleMesh<Scalar>& near = nearer ? *nearer : mesh;
-    const Scalar tolerance = millionth * robust_box(near).diagonal().norm();
+    const Scalar tolerance = millionth * box.diagonal().norm();
     std::optional<Welding> welding;
     bool is_sound_already = false;
     core::in_parallel([&] { welding = find_welds(near, tolerance); }, [&] { is_sound_already = is_sound(mesh); });

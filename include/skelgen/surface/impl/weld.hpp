@@ -73,20 +73,19 @@ Eigen::AlignedBox<Scalar, 3> robust_box(const TriangleMesh<Scalar>& mesh) {
         const auto high = along.end() - 1 - static_cast<std::ptrdiff_t>(along.size() / 20);
         std::nth_element(along.begin(), low, along.end());
         box.min()[k] = *low;
-        std::nth_element(along.begin(), high, along.end());
+        std::nth_element(low, high, along.end()); // all before are less
         box.max()[k] = *high;
     }
     return box;
 }
 
 template <typename Scalar>
-Triangles faces_within_reach(const TriangleMesh<Scalar>& mesh) {
-    const Eigen::AlignedBox<Scalar, 3> box = robust_box(mesh);
+std::optional<Triangles> faces_within_reach(const TriangleMesh<Scalar>& mesh, const Eigen::AlignedBox<Scalar, 3>& box) {
     const Scalar reach = box.diagonal().norm();
     std::vector<bool> is_near(static_cast<std::size_t>(mesh.vertices.rows()));
     for (std::size_t v = 0; v < is_near.size(); ++v)
         is_near[v] = box.exteriorDistance(core::point(mesh.vertices, static_cast<Eigen::Index>(v))) <= reach;
-    if (std::all_of(is_near.begin(), is_near.end(), [](bool near) { return near; })) return mesh.faces;
+    if (std::all_of(is_near.begin(), is_near.end(), [](bool near) { return near; })) return std::nullopt;
     Triangles out(mesh.faces.rows(), 3);
     Eigen::Index kept = 0;
     for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
@@ -94,6 +93,7 @@ Triangles faces_within_reach(const TriangleMesh<Scalar>& mesh) {
         for (int k = 0; k < 3; ++k) near = near && is_near[static_cast<std::size_t>(mesh.faces(f, k))];
         if (near) out.row(kept++) = mesh.faces.row(f);
     }
+    if (kept == mesh.faces.rows()) return std::nullopt; // no face uses what is far
     out.conservativeResize(kept, 3);
     return out;
 }
