@@ -43,8 +43,8 @@ namespace skelgen::applications {
     template Points<Scalar> skinned_linearly(const Points<Scalar>&, const Skin<Scalar>&,                               \
                                              const std::vector<RigidMotion<Scalar>>&);                                 \
     template Outcome<JointWeights> heat_weights(const std::vector<HeatedPose<Scalar>>&, int, const LimbRegions&);      \
-    template JointWeights with_bounded_stretch(JointWeights, const std::vector<HeldSurface<Scalar>>&,                  \
-                                               const Triangles&, const SkeletonTemplate&, const std::vector<int>&);    \
+    template JointWeights with_bounded_stretch(JointWeights, const HeldSurface<Scalar>&, const Triangles&,             \
+                                               const SkeletonTemplate&, const std::vector<int>&);                      \
     template LimbRegions limb_regions(const Body<Scalar>&, const KinematicSkeleton<Scalar>&, const SkeletonTemplate&); \
     template std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>&, const TriangleMesh<Scalar>&);            \
     template Skin<Scalar> bind(const TriangleMesh<Scalar>&, const Body<Scalar>&, const KinematicSkeleton<Scalar>&,     \

@@ -55,18 +55,18 @@ TEST_CASE("stretch: an abrupt bend is spread until no edge grows too much", "[ap
     std::vector<int> limb(rest.joints.size(), -1);
     for (const char* name : {"left_shoulder", "left_elbow", "left_wrist", "left_hand"})
         limb[static_cast<std::size_t>(find_joint(rest, name))] = 0;
-    const std::vector<HeldSurface<double>> poses{{tube.vertices, rest}};
-    const JointWeights even = with_bounded_stretch(weights, poses, tube.faces, human(), limb);
+    const HeldSurface<double> pose{tube.vertices, rest};
+    const JointWeights even = with_bounded_stretch(weights, pose, tube.faces, human(), limb);
     CHECK(most_growth(tube, even.col(elbow), joint) < 3.1); // ends within its rounds
     CHECK((even.rowwise().sum().array() - 1).abs().maxCoeff() < 1e-12);
     CHECK(even.minCoeff() >= 0);
     for (Eigen::Index v = 0; v < weights.rows(); ++v) // far from the bend nothing has changed
         if (std::abs(tube.vertices(v, 0) - joint.x()) > 0.06) CHECK(even.row(v) == weights.row(v));
 
-    CHECK(with_bounded_stretch(even, poses, tube.faces, human(), limb).isApprox(even, 0.02));
+    CHECK(with_bounded_stretch(even, pose, tube.faces, human(), limb).isApprox(even, 0.02));
     weights.setZero();
     weights.col(elbow).setOnes();
-    CHECK(with_bounded_stretch(weights, poses, tube.faces, human(), limb) == weights);
+    CHECK(with_bounded_stretch(weights, pose, tube.faces, human(), limb) == weights);
 }
 
 TEST_CASE("stretch: where two limbs meet they stay apart", "[applications][weights]") {
@@ -78,8 +78,8 @@ TEST_CASE("stretch: where two limbs meet they stay apart", "[applications][weigh
     std::vector<int> limb(rest.joints.size(), -1);
     limb[static_cast<std::size_t>(left)] = 0;
     limb[static_cast<std::size_t>(right)] = 1;
-    const std::vector<HeldSurface<double>> poses{{tube.vertices, rest}};
-    CHECK(with_bounded_stretch(weights, poses, tube.faces, human(), limb) == weights);
+    const HeldSurface<double> pose{tube.vertices, rest};
+    CHECK(with_bounded_stretch(weights, pose, tube.faces, human(), limb) == weights);
 }
 
 } // namespace
