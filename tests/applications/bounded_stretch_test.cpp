@@ -5,27 +5,14 @@
 
 #include "catch.hpp"
 #include "human.hpp"
-#include "shapes.hpp"
+#include "sleeve.hpp"
 
 namespace {
 
 using namespace skelgen;
 using namespace skelgen::applications;
 using test::human;
-
-/// A tube around the left arm of the template, from the middle of the upper arm to that of the forearm.
-TriangleMesh<double> sleeve(const KinematicSkeleton<double>& rest) {
-    const auto at = [&](const char* name) {
-        return rest.joints[static_cast<std::size_t>(find_joint(rest, name))].position;
-    };
-    const Eigen::Vector3d from = (at("left_shoulder") + at("left_elbow")) / 2,
-                          to = (at("left_elbow") + at("left_wrist")) / 2;
-    TriangleMesh<double> tube = test::capsule(0.04, (to - from).norm());
-    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), to - from);
-    for (Eigen::Index v = 0; v < tube.vertices.rows(); ++v)
-        tube.vertices.row(v) = (from + turn * tube.vertices.row(v).transpose()).transpose();
-    return tube;
-}
+using test::sleeve;
 
 /// The most that an edge grows when a joint bends by 90 degrees and a vertex follows it by the given weights.
 double most_growth(const TriangleMesh<double>& mesh, const Eigen::VectorXd& weight, const Eigen::Vector3d& joint) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <skelgen/applications/balanced_bends.hpp>
 #include <skelgen/applications/body_coordinates.hpp>
 #include <skelgen/applications/bone_orientations.hpp>
 #include <skelgen/applications/bones.hpp>
@@ -138,6 +139,8 @@ JointWeights body_weights(const Body<Scalar>& body, const KinematicSkeleton<Scal
     JointWeights weights =
         weights_in<Scalar>({as_is, {rest, heating_bones(at_rest, skeleton_template)}}, skeleton_template, regions);
     const Triangles& faces = body.mesh.faces;
+    rest.mesh.vertices = held_by(weights);
+    weights = with_balanced_bends<Scalar>(std::move(weights), {rest.mesh.vertices, at_rest}, faces, skeleton_template);
     constexpr int passes = 16; // each changes how the body is at rest a little; most bodies need half of them
     for (int pass = 0; pass < passes; ++pass) {
         rest.mesh.vertices = held_by(weights);

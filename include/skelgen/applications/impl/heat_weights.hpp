@@ -101,16 +101,6 @@ struct Limbs {
     }
 };
 
-/// Which joints a joint carries, itself among them.
-inline std::vector<bool> joints_below(const SkeletonTemplate& skeleton_template, int joint) {
-    std::vector<bool> is_below(skeleton_template.joints.size(), false);
-    for (std::size_t j = 0; j < is_below.size(); ++j) {
-        const int parent = skeleton_template.joints[j].parent;
-        is_below[j] = static_cast<int>(j) == joint || (parent >= 0 && is_below[static_cast<std::size_t>(parent)]);
-    }
-    return is_below;
-}
-
 } // namespace detail
 
 namespace detail {
@@ -185,7 +175,7 @@ SKELGEN_INLINE JointWeights with_narrow_hinges(JointWeights weights, const Skele
     for (int hinge = 0; hinge < static_cast<int>(skeleton_template.joints.size()); ++hinge) {
         const JointRole role = skeleton_template.joint(hinge).role;
         if (role != JointRole::elbow && role != JointRole::knee) continue;
-        const std::vector<bool> is_below = detail::joints_below(skeleton_template, hinge);
+        const std::vector<bool> is_below = joints_below(skeleton_template, hinge);
         for (Eigen::Index v = 0; v < weights.rows(); ++v) {
             Accumulator below = 0, above = 0;
             for (std::size_t j = 0; j < is_below.size(); ++j)
