@@ -11,6 +11,7 @@ set(skelgen_core_headers
     include/skelgen/anatomy/radii.hpp
     include/skelgen/applications/alignment.hpp
     include/skelgen/applications/animation.hpp
+    include/skelgen/applications/balanced_bends.hpp
     include/skelgen/applications/bind.hpp
     include/skelgen/applications/body_coordinates.hpp
     include/skelgen/applications/bone_orientations.hpp
@@ -165,6 +166,7 @@ set(skelgen_core_definitions
     include/skelgen/anatomy/impl/radii.hpp
     include/skelgen/applications/impl/alignment.hpp
     include/skelgen/applications/impl/animation.hpp
+    include/skelgen/applications/impl/balanced_bends.hpp
     include/skelgen/applications/impl/bind.hpp
     include/skelgen/applications/impl/body_coordinates.hpp
     include/skelgen/applications/impl/bone_orientations.hpp

@@ -1,5 +1,6 @@
 // The applications that move a body, compiled once for each scalar.
 
+#include <skelgen/applications/impl/balanced_bends.hpp>
 #include <skelgen/applications/impl/bind.hpp>
 #include <skelgen/applications/impl/bone_orientations.hpp>
 #include <skelgen/applications/impl/bone_sections.hpp>
@@ -43,8 +44,10 @@ namespace skelgen::applications {
     template Points<Scalar> skinned_linearly(const Points<Scalar>&, const Skin<Scalar>&,                               \
                                              const std::vector<RigidMotion<Scalar>>&);                                 \
     template Outcome<JointWeights> heat_weights(const std::vector<HeatedPose<Scalar>>&, int, const LimbRegions&);      \
-    template JointWeights with_bounded_stretch(JointWeights, const std::vector<HeldSurface<Scalar>>&,                  \
-                                               const Triangles&, const SkeletonTemplate&, const std::vector<int>&);    \
+    template JointWeights with_bounded_stretch(JointWeights, const HeldSurface<Scalar>&, const Triangles&,             \
+                                               const SkeletonTemplate&, const std::vector<int>&);                      \
+    template JointWeights with_balanced_bends(JointWeights, const HeldSurface<Scalar>&, const Triangles&,              \
+                                              const SkeletonTemplate&);                                                \
     template LimbRegions limb_regions(const Body<Scalar>&, const KinematicSkeleton<Scalar>&, const SkeletonTemplate&); \
     template std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>&, const TriangleMesh<Scalar>&);            \
     template Skin<Scalar> bind(const TriangleMesh<Scalar>&, const Body<Scalar>&, const KinematicSkeleton<Scalar>&,     \

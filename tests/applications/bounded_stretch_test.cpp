@@ -5,27 +5,14 @@
 
 #include "catch.hpp"
 #include "human.hpp"
-#include "shapes.hpp"
+#include "sleeve.hpp"
 
 namespace {
 
 using namespace skelgen;
 using namespace skelgen::applications;
 using test::human;
-
-/// A tube around the left arm of the template, from the middle of the upper arm to that of the forearm.
-TriangleMesh<double> sleeve(const KinematicSkeleton<double>& rest) {
-    const auto at = [&](const char* name) {
-        return rest.joints[static_cast<std::size_t>(find_joint(rest, name))].position;
-    };
-    const Eigen::Vector3d from = (at("left_shoulder") + at("left_elbow")) / 2,
-                          to = (at("left_elbow") + at("left_wrist")) / 2;
-    TriangleMesh<double> tube = test::capsule(0.04, (to - from).norm());
-    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), to - from);
-    for (Eigen::Index v = 0; v < tube.vertices.rows(); ++v)
-        tube.vertices.row(v) = (from + turn * tube.vertices.row(v).transpose()).transpose();
-    return tube;
-}
+using test::sleeve;
 
 /// The most that an edge grows when a joint bends by 90 degrees and a vertex follows it by the given weights.
 double most_growth(const TriangleMesh<double>& mesh, const Eigen::VectorXd& weight, const Eigen::Vector3d& joint) {
@@ -55,18 +42,18 @@ TEST_CASE("stretch: an abrupt bend is spread until no edge grows too much", "[ap
     std::vector<int> limb(rest.joints.size(), -1);
     for (const char* name : {"left_shoulder", "left_elbow", "left_wrist", "left_hand"})
         limb[static_cast<std::size_t>(find_joint(rest, name))] = 0;
-    const std::vector<HeldSurface<double>> poses{{tube.vertices, rest}};
-    const JointWeights even = with_bounded_stretch(weights, poses, tube.faces, human(), limb);
+    const HeldSurface<double> pose{tube.vertices, rest};
+    const JointWeights even = with_bounded_stretch(weights, pose, tube.faces, human(), limb);
     CHECK(most_growth(tube, even.col(elbow), joint) < 3.1); // ends within its rounds
     CHECK((even.rowwise().sum().array() - 1).abs().maxCoeff() < 1e-12);
     CHECK(even.minCoeff() >= 0);
     for (Eigen::Index v = 0; v < weights.rows(); ++v) // far from the bend nothing has changed
         if (std::abs(tube.vertices(v, 0) - joint.x()) > 0.06) CHECK(even.row(v) == weights.row(v));
 
-    CHECK(with_bounded_stretch(even, poses, tube.faces, human(), limb).isApprox(even, 0.02));
+    CHECK(with_bounded_stretch(even, pose, tube.faces, human(), limb).isApprox(even, 0.02));
     weights.setZero();
     weights.col(elbow).setOnes();
-    CHECK(with_bounded_stretch(weights, poses, tube.faces, human(), limb) == weights);
+    CHECK(with_bounded_stretch(weights, pose, tube.faces, human(), limb) == weights);
 }
 
 TEST_CASE("stretch: where two limbs meet they stay apart", "[applications][weights]") {
@@ -78,8 +65,8 @@ TEST_CASE("stretch: where two limbs meet they stay apart", "[applications][weigh
     std::vector<int> limb(rest.joints.size(), -1);
     limb[static_cast<std::size_t>(left)] = 0;
     limb[static_cast<std::size_t>(right)] = 1;
-    const std::vector<HeldSurface<double>> poses{{tube.vertices, rest}};
-    CHECK(with_bounded_stretch(weights, poses, tube.faces, human(), limb) == weights);
+    const HeldSurface<double> pose{tube.vertices, rest};
+    CHECK(with_bounded_stretch(weights, pose, tube.faces, human(), limb) == weights);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "anatomy/rest_skeleton.hpp"
 #include "applications/weights.hpp"
 #include "catch.hpp"
+#include "human.hpp"
 #include "shapes.hpp"
 
 namespace {
@@ -41,6 +42,26 @@ TEST_CASE("concentrated weights have narrower bends, the same joint first, and s
     CHECK((narrow.rowwise().sum().array() - 1).abs().maxCoeff() < 1e-15);
     CHECK(narrow(0, 0) == 0.5);
     CHECK(narrow(1, 0) == Approx(0.512 / 0.52));
+    CHECK(narrow.row(2) == weights.row(2));
+}
+
+TEST_CASE("narrow hinges: odds of what an elbow carries are squared, all else keeps its shares",
+          "[applications][weights]") {
+    const auto at = [](JointRole role) { return Eigen::Index(find_joint(test::human(), role, Side::left)); };
+    const Eigen::Index chest = find_joint(test::human(), JointRole::chest), shoulder = at(JointRole::shoulder),
+                       elbow = at(JointRole::elbow), wrist = at(JointRole::wrist);
+    JointWeights weights = JointWeights::Zero(3, Eigen::Index(test::human().joints.size()));
+    weights(0, shoulder) = 0.2; // 1 to 4
+    weights(0, elbow) = 0.6;
+    weights(0, wrist) = 0.2;
+    weights(1, shoulder) = weights(1, elbow) = 0.5;
+    weights(2, chest) = 0.3;
+    weights(2, shoulder) = 0.7;
+    const JointWeights narrow = with_narrow_hinges(weights, test::human());
+    CHECK((narrow.rowwise().sum().array() - 1).abs().maxCoeff() < 1e-15);
+    CHECK(narrow(0, shoulder) == Approx(1.0 / 17)); // 1 to 16
+    CHECK(narrow(0, elbow) == Approx(3 * narrow(0, wrist)));
+    CHECK(narrow.row(1).isApprox(weights.row(1)));
     CHECK(narrow.row(2) == weights.row(2));
 }
 

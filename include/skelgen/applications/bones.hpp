@@ -37,6 +37,16 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] KinematicSkeleton<Scalar> rest_skeleton(const SkeletonTemplate& skeleton_template);
 
+/// Which joints a joint carries, itself among them. O(joints).
+[[nodiscard]] inline std::vector<bool> joints_below(const SkeletonTemplate& skeleton_template, int joint) {
+    std::vector<bool> is_below(skeleton_template.joints.size(), false);
+    for (std::size_t j = 0; j < is_below.size(); ++j) {
+        const int parent = skeleton_template.joints[j].parent;
+        is_below[j] = static_cast<int>(j) == joint || (parent >= 0 && is_below[static_cast<std::size_t>(parent)]);
+    }
+    return is_below;
+}
+
 } // namespace skelgen::applications
 
 #ifdef SKELGEN_HEADER_ONLY

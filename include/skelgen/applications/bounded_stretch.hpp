@@ -17,12 +17,12 @@ struct HeldSurface {
 };
 
 /// The weights with no edge that grows to more than three times its length when a joint of a limb bends by 90 degrees
-/// from any of the poses, by linear skinning: where it would, the weights of its ends come nearer to each other, in a
+/// from this pose, by linear skinning: where it would, the weights of its ends come nearer to each other, in a
 /// few rounds over all edges; nothing else changes. Edges between two limbs stay. Edges shorter than a thousandth of
 /// the square root of the area count as that long. `faces` name the weights' rows, `limb_of_joint` as
 /// `LimbRegions::of_joint`. O(rounds faces joints).
 template <typename Scalar>
-[[nodiscard]] JointWeights with_bounded_stretch(JointWeights weights, const std::vector<HeldSurface<Scalar>>& poses,
+[[nodiscard]] JointWeights with_bounded_stretch(JointWeights weights, const HeldSurface<Scalar>& pose,
                                                 const Triangles& faces, const SkeletonTemplate& skeleton_template,
                                                 const std::vector<int>& limb_of_joint);
 

@@ -41,6 +41,13 @@ template <typename Scalar>
 /// of 13 % (24 registered bodies). O(n joints).
 [[nodiscard]] JointWeights concentrated(const JointWeights& weights);
 
+/// The weights with narrower bends at elbows and knees: there the odds of following what is below the joint are
+/// squared. What is above a hinge and what is below it is rigid, and the wider a bend, the more a limb that comes bent
+/// bulges once it is straight, since skin that lay in the crease keeps its distance from the joint (`skinned`); what
+/// bulges is lost when it bends again. Weights stay smooth, vertices follow the same joint most on each side of a
+/// hinge, and rows sum to what they did. `weights` of concentrated heat. O(n joints).
+[[nodiscard]] JointWeights with_narrow_hinges(JointWeights weights, const SkeletonTemplate& skeleton_template);
+
 /// The weights with no vertex that follows two limbs: of the limbs that move a vertex the strongest does, by as much as
 /// it is stronger than the next; what the others lose goes to the trunk where both limbs begin, as in the crotch and at
 /// the neck, and to the strongest where surfaces of limbs have grown together. As smooth as they were but for the

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <skelgen/applications/balanced_bends.hpp>
 #include <skelgen/applications/body_coordinates.hpp>
 #include <skelgen/applications/bone_orientations.hpp>
 #include <skelgen/applications/bones.hpp>
@@ -111,12 +112,13 @@ JointWeights weights_in(const std::vector<HeatedPose<Scalar>>& poses, const Skel
                         const LimbRegions& regions) {
     const Outcome<JointWeights> heat = heat_weights(poses, static_cast<int>(skeleton_template.joints.size()), regions);
     if (!heat) throw Error(ErrorCode::no_skeleton, heat.failure().what);
-    return following_one_limb(concentrated(*heat), skeleton_template);
+    return following_one_limb(with_narrow_hinges(concentrated(*heat), skeleton_template), skeleton_template);
 }
 
-/// The weights of the vertices of a body, whose skeleton is in its own coordinates: as it is and at rest alike. Skin is
-/// stretched outside of a bent joint and squeezed inside of it: weights that are smooth where it is bent alone are not
-/// once it is straight.
+/// The weights of the vertices of a body, whose skeleton is in its own coordinates: smooth as it is and at rest alike.
+/// Skin is stretched outside of a bent joint and squeezed inside of it: weights that are smooth where it is bent alone
+/// are not once it is straight. How far edges stretch is bounded at rest, where all bends begin: what lies squeezed in
+/// the crease of a bent joint has to come apart there, or limbs bulge once they are straight.
 template <typename Scalar>
 JointWeights body_weights(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
                           const SkeletonTemplate& skeleton_template) {
@@ -137,12 +139,15 @@ JointWeights body_weights(const Body<Scalar>& body, const KinematicSkeleton<Scal
     JointWeights weights =
         weights_in<Scalar>({as_is, {rest, heating_bones(at_rest, skeleton_template)}}, skeleton_template, regions);
     const Triangles& faces = body.mesh.faces;
-    constexpr int passes = 4; // each changes how the body is at rest a little
+    rest.mesh.vertices = held_by(weights);
+    weights = with_balanced_bends<Scalar>(std::move(weights), {rest.mesh.vertices, at_rest}, faces, skeleton_template);
+    constexpr int passes = 16; // each changes how the body is at rest a little; most bodies need half of them
     for (int pass = 0; pass < passes; ++pass) {
         rest.mesh.vertices = held_by(weights);
-        weights = with_bounded_stretch<Scalar>(std::move(weights),
-                                               {{body.mesh.vertices, skeleton}, {rest.mesh.vertices, at_rest}}, faces,
-                                               skeleton_template, regions.of_joint);
+        JointWeights bounded = with_bounded_stretch<Scalar>(weights, {rest.mesh.vertices, at_rest}, faces,
+                                                            skeleton_template, regions.of_joint);
+        if (bounded == weights) break;
+        weights = std::move(bounded);
     }
     return without_islands(std::move(weights), faces);
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 
 #include <skelgen/core/geometry.hpp>
@@ -17,12 +16,9 @@ namespace detail {
 template <typename Scalar>
 class StretchBound {
 public:
-    StretchBound(const std::vector<HeldSurface<Scalar>>& poses, const Triangles& faces,
-                 const SkeletonTemplate& skeleton_template)
-        : poses_(poses), template_(skeleton_template) {
-        for (const HeldSurface<Scalar>& pose : poses_)
-            shortest_.push_back(std::sqrt(core::surface_area(TriangleMesh<Scalar>{pose.vertices, faces})) / 1000);
-    }
+    StretchBound(const HeldSurface<Scalar>& pose, const Triangles& faces, const SkeletonTemplate& skeleton_template)
+        : pose_(pose), template_(skeleton_template),
+          shortest_(std::sqrt(core::surface_area(TriangleMesh<Scalar>{pose.vertices, faces})) / 1000) {}
 
     /// The part of their difference that the rows of an edge's ends may keep: 1 where it is not stretched too far.
     [[nodiscard]] core::Accumulator kept(const JointWeights& weights, int a, int b) const {
@@ -41,19 +37,15 @@ private:
     /// A bend by 90 degrees moves what follows it by the square root of two times its distance from the joint.
     [[nodiscard]] core::Accumulator largest(int a, int b, Eigen::Index j) const {
         constexpr Scalar most = 3; // times its length
-        Scalar least = std::numeric_limits<Scalar>::infinity();
-        for (std::size_t p = 0; p < poses_.size(); ++p) {
-            const Vector3<Scalar> from = core::point(poses_[p].vertices, a), to = core::point(poses_[p].vertices, b);
-            const Vector3<Scalar>& joint = poses_[p].skeleton.joints[static_cast<std::size_t>(j)].position;
-            const Scalar moved = std::numbers::sqrt2_v<Scalar> * ((from + to) / 2 - joint).norm();
-            least = std::min(least, (most - 1) * std::max(shortest_[p], (to - from).norm()) / moved);
-        }
-        return static_cast<core::Accumulator>(least);
+        const Vector3<Scalar> from = core::point(pose_.vertices, a), to = core::point(pose_.vertices, b);
+        const Vector3<Scalar>& joint = pose_.skeleton.joints[static_cast<std::size_t>(j)].position;
+        const Scalar moved = std::numbers::sqrt2_v<Scalar> * ((from + to) / 2 - joint).norm();
+        return static_cast<core::Accumulator>((most - 1) * std::max(shortest_, (to - from).norm()) / moved);
     }
 
-    const std::vector<HeldSurface<Scalar>>& poses_;
+    const HeldSurface<Scalar>& pose_;
     const SkeletonTemplate& template_;
-    std::vector<Scalar> shortest_; ///< per pose: what a shorter edge counts as
+    Scalar shortest_; ///< what a shorter edge counts as
 };
 
 /// The limb that a vertex follows most, -1 where it follows none.
@@ -72,11 +64,10 @@ inline int strongest_limb(const JointWeights& weights, Eigen::Index v, const std
 } // namespace detail
 
 template <typename Scalar>
-JointWeights with_bounded_stretch(JointWeights weights, const std::vector<HeldSurface<Scalar>>& poses,
-                                  const Triangles& faces, const SkeletonTemplate& skeleton_template,
-                                  const std::vector<int>& limb_of_joint) {
+JointWeights with_bounded_stretch(JointWeights weights, const HeldSurface<Scalar>& pose, const Triangles& faces,
+                                  const SkeletonTemplate& skeleton_template, const std::vector<int>& limb_of_joint) {
     constexpr int rounds = 20;
-    const detail::StretchBound<Scalar> bound(poses, faces, skeleton_template);
+    const detail::StretchBound<Scalar> bound(pose, faces, skeleton_template);
     std::vector<int> limb;
     for (Eigen::Index v = 0; v < weights.rows(); ++v) limb.push_back(detail::strongest_limb(weights, v, limb_of_joint));
     std::vector<int> changed(limb.size(), 0); ///< the round before which each vertex was last changed

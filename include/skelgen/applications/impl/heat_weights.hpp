@@ -170,6 +170,25 @@ SKELGEN_INLINE JointWeights concentrated(const JointWeights& weights) {
     return cubes.array().colwise() / sums.array();
 }
 
+SKELGEN_INLINE JointWeights with_narrow_hinges(JointWeights weights, const SkeletonTemplate& skeleton_template) {
+    using core::Accumulator;
+    for (int hinge = 0; hinge < static_cast<int>(skeleton_template.joints.size()); ++hinge) {
+        const JointRole role = skeleton_template.joint(hinge).role;
+        if (role != JointRole::elbow && role != JointRole::knee) continue;
+        const std::vector<bool> is_below = joints_below(skeleton_template, hinge);
+        for (Eigen::Index v = 0; v < weights.rows(); ++v) {
+            Accumulator below = 0, above = 0;
+            for (std::size_t j = 0; j < is_below.size(); ++j)
+                (is_below[j] ? below : above) += weights(v, static_cast<Eigen::Index>(j));
+            if (!(below > 0 && above > 0)) continue;
+            const Accumulator scale = (below + above) / (below * below + above * above);
+            for (std::size_t j = 0; j < is_below.size(); ++j)
+                weights(v, static_cast<Eigen::Index>(j)) *= scale * (is_below[j] ? below : above);
+        }
+    }
+    return weights;
+}
+
 SKELGEN_INLINE JointWeights following_one_limb(JointWeights weights, const SkeletonTemplate& skeleton_template) {
     using core::Accumulator;
     using PerLimb = Eigen::Array<Accumulator, detail::Limbs::count, 1>;
