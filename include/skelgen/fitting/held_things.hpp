@@ -17,8 +17,8 @@ inline constexpr double trust_without_held_things = 0.5;
 /// from which only one other branch leads on, or what a branch has beyond the length of another one. Without what is
 /// held at one such place, or at two forks, the template fits, a person's well or its legs lead on from the trunk, and
 /// each of these places is a hand; of several ways the least distorted, and one hand rather than two. The surface is
-/// cut where the branches leave the ball at the hand, and, the first body, where the straightest one has gone on as far
-/// as the other hand does, so that it passes for fingers; what was done is added to the repairs. `curve` as from
+/// cut where the branches leave the ball at the hand; for a second body the straightest one where it has gone on as far
+/// as the other hand does, so that it passes for fingers. What was done is added to the repairs. `curve` as from
 /// find_curve, its regions the body's vertices. \returns two bodies, or none where nothing is held so. As embed, for
 /// each way: at most 15, and one for each two ends of the curve.
 template <typename Scalar>
