@@ -26,9 +26,9 @@ namespace skelgen::fitting {
                                                  const SkeletonTemplate&, const ExtractOptions&, int);                 \
     template Outcome<Fit<Scalar>> fit_touching_body(const Body<Scalar>&, const curve::CurveResult<Scalar>&,            \
                                                     const SkeletonTemplate&, const ExtractOptions&, int);              \
-    template std::optional<Body<Scalar>> without_held_things(const Body<Scalar>&, const CurveSkeleton<Scalar>&,        \
-                                                             const SkeletonTemplate&,                                  \
-                                                             const embedding::MatchingOptions&);                       \
+    template std::vector<Body<Scalar>> without_held_things(const Body<Scalar>&, const CurveSkeleton<Scalar>&,          \
+                                                           const SkeletonTemplate&,                                    \
+                                                           const embedding::MatchingOptions&);                         \
     template Outcome<Fit<Scalar>> fit(const Body<Scalar>&, const curve::CurveResult<Scalar>&, const SkeletonTemplate&, \
                                       const ExtractOptions&, int);                                                     \
     template Outcome<Fit<Scalar>> fit_partial(const Body<Scalar>&, const SkeletonTemplate&, const ExtractOptions&);    \

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/core/skeleton_template.hpp>
@@ -9,19 +9,20 @@
 
 namespace skelgen::fitting {
 
-/// So much less a skeleton can be trusted that was found after something had been taken off: it may have been a limb. A
-/// working value.
+/// So much less a skeleton can be trusted that was found after something had been taken off: it may have been a limb.
+/// One that is not surer all the same is not taken. A working value.
 inline constexpr double trust_without_held_things = 0.5;
 
 /// The body without what its hands hold: staffs, swords, axes. These are the branches of its curve that end at a fork
 /// from which only one other branch leads on, or what a branch has beyond the length of another one. Without what is
-/// held at one such place, or at two forks, the template fits, its legs lead on from the trunk, and each of these
-/// places is a hand; of several ways the least distorted, less so than with all of it, and one hand rather than two.
-/// The surface is cut where the branches leave the ball at the hand; what was done is added to the body's repairs.
-/// `curve` as from find_curve, its regions the body's vertices. \returns none where nothing is held so. As embed, for
+/// held at one such place, or at two forks, the template fits, a person's well or its legs lead on from the trunk, and
+/// each of these places is a hand; of several ways the least distorted, and one hand rather than two. The surface is
+/// cut where the branches leave the ball at the hand; for a second body the straightest one where it has gone on as far
+/// as the other hand does, so that it passes for fingers. What was done is added to the repairs. `curve` as from
+/// find_curve, its regions the body's vertices. \returns two bodies, or none where nothing is held so. As embed, for
 /// each way: at most 15, and one for each two ends of the curve.
 template <typename Scalar>
-[[nodiscard]] std::optional<Body<Scalar>>
+[[nodiscard]] std::vector<Body<Scalar>>
 without_held_things(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& wanted,
                     const embedding::MatchingOptions& options);
 

@@ -90,7 +90,7 @@ FitToCurve<Scalar> fit_to_own_curve(const Body<Scalar>& body, const SkeletonTemp
 }
 
 /// The template in a curve of a body that is found quickly, or, where it is not found there or hardly, in its curve;
-/// and where not there either, without what the body holds in its hands, if that is surer.
+/// and where not there either, without what the body holds in its hands, if that is much surer.
 template <typename Scalar>
 Outcome<Fit<Scalar>> fit_whole(const Body<Scalar>& body, const SkeletonTemplate& wanted, const ExtractOptions& options,
                                int attempts) {
@@ -101,16 +101,22 @@ Outcome<Fit<Scalar>> fit_whole(const Body<Scalar>& body, const SkeletonTemplate&
     const double first_time = stage.lap();
     auto [curve, found] = fit_to_own_curve(body, wanted, options, attempts);
     found = with_curve_time(std::move(found), first_time);
-    if (curve.is_point || is_sure(found)) return found;
-    const auto bare = without_held_things(body, curve.curve, wanted, options.matching);
-    if (!bare) return found;
-    const double curve_time = stage.lap();
-    Outcome<Fit<Scalar>> other =
-        with_curve_time(fit(*bare, find_curve(*bare, options.curve), wanted, options, 1), first_time + curve_time);
-    if (!other) return found;
-    if (found && sureness(found->skeleton) >= trust_without_held_things * sureness(other->skeleton)) return found;
-    other->skeleton = less_certain(std::move(other->skeleton), trust_without_held_things);
-    return other;
+    if (curve.is_point || is_sure(found)) return std::move(found);
+    const double curve_time = first_time + stage.lap();
+    double sure = found ? sureness(found->skeleton) : 0;
+    bool is_bare = false;
+    for (const Body<Scalar>& bare : without_held_things(body, curve.curve, wanted, options.matching)) {
+        Outcome<Fit<Scalar>> other =
+            with_curve_time(fit(bare, find_curve(bare, options.curve), wanted, options, 1), curve_time);
+        if (!other || trust_without_held_things * sureness(other->skeleton) <= sure) continue;
+        if (is_bare && !is_sure(other)) continue; // what passes for fingers shows nothing else
+        is_bare = true;
+        sure = sureness(other->skeleton);
+        other->skeleton = less_certain(std::move(other->skeleton), trust_without_held_things);
+        found = std::move(other);
+        if (sure >= doubtful) break;
+    }
+    return std::move(found);
 }
 
 /// The same for a body whose pockets are closed, opened where it has grown together with itself; an envelope, whose
