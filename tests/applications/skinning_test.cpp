@@ -30,6 +30,17 @@ TEMPLATE_TEST_CASE("strongest influences: four at most, falling, summing to 1", 
     CHECK(two.weights(0, 0) == Approx(2.0 / 3));
 }
 
+TEST_CASE("strongest influences: what a float would lose follows no joint", "[applications][skinning]") {
+    Eigen::MatrixXd weights(2, 3);
+    weights << 1e-50, 1e-9, 1, //
+        0, 1e-20, 3e-20;       // small as a whole is not small beside the strongest
+    const auto skin = strongest_influences<double>(weights);
+    CHECK(skin.joints.row(0) == Eigen::RowVector4i(2, 0, 0, 0));
+    CHECK(skin.weights.row(0) == Eigen::RowVector4d(1, 0, 0, 0));
+    CHECK(skin.joints.row(1) == Eigen::RowVector4i(2, 1, 0, 0));
+    CHECK(skin.weights(1, 1) == Approx(0.25));
+}
+
 /// Two joints at the origin, the second turned by `degrees` about z; a point on each and one between them.
 struct Bend {
     Points<double> points{{1, 0, 0}, {1, 0, 0}, {1, 0, 0}};

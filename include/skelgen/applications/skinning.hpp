@@ -16,7 +16,8 @@ struct Skin {
 };
 
 /// The skin with the four strongest of any number of weights each. What the fifth strongest has is taken from all, so
-/// that the weights stay as smooth as they were. `weights`: n x joints, not negative, of a positive sum in each row.
+/// that the weights stay as smooth as they were. What a float beside the strongest one would lose counts as nothing, as
+/// files hold floats. `weights`: n x joints, not negative, of a positive sum in each row.
 /// O(n joints).
 template <typename Scalar>
 [[nodiscard]] Skin<Scalar> strongest_influences(const Eigen::MatrixX<Scalar>& weights);

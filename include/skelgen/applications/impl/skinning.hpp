@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include <skelgen/core/geometry.hpp>
@@ -24,12 +25,17 @@ Skin<Scalar> strongest_influences(const Eigen::MatrixX<Scalar>& weights) {
                           [&](int a, int b) { return weights(v, a) > weights(v, b); });
         Scalar dropped = order.size() > most ? weights(v, order[most]) : Scalar(0);
         if (!(weights(v, order.front()) > dropped)) dropped = 0; // five alike: any four of them
+        const auto rest = [&](int joint) {
+            constexpr Scalar least = std::numeric_limits<float>::epsilon(); // of the strongest: files hold floats
+            const Scalar weight = weights(v, joint) - dropped;
+            return weight > least * weights(v, order.front()) ? weight : Scalar(0);
+        };
         Scalar sum = 0;
         for (int k = 0; k < most && k < static_cast<int>(order.size()); ++k)
-            sum += std::max(Scalar(0), weights(v, order[static_cast<std::size_t>(k)]) - dropped);
+            sum += rest(order[static_cast<std::size_t>(k)]);
         for (int k = 0; k < most && k < static_cast<int>(order.size()); ++k) {
             const int joint = order[static_cast<std::size_t>(k)];
-            const Scalar weight = std::max(Scalar(0), weights(v, joint) - dropped) / sum;
+            const Scalar weight = rest(joint) / sum;
             skin.weights(v, k) = weight;
             skin.joints(v, k) = weight > 0 ? joint : 0;
         }
