@@ -26,6 +26,14 @@ struct NearestOnSegment {
     Scalar along = 0;    ///< 0 at the segment's first end, 1 at its second; 0 where both are the same
 };
 
+/// Where a parabola through values at -1, 0 and 1 is least, at most half a step from the middle; 0 where it opens
+/// downwards.
+template <typename Scalar>
+[[nodiscard]] Scalar least_of_parabola(Scalar before, Scalar here, Scalar after) {
+    const Scalar curvature = before - 2 * here + after, most = Scalar(0.5);
+    return curvature > 0 ? std::clamp(Scalar(0.5) * (before - after) / curvature, -most, most) : Scalar(0);
+}
+
 /// Where the segment from `a` to `b` comes nearest to a place, in the plane or in space.
 template <typename Scalar, int Dimensions>
 [[nodiscard]] NearestOnSegment<Scalar> nearest_on_segment(const Eigen::Matrix<Scalar, Dimensions, 1>& place,

@@ -56,13 +56,9 @@ Placement<Scalar> place_wrist(Placement<Scalar> placement, const Limb<Scalar>& l
     Scalar at = limb.line.arc[thinnest];
     const bool has_neighbours = thinnest > 0 && thinnest + 1 < limb.line.arc.size() &&
                                 limb.line.thickness[thinnest - 1] > 0 && limb.line.thickness[thinnest + 1] > 0;
-    if (has_neighbours) {
-        const Scalar before = cost(thinnest - 1), here = cost(thinnest), after = cost(thinnest + 1);
-        const Scalar curvature = before - 2 * here + after, most = Scalar(0.5); // of a step
-        if (curvature > 0)
-            at += std::clamp(Scalar(0.5) * (before - after) / curvature, -most, most) *
-                  (limb.line.arc[thinnest + 1] - limb.line.arc[thinnest]);
-    }
+    if (has_neighbours)
+        at += core::least_of_parabola(cost(thinnest - 1), cost(thinnest), cost(thinnest + 1)) *
+              (limb.line.arc[thinnest + 1] - limb.line.arc[thinnest]);
     placement.put(limb.joints[*found], point_on(limb, at));
     return placement;
 }

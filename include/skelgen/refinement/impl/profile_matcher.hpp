@@ -7,8 +7,11 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Core>
+
+#include <skelgen/core/geometry.hpp>
 
 namespace skelgen::refinement {
 namespace detail {
@@ -175,6 +178,30 @@ StretchRatios<Scalar> search_ratios(const std::vector<StretchCost<Scalar>>& cost
     return best;
 }
 
+/// The ratios where parabolas through what they and their neighbours on the grid cost are least: between its places, so
+/// that a body a little different has ratios a little different. First the lower bones', of all limbs together.
+template <typename Scalar>
+StretchRatios<Scalar> between_grid(const std::vector<StretchCost<Scalar>>& costs, StretchRatios<Scalar> ratios,
+                                   Scalar step) {
+    const auto least = [&](Scalar& ratio, const auto& cost) {
+        const Scalar here = ratio;
+        const auto cost_at = [&](Scalar x) {
+            ratio = x;
+            return cost();
+        };
+        const Scalar offset = core::least_of_parabola(cost_at(here - step), cost_at(here), cost_at(here + step));
+        ratio = here + offset * step;
+    };
+    least(ratios.bone, [&] {
+        Scalar sum = 0;
+        for (std::size_t k = 0; k < costs.size(); ++k) sum += costs[k](ratios.outer[k], ratios.bone);
+        return sum;
+    });
+    for (std::size_t k = 0; k < costs.size(); ++k)
+        least(ratios.outer[k], [&] { return costs[k](ratios.outer[k], ratios.bone); });
+    return ratios;
+}
+
 /// The cheapest of all ratios.
 template <typename Scalar, std::size_t count>
 StretchRatios<Scalar> cheapest_ratios(const std::vector<MatchedLimb<Scalar>>& limbs, const Profile& profile,
@@ -187,7 +214,7 @@ StretchRatios<Scalar> cheapest_ratios(const std::vector<MatchedLimb<Scalar>>& li
         best = search_ratios(costs, best, reach, static_cast<Scalar>(step));
         reach = static_cast<Scalar>(step);
     }
-    return best;
+    return between_grid(costs, std::move(best), reach);
 }
 
 } // namespace detail
