@@ -82,3 +82,13 @@ TEMPLATE_TEST_CASE("the nearest of a segment is beside it or one of its ends", "
     using Pixel = Eigen::Matrix<TestType, 2, 1>;
     check(nearest_on_segment(Pixel(1, 1), Pixel(0, 0), Pixel(0, 4)), 1, 0.25);
 }
+
+TEST_CASE("a parabola is least at its vertex, no farther off than half a step", "[core]") {
+    const auto least_of = [](auto&& f) { return least_of_parabola<double>(f(-1), f(0), f(1)); };
+    for (const double vertex : {-0.5, -0.2, 0.0, 0.4})
+        CHECK(least_of([&](double x) { return 3 + 2 * (x - vertex) * (x - vertex); }) == Approx(vertex).margin(1e-12));
+    CHECK(least_of([](double x) { return (x - 7) * (x - 7); }) == 0.5);
+    CHECK(least_of([](double x) { return (x + 7) * (x + 7); }) == -0.5);
+    CHECK(least_of([](double x) { return -x * x; }) == 0);
+    CHECK(least_of([](double) { return 4.0; }) == 0);
+}

@@ -178,6 +178,22 @@ TEST_CASE("a twig that hardly sticks out of the ball at its junction goes, and a
     CHECK(prune_twigs(with_twig(0.5 * radius), body, -1).branches.size() == 3);
 }
 
+TEST_CASE("a long twig goes where all of it but its tip is in the balls around the rest of the curve") {
+    const Body<double> body = body_of(capsule(radius, 4));
+    const auto along_axis = [&](double off_axis) { // and back to the surface at its end
+        BranchedCurve<double> curve =
+            straight_branches({{0, 0, 2}, {0, 0, -0.15}, {0, 0, 4.15}}, {{0, 1}, {2, 0}}, 0.02);
+        curve.knots.push_back({radius, 0, 0.5});
+        curve.branches.push_back(
+            {0, 3, line_through({{0, 0, 2}, {off_axis, 0, 1.8}, {off_axis, 0, 0.6}, curve.knots[3]}, 0.02), {0, 3, 7}});
+        return curve;
+    };
+    CHECK(prune_twigs(along_axis(0.5 * radius), body, 0.5).branches.size() == 1);
+    CHECK(prune_twigs(along_axis(0.9 * radius), body, 0.5).branches.size() == 1);
+    CHECK(prune_twigs(along_axis(1.5 * radius), body, 0.5).branches.size() == 3); // outside
+    CHECK(prune_twigs(along_axis(0.5 * radius), body, -1).branches.size() == 3);
+}
+
 TEST_CASE("of several twigs the least goes first, and what is left of two at one junction may stay") {
     const Body<double> body = body_of(capsule(radius, 4));
     // The axis ends where two short branches leave it: without the shorter one, the other is the axis' end.

@@ -76,6 +76,21 @@ TEMPLATE_TEST_CASE("the joints of a limb that is the profile are found where the
     CHECK(best_stretches(std::vector<MatchedLimb<TestType>>{}, leg_profile, {}).empty());
 }
 
+TEST_CASE("a limb that is a little longer is found a little longer, without steps") {
+    const Stretch<double> rest{0.2, 0.6, 1.1};
+    const auto found_for = [&](double longer) {
+        const Stretch<double> own{rest.outer * longer, rest.middle * longer, rest.inner * longer};
+        return best_stretches<double>({{samples_of(leg_profile, own, -3), rest, std::nullopt}}, leg_profile, {})[0];
+    };
+    Stretch<double> before = found_for(1);
+    for (int i = 1; i <= 40; ++i) {
+        const Stretch<double> here = found_for(1 + 0.0005 * i);
+        INFO("longer by " << 0.0005 * i);
+        CHECK(std::abs(here.middle - before.middle) < 0.0012); // a step of the grid is 0.003
+        before = here;
+    }
+}
+
 TEST_CASE("the fork of stout legs tells less of where they begin") {
     const Top<double> top{1.1, 0.03};
     const Stretch<double> s{0.2, 0.6, 1.1};

@@ -3,10 +3,13 @@
 #include <skelgen/curve/pruning.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
 #include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/options.hpp>
 #include <skelgen/core/polyline.hpp>
@@ -71,6 +74,52 @@ CurveSkeleton<Scalar> cut_short_branches(CurveSkeleton<Scalar> curve, Scalar len
     }
 }
 
+/// A branch of which less than this part of its junction's radius is outside of the balls around all others is hidden
+/// in them. A working value: hardly more than its tip, which is at the surface.
+template <typename Scalar>
+inline constexpr Scalar hidden = Scalar(0.1);
+
+/// A ball inside of the surface.
+template <typename Scalar>
+struct Ball {
+    Vector3<Scalar> centre;
+    Scalar radius;
+};
+
+/// The balls around a line's points, as large as the surface lets them be. O(k) distances to the surface.
+template <typename Scalar>
+std::vector<Ball<Scalar>> balls_along(const Points<Scalar>& line, const Body<Scalar>& body) {
+    std::vector<Ball<Scalar>> balls;
+    for (Eigen::Index i = 0; i < line.rows(); ++i) {
+        const Vector3<Scalar> centre = core::point(line, i);
+        balls.push_back({centre, body.tree.distance(body.mesh, centre)});
+    }
+    return balls;
+}
+
+/// Arc length of a branch outside of the balls around all others. O(k^2) for k points.
+template <typename Scalar>
+Scalar length_outside(const Points<Scalar>& line, std::size_t branch,
+                      const std::vector<std::vector<Ball<Scalar>>>& balls_of_branch) {
+    const auto clearance = [&](const Vector3<Scalar>& p) {
+        Scalar least = std::numeric_limits<Scalar>::infinity();
+        for (std::size_t b = 0; b < balls_of_branch.size(); ++b)
+            if (b != branch)
+                for (const auto& [centre, radius] : balls_of_branch[b])
+                    least = std::min(least, (p - centre).norm() - radius);
+        return least;
+    };
+    Scalar length = 0, before = clearance(core::point(line, 0));
+    for (Eigen::Index i = 1; i < line.rows(); ++i) {
+        const Scalar here = clearance(core::point(line, i));
+        const Scalar inside = std::max(-before, Scalar(0)) + std::max(-here, Scalar(0));
+        const Scalar outside = std::max(before, Scalar(0)) + std::max(here, Scalar(0));
+        if (outside > 0) length += outside / (outside + inside) * (line.row(i) - line.row(i - 1)).norm();
+        before = here;
+    }
+    return length;
+}
+
 } // namespace detail
 
 SKELGEN_INLINE void validate(const PruningOptions& options) {
@@ -90,6 +139,8 @@ template <typename Scalar>
 BranchedCurve<Scalar> prune_twigs(BranchedCurve<Scalar> branched, const Body<Scalar>& body, double least_relief) {
     while (true) {
         const std::vector<int> degrees = branched.degrees();
+        std::vector<std::vector<detail::Ball<Scalar>>> balls;
+        for (const Branch<Scalar>& branch : branched.branches) balls.push_back(detail::balls_along(branch.line, body));
         std::size_t twig = branched.branches.size();
         auto least = static_cast<Scalar>(least_relief);
         for (std::size_t b = 0; b < branched.branches.size(); ++b) {
@@ -97,10 +148,10 @@ BranchedCurve<Scalar> prune_twigs(BranchedCurve<Scalar> branched, const Body<Sca
             const int from = degrees[static_cast<std::size_t>(branch.from)],
                       to = degrees[static_cast<std::size_t>(branch.to)];
             if ((from == 1) == (to == 1) || std::max(from, to) < 3) continue;
-            const Vector3<Scalar> junction =
-                branched.knots[static_cast<std::size_t>(from == 1 ? branch.to : branch.from)];
-            const Scalar radius = body.tree.distance(body.mesh, junction);
-            const Scalar relief = (core::arc_lengths(branch.line)[branch.line.rows() - 1] - radius) / radius;
+            const Scalar radius = (from == 1 ? balls[b].back() : balls[b].front()).radius;
+            const Scalar length = core::arc_lengths(branch.line)[branch.line.rows() - 1];
+            const bool is_hidden = detail::length_outside(branch.line, b, balls) < detail::hidden<Scalar> * radius;
+            const Scalar relief = is_hidden ? Scalar(0) : (length - radius) / radius;
             if (!(relief < least)) continue;
             least = relief;
             twig = b;
