@@ -34,14 +34,17 @@ macro(skelgen_find_codec NAME package target what)
 endmacro()
 skelgen_find_codec(ZLIB ZLIB ZLIB::ZLIB "and write files compressed by gzip")
 skelgen_find_codec(DRACO draco draco::draco "glTF compressed with Draco")
-skelgen_find_codec(MESHOPTIMIZER meshoptimizer meshoptimizer::meshoptimizer "glTF compressed with meshopt")
-# Not linked but loaded where a scene is read: it would take most of the time in which a program starts.
+# Not linked but loaded where a file needs them: shared libraries take most of the time in which a program starts.
 set(skelgen_linked_codec_libraries ${skelgen_codec_libraries})
 set(skelgen_linked_codec_packages ${skelgen_codec_packages})
+skelgen_find_codec(MESHOPTIMIZER meshoptimizer meshoptimizer::meshoptimizer "glTF compressed with meshopt")
 skelgen_find_codec(ASSIMP assimp assimp::assimp "FBX and DAE")
-if(SKELGEN_WITH_ASSIMP)
-  list(APPEND skelgen_codec_definitions SKELGEN_ASSIMP_LIBRARY="$<TARGET_SONAME_FILE_NAME:assimp::assimp>")
-endif()
+foreach(name IN ITEMS meshoptimizer assimp)
+  string(TOUPPER ${name} NAME)
+  if(SKELGEN_WITH_${NAME})
+    list(APPEND skelgen_codec_definitions SKELGEN_${NAME}_LIBRARY="$<TARGET_SONAME_FILE_NAME:${name}::${name}>")
+  endif()
+endforeach()
 
 # For the tests of the adaptor, and an example.
 if(SKELGEN_BUILD_TESTS)

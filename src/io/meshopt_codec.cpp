@@ -4,6 +4,8 @@
 
 #if SKELGEN_WITH_MESHOPTIMIZER
 #include <meshoptimizer.h>
+
+#include "loaded_library.hpp"
 #endif
 
 namespace skelgen::io::detail {
@@ -45,29 +47,53 @@ bool is_sound_filter(const MeshoptStream& stream) {
     return stream.mode == MeshoptMode::attributes;
 }
 
-int decode(const MeshoptStream& stream, char* rows) {
-    const auto* const bytes = reinterpret_cast<const unsigned char*>(stream.bytes.data());
+using Decoder = int(void* rows, std::size_t count, std::size_t stride, const unsigned char* bytes, std::size_t size);
+using Filter = void(void* rows, std::size_t count, std::size_t stride);
+// By names alone no type can be told: the header overloads them.
+static_assert(requires(Decoder * &decoder, Filter*& filter) {
+    decoder = meshopt_decodeVertexBuffer;
+    decoder = meshopt_decodeIndexBuffer;
+    decoder = meshopt_decodeIndexSequence;
+    filter = meshopt_decodeFilterOct;
+    filter = meshopt_decodeFilterQuat;
+    filter = meshopt_decodeFilterExp;
+});
+
+LoadedLibrary load_library() {
+    return {
+        SKELGEN_MESHOPTIMIZER_LIBRARY,
+        "glTF: the scene is compressed with EXT_meshopt_compression, for which the library meshoptimizer is missing "
+        "(" SKELGEN_MESHOPTIMIZER_LIBRARY
+        "); install it (Debian: libmeshoptimizer2d), or export the scene uncompressed"};
+}
+
+int decode(const LoadedLibrary& meshoptimizer, const MeshoptStream& stream, char* rows) {
+    const auto with = [&](Decoder* decoder) {
+        const auto* const bytes = reinterpret_cast<const unsigned char*>(stream.bytes.data());
+        return decoder(rows, stream.count, stream.stride, bytes, stream.bytes.size());
+    };
     switch (stream.mode) {
     case MeshoptMode::attributes:
-        return meshopt_decodeVertexBuffer(rows, stream.count, stream.stride, bytes, stream.bytes.size());
+        return with(meshoptimizer.function<Decoder>("meshopt_decodeVertexBuffer"));
     case MeshoptMode::triangles:
-        return meshopt_decodeIndexBuffer(rows, stream.count, stream.stride, bytes, stream.bytes.size());
+        return with(meshoptimizer.function<Decoder>("meshopt_decodeIndexBuffer"));
     case MeshoptMode::indices:
         break;
     }
-    return meshopt_decodeIndexSequence(rows, stream.count, stream.stride, bytes, stream.bytes.size());
+    return with(meshoptimizer.function<Decoder>("meshopt_decodeIndexSequence"));
 }
 
-void apply_filter(const MeshoptStream& stream, char* rows) {
+void apply_filter(const LoadedLibrary& meshoptimizer, const MeshoptStream& stream, char* rows) {
+    const auto with = [&](Filter* filter) { filter(rows, stream.count, stream.stride); };
     switch (stream.filter) {
     case MeshoptFilter::none:
         return;
     case MeshoptFilter::octahedral:
-        return meshopt_decodeFilterOct(rows, stream.count, stream.stride);
+        return with(meshoptimizer.function<Filter>("meshopt_decodeFilterOct"));
     case MeshoptFilter::quaternion:
-        return meshopt_decodeFilterQuat(rows, stream.count, stream.stride);
+        return with(meshoptimizer.function<Filter>("meshopt_decodeFilterQuat"));
     case MeshoptFilter::exponential:
-        return meshopt_decodeFilterExp(rows, stream.count, stream.stride);
+        return with(meshoptimizer.function<Filter>("meshopt_decodeFilterExp"));
     }
 }
 
@@ -78,8 +104,9 @@ std::string decode_meshopt(const MeshoptStream& stream, std::size_t most_bytes) 
     if (stream.count * stream.stride > most_bytes)
         refuse("parts compressed with EXT_meshopt_compression grow beyond all measure; export the scene uncompressed");
     std::string rows(stream.count * stream.stride, '\0');
-    if (decode(stream, rows.data()) != 0) refuse_damaged();
-    apply_filter(stream, rows.data());
+    static const LoadedLibrary meshoptimizer = load_library();
+    if (decode(meshoptimizer, stream, rows.data()) != 0) refuse_damaged();
+    apply_filter(meshoptimizer, stream, rows.data());
     return rows;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
-#include <dlfcn.h>
 #include <memory>
 #include <string>
 
@@ -17,36 +16,12 @@
 
 #include <skelgen/core/error.hpp>
 
+#include "loaded_library.hpp"
+
 namespace skelgen::io::detail {
 namespace {
 
-constexpr const char* library_name = SKELGEN_ASSIMP_LIBRARY; // as the loader knows it
-
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::bad_input, message); }
-
-/// The library's functions, for as long as this is there.
-class Library {
-public:
-    Library() : handle_(::dlopen(library_name, RTLD_LAZY | RTLD_LOCAL)) {
-        if (!handle_)
-            refuse(std::string("is FBX or DAE, for which the library assimp is missing (") + library_name +
-                   "); install it (Debian: libassimp5), or export it as GLB");
-    }
-
-    /// A function by its name; its type as declared.
-    template <typename Function>
-    Function* function(const char* name) const {
-        void* const found = ::dlsym(handle_.get(), name);
-        if (found == nullptr) refuse(std::string("needs another version of assimp: this one has no ") + name);
-        return reinterpret_cast<Function*>(found);
-    }
-
-private:
-    struct Close {
-        void operator()(void* handle) const { ::dlclose(handle); }
-    };
-    std::unique_ptr<void, Close> handle_;
-};
 
 /// A scene in memory as the only file that there is, open once at a time.
 class SceneFile {
@@ -110,7 +85,9 @@ private:
 
 void with_imported_scene(std::string_view bytes, const char* extension,
                          const std::function<void(const aiScene&)>& use) {
-    const Library assimp;
+    const LoadedLibrary assimp(SKELGEN_ASSIMP_LIBRARY,
+                               "is FBX or DAE, for which the library assimp is missing (" SKELGEN_ASSIMP_LIBRARY
+                               "); install it (Debian: libassimp5), or export it as GLB");
     const auto import = assimp.function<decltype(aiImportFileExWithProperties)>("aiImportFileExWithProperties");
     const auto release = assimp.function<decltype(aiReleaseImport)>("aiReleaseImport");
     const auto error = assimp.function<decltype(aiGetErrorString)>("aiGetErrorString");
