@@ -207,13 +207,37 @@ TEMPLATE_TEST_CASE("an adapted template's shoulder is on the arm's line, as far 
     bare.line.flatness.setConstant(1);
     CHECK((place_shoulder_by_trunk(before, bare, fork).at(top) - wanted).norm() < 5 * tolerance<TestType>());
 
-    // Templates that know their lengths, and legs, stay.
-    const SkeletonTemplate& human = builtin_template("human21");
-    const auto known = place_by_ratio(Placement<TestType>(human, TestType(1)), limb);
-    CHECK(place_shoulder_by_trunk(known, limb, fork).positions() == known.positions());
+    // Legs stay.
     const auto leg = limb_along<TestType>({Vec3(0.1, 0.5, 0), Vec3(0.1, -1.5, 0)}, leg_joints(), {1.3, 1.0, 0.6, 0.5});
     const auto leg_before = place_by_ratio(Placement<TestType>(figure, TestType(1)), leg);
     CHECK(place_shoulder_by_trunk(leg_before, leg, fork).positions() == leg_before.positions());
+}
+
+TEMPLATE_TEST_CASE("a shoulder too far from the neck for a trunk that is longer than the limbs say comes nearer", "",
+                   float, double) {
+    using V = Vector3<TestType>;
+    const SkeletonTemplate& human = builtin_template("human21");
+    const int top = joint_of(shoulder, Side::left);
+    const double rest_trunk = rest_length(human, joint_of(neck), 0), rest = rest_length(human, top, joint_of(neck));
+    // An arm down along -y at half a shoulder's breadth from the neck, which is at the origin; its top `high` above it.
+    const auto arm_at = [&](double aside, double high) {
+        const Vec3 way(aside * rest, 0, 0);
+        return limb_along<TestType>({way + Vec3(0, 3, 0), way - Vec3(0, 1, 0)}, arm_joints(),
+                                    {1 + high, 0.7 + high, 0.4, 0.3});
+    };
+    const auto moved = [&](const Limb<TestType>& limb, double trunk) -> double {
+        const auto before = place_by_ratio(Placement<TestType>(human, TestType(1)), limb);
+        const V fork(0, static_cast<TestType>(-trunk * rest_trunk), 0);
+        const auto after = place_shoulder_by_trunk(before, limb, fork);
+        return static_cast<double>((after.at(top) - before.at(top)).y());
+    };
+    const double longer = 1.2, away = longer * rest, raised = 1.5 * away;
+    const auto far = arm_at(0.5, raised);
+    CHECK(moved(far, longer) == Approx(-std::sqrt(away * away - 0.25 * rest * rest) - raised).margin(1e-4));
+    CHECK(moved(far, 0.99) == 0);                                              // a trunk no longer than the limbs say
+    CHECK(moved(arm_at(0.5, 1.2 * away), longer) == 0);                        // as far as others are
+    CHECK(moved(arm_at(1.8, raised), longer) == 0);                            // a line that no upper arm has
+    CHECK(moved(arm_at(1.5, raised), longer) == Approx(-raised).margin(1e-4)); // at its nearest place
 }
 
 TEST_CASE("limbs without shoulder or hip, or of one joint, are left as they are") {

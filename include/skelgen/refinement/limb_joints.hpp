@@ -74,10 +74,11 @@ template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_girdle(Placement<Scalar> placement, const Limb<Scalar>& limb,
                                              const GirdleOptions& options = {}, const BoneLineOptions& bone_line = {});
 
-/// Shoulder of an adapted template, which tells no lengths: on the upper arm's line, as far from the neck, which must
-/// have been placed, as it is in the rest pose for the distance from neck to fork; where the line stays farther off, at
-/// the nearest place. A straight arm's elbow goes with it by the forearm's part of the arm. Other limbs and templates
-/// stay.
+/// Shoulder of an adapted template, which tells no lengths, or one that lies far from the neck where the trunk is
+/// longer than the limbs say, as those of a body that folds up look shorter than they are: on the upper arm's line, as
+/// far from the neck, which must have been placed, as it is in the rest pose for the distance from neck to fork; where
+/// the line stays farther off, at the nearest place, unless that is far, too, and the template tells lengths. A
+/// straight arm's elbow goes with it by the forearm's part of the arm. Other limbs stay.
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_shoulder_by_trunk(Placement<Scalar> placement, const Limb<Scalar>& limb,
                                                         const Vector3<Scalar>& fork, const BendOptions& bend = {},

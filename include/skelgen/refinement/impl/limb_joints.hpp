@@ -126,17 +126,22 @@ template <typename Scalar>
 Placement<Scalar> place_shoulder_by_trunk(Placement<Scalar> placement, const Limb<Scalar>& limb,
                                           const Vector3<Scalar>& fork, const BendOptions& bend,
                                           const BoneLineOptions& bone_line) {
-    if (!placement.skeleton_template().is_adapted || limb.joints.size() < 3) return placement;
+    constexpr Scalar clearly = Scalar(1.4); // farther; 1.25 times at most on 96 registered bodies, however they bend
+    if (limb.joints.size() < 3) return placement;
     const int shoulder = limb.joints[0], elbow = limb.joints[1], wrist = limb.joints[2];
     const int neck = placement.find(JointRole::neck);
     if (placement.role(shoulder) != JointRole::shoulder || neck < 0 || is_bare(placement.skeleton_template(), neck))
         return placement;
+    const Scalar trunk = (placement.at(neck) - fork).norm() / placement.rest_distance(neck, 0);
+    const Scalar breadth = trunk * placement.rest_distance(shoulder, neck);
+    const auto is_far = [&](Scalar distance) { return distance > clearly * breadth; };
+    const bool has_lengths = !placement.skeleton_template().is_adapted;
+    if (has_lengths && !(trunk > 1 && is_far((placement.at(shoulder) - placement.at(neck)).norm()))) return placement;
     // An upper arm that shows too little of itself goes on as the forearm comes.
     const Vector3<Scalar> onwards = (placement.at(wrist) - placement.at(elbow)).stableNormalized();
     const Line<Scalar> line = fit_first_bone(limb, bone_line).value_or(Line<Scalar>{placement.at(elbow), onwards});
-    const Scalar trunk = (placement.at(neck) - fork).norm() / placement.rest_distance(neck, 0);
-    const Vector3<Scalar> place =
-        detail::farther_place_at(line, placement.at(neck), trunk * placement.rest_distance(shoulder, neck));
+    if (has_lengths && is_far(distance_to(line, placement.at(neck)))) return placement; // no upper arm's
+    const Vector3<Scalar> place = detail::farther_place_at(line, placement.at(neck), breadth);
     const Vector3<Scalar> moved = place - placement.at(shoulder);
     const Vector3<Scalar> upper = placement.at(elbow) - place, lower = placement.at(wrist) - placement.at(elbow);
     placement.put(shoulder, place);

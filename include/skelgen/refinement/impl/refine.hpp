@@ -210,13 +210,12 @@ std::optional<TrunkShape<Scalar>> trunk_of(const Placement<Scalar>& placement, c
                          Vector3<Scalar>(placement.at(hips[0]) - placement.at(hips[1])));
 }
 
-/// Shoulders of an adapted template by the trunk, where these and their elbows are then inside of the body: where the
-/// head shows no throat the neck may be far off.
+/// Shoulders by the trunk, where these and their elbows are then inside of the body: where the head shows no throat the
+/// neck may be far off.
 template <typename Scalar>
 Placement<Scalar> place_shoulders_by_trunk(Placement<Scalar> placement, const std::vector<Limb<Scalar>>& limbs,
                                            const Vector3<Scalar>& fork, const Body<Scalar>& body,
                                            const RefinementOptions& options) {
-    if (!placement.skeleton_template().is_adapted) return placement;
     for (const Limb<Scalar>& limb : limbs) {
         const auto placed = place_shoulder_by_trunk(placement, limb, fork, options.bend, options.bone_line);
         const auto is_in = [&](int joint) { return surface::is_inside(body, placed.at(joint)); };
@@ -246,7 +245,8 @@ RefinedJoints<Scalar> refine(const Body<Scalar>& body, const std::vector<EndPoin
     }
     for (const Limb<Scalar>& limb : limbs)
         placement = place_girdle(std::move(placement), limb, options.girdle, options.bone_line);
-    if (axis) placement = detail::place_shoulders_by_trunk(std::move(placement), limbs, axis->fork, body, options);
+    if (axis && skeleton_template.is_adapted)
+        placement = detail::place_shoulders_by_trunk(std::move(placement), limbs, axis->fork, body, options);
     placement = place_bare_joints(std::move(placement), curve, embedding);
     placement = narrow_hips(std::move(placement), limbs);
     const auto with_pelvis =
@@ -256,6 +256,11 @@ RefinedJoints<Scalar> refine(const Body<Scalar>& body, const std::vector<EndPoin
     placement = place_trunk(std::move(placement), limbs, slicer, core::point(curve.nodes, junction),
                             with_pelvis ? axis : std::nullopt, options.trunk);
     placement = raise_crotch(std::move(placement), limbs, body.mesh, options.crotch);
+    // Where the limbs look shorter than they are, as those of a body that sits, its fork may be the seat: not so its
+    // crotch.
+    if (axis && !skeleton_template.is_adapted)
+        placement = detail::place_shoulders_by_trunk(std::move(placement), limbs, Vector3<Scalar>(placement.at(0)),
+                                                     body, options);
 
     out.positions = placement.positions();
     out.trunk = detail::trunk_of(placement, slicer);
