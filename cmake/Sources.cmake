@@ -32,6 +32,7 @@ set(skelgen_core_headers
     include/skelgen/applications/part_shares.hpp
     include/skelgen/applications/pose_transfer.hpp
     include/skelgen/applications/posing.hpp
+    include/skelgen/applications/resting_surface.hpp
     include/skelgen/applications/retarget.hpp
     include/skelgen/applications/rig.hpp
     include/skelgen/applications/segmentation.hpp
@@ -186,6 +187,7 @@ set(skelgen_core_definitions
     include/skelgen/applications/impl/part_shares.hpp
     include/skelgen/applications/impl/pose_transfer.hpp
     include/skelgen/applications/impl/posing.hpp
+    include/skelgen/applications/impl/resting_surface.hpp
     include/skelgen/applications/impl/retarget.hpp
     include/skelgen/applications/impl/rig.hpp
     include/skelgen/applications/impl/segmentation.hpp

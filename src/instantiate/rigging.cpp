@@ -11,6 +11,7 @@
 #include <skelgen/applications/impl/limb_regions.hpp>
 #include <skelgen/applications/impl/pose_transfer.hpp>
 #include <skelgen/applications/impl/posing.hpp>
+#include <skelgen/applications/impl/resting_surface.hpp>
 #include <skelgen/applications/impl/rig.hpp>
 #include <skelgen/applications/impl/skinning.hpp>
 
@@ -43,10 +44,12 @@ namespace skelgen::applications {
                                     const std::vector<RigidMotion<Scalar>>&);                                          \
     template Points<Scalar> skinned_linearly(const Points<Scalar>&, const Skin<Scalar>&,                               \
                                              const std::vector<RigidMotion<Scalar>>&);                                 \
-    template Outcome<JointWeights> heat_weights(const std::vector<HeatedPose<Scalar>>&, int, const LimbRegions&);      \
-    template JointWeights with_bounded_stretch(JointWeights, const HeldSurface<Scalar>&, const Triangles&,             \
+    template Heat heat_in(const Body<Scalar>&, const std::vector<Bone<Scalar>>&, int, const LimbRegions&);             \
+    template Points<Scalar> at_rest(const RestingSurface<Scalar>&, const JointWeights&, const std::vector<int>&);      \
+    template Points<Scalar> at_rest(const RestingSurface<Scalar>&, const JointWeights&);                               \
+    template JointWeights with_bounded_stretch(JointWeights, const RestingSurface<Scalar>&, const Triangles&,          \
                                                const SkeletonTemplate&, const std::vector<int>&);                      \
-    template JointWeights with_balanced_bends(JointWeights, const HeldSurface<Scalar>&, const Triangles&,              \
+    template JointWeights with_balanced_bends(JointWeights, const RestingSurface<Scalar>&, const Triangles&,           \
                                               const SkeletonTemplate&);                                                \
     template LimbRegions limb_regions(const Body<Scalar>&, const KinematicSkeleton<Scalar>&, const SkeletonTemplate&); \
     template std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>&, const TriangleMesh<Scalar>&);            \

@@ -1,6 +1,10 @@
+#include <array>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 #include <skelgen/applications/balanced_bends.hpp>
+#include <skelgen/applications/bone_orientations.hpp>
 #include <skelgen/applications/bones.hpp>
 
 #include "catch.hpp"
@@ -13,18 +17,13 @@ using namespace skelgen;
 using namespace skelgen::applications;
 using test::human;
 
-constexpr double sleeve_radius = 0.04, odds_steepness = 12 / sleeve_radius; // of the odds' logarithm along the arm
+using test::BentSleeve;
+using test::sleeve_radius;
 
-/// Weights of a sleeve whose border lies beyond the elbow.
+constexpr double odds_steepness = 12 / sleeve_radius;
+
 JointWeights weights_with_border(const Points<double>& vertices, const KinematicSkeleton<double>& rest, double border) {
-    const int shoulder = find_joint(rest, "left_shoulder"), elbow = find_joint(rest, "left_elbow");
-    const double joint = rest.joints[static_cast<std::size_t>(elbow)].position.x();
-    JointWeights weights = JointWeights::Zero(vertices.rows(), static_cast<Eigen::Index>(rest.joints.size()));
-    for (Eigen::Index v = 0; v < weights.rows(); ++v) {
-        weights(v, elbow) = 1 / (1 + std::exp(-odds_steepness * (vertices(v, 0) - joint - border)));
-        weights(v, shoulder) = 1 - weights(v, elbow);
-    }
-    return weights;
+    return test::sleeve_weights(vertices, rest, border, odds_steepness);
 }
 
 TEST_CASE("balanced bends: in the middle of a tube the border goes to the joint", "[applications][weights]") {
@@ -32,9 +31,11 @@ TEST_CASE("balanced bends: in the middle of a tube the border goes to the joint"
     const TriangleMesh<double> tube = test::sleeve(rest);
     const int elbow = find_joint(rest, "left_elbow");
     const double joint = rest.joints[static_cast<std::size_t>(elbow)].position.x();
+    const std::vector<RigidMotion<double>> none(rest.joints.size());
     for (const double border : {-0.3 * sleeve_radius, 0.0, 0.3 * sleeve_radius}) {
         const JointWeights before = weights_with_border(tube.vertices, rest, border);
-        const JointWeights after = with_balanced_bends<double>(before, {tube.vertices, rest}, tube.faces, human());
+        const JointWeights after =
+            with_balanced_bends<double>(before, {tube.vertices, none, rest}, tube.faces, human());
         CHECK((after.rowwise().sum().array() - 1).abs().maxCoeff() < 1e-12);
         for (Eigen::Index v = 0; v < after.rows(); ++v) {
             const double share = after(v, elbow);
@@ -45,12 +46,73 @@ TEST_CASE("balanced bends: in the middle of a tube the border goes to the joint"
     }
 }
 
+/// What the parts of a sleeve on either side of its border gain when it bends by 90 degrees from rest, as squares of
+/// their shares.
+double changes(const BentSleeve& sleeve, const JointWeights& weights, const KinematicSkeleton<double>& rest) {
+    const int elbow = find_joint(rest, "left_elbow");
+    const Eigen::Vector3d joint = rest.joints[static_cast<std::size_t>(elbow)].position;
+    const Eigen::Matrix3d bend(Eigen::AngleAxisd(
+        std::numbers::pi / 2, rest_axes<double>(human())[static_cast<std::size_t>(elbow)] * Eigen::Vector3d::UnitX()));
+    const Points<double> straight = at_rest<double>({sleeve.mesh.vertices, sleeve.motions, rest}, weights);
+    double sum = 0;
+    for (const bool is_below : {true, false}) {
+        Eigen::Vector3d middle[2] = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+        double volume[2] = {0, 0};
+        std::vector<Eigen::Index> part;
+        int rim = 0;
+        const auto places = [&](int v) {
+            const Eigen::Vector3d from = straight.row(v).transpose() - joint;
+            const double share = weights(v, elbow);
+            return std::array<Eigen::Vector3d, 2>{from, (1 - share) * from + share * (bend * from)};
+        };
+        const auto is_in = [&](int v) { return (weights(v, elbow) > 0.5) == is_below; };
+        for (Eigen::Index f = 0; f < sleeve.mesh.faces.rows(); ++f) {
+            int count = 0;
+            for (int k = 0; k < 3; ++k) count += is_in(sleeve.mesh.faces(f, k)) ? 1 : 0;
+            if (count == 3) part.push_back(f);
+            if (count == 0 || count == 3) continue;
+            for (int k = 0; k < 3; ++k) {
+                if (!is_in(sleeve.mesh.faces(f, k))) continue;
+                for (std::size_t i = 0; i < 2; ++i) middle[i] += places(sleeve.mesh.faces(f, k))[i];
+                ++rim;
+            }
+        }
+        for (const Eigen::Index f : part) {
+            const auto a = places(sleeve.mesh.faces(f, 0)), b = places(sleeve.mesh.faces(f, 1)),
+                       c = places(sleeve.mesh.faces(f, 2));
+            for (std::size_t i = 0; i < 2; ++i) {
+                const Eigen::Vector3d m = middle[i] / rim; // seen from there the lid has no volume
+                volume[i] += (a[i] - m).dot((b[i] - m).cross(c[i] - m)) / 6;
+            }
+        }
+        sum += std::pow(volume[1] / volume[0] - 1, 2);
+    }
+    return sum;
+}
+
+TEST_CASE("balanced bends: a limb that comes bent keeps its volume once it is straight and bends again",
+          "[applications][weights]") {
+    const auto rest = rest_skeleton<double>(human());
+    for (const double angle : {0.0, 1.0, 2.0}) {
+        const BentSleeve sleeve = test::bent_sleeve(rest, angle);
+        const TriangleMesh<double> straight = test::sleeve(rest);
+        for (const double border : {-0.5 * sleeve_radius, 0.5 * sleeve_radius}) {
+            const JointWeights before = weights_with_border(straight.vertices, rest, border);
+            const JointWeights after = with_balanced_bends<double>(before, {sleeve.mesh.vertices, sleeve.motions, rest},
+                                                                   sleeve.mesh.faces, human());
+            CAPTURE(angle, border, changes(sleeve, before, rest));
+            CHECK(changes(sleeve, after, rest) < 0.001);
+        }
+    }
+}
+
 TEST_CASE("balanced bends: what follows one joint alone stays", "[applications][weights]") {
     const auto rest = rest_skeleton<double>(human());
     const TriangleMesh<double> tube = test::sleeve(rest);
     JointWeights weights = JointWeights::Zero(tube.vertices.rows(), static_cast<Eigen::Index>(rest.joints.size()));
     weights.col(find_joint(rest, "left_elbow")).setOnes();
-    CHECK(with_balanced_bends<double>(weights, {tube.vertices, rest}, tube.faces, human()) == weights);
+    const std::vector<RigidMotion<double>> none(rest.joints.size());
+    CHECK(with_balanced_bends<double>(weights, {tube.vertices, none, rest}, tube.faces, human()) == weights);
 }
 
 } // namespace

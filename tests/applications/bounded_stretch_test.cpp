@@ -42,18 +42,36 @@ TEST_CASE("stretch: an abrupt bend is spread until no edge grows too much", "[ap
     std::vector<int> limb(rest.joints.size(), -1);
     for (const char* name : {"left_shoulder", "left_elbow", "left_wrist", "left_hand"})
         limb[static_cast<std::size_t>(find_joint(rest, name))] = 0;
-    const HeldSurface<double> pose{tube.vertices, rest};
-    const JointWeights even = with_bounded_stretch(weights, pose, tube.faces, human(), limb);
+    const std::vector<RigidMotion<double>> none(rest.joints.size());
+    const RestingSurface<double> surface{tube.vertices, none, rest};
+    const JointWeights even = with_bounded_stretch(weights, surface, tube.faces, human(), limb);
     CHECK(most_growth(tube, even.col(elbow), joint) < 3.1); // ends within its rounds
     CHECK((even.rowwise().sum().array() - 1).abs().maxCoeff() < 1e-12);
     CHECK(even.minCoeff() >= 0);
     for (Eigen::Index v = 0; v < weights.rows(); ++v) // far from the bend nothing has changed
         if (std::abs(tube.vertices(v, 0) - joint.x()) > 0.06) CHECK(even.row(v) == weights.row(v));
 
-    CHECK(with_bounded_stretch(even, pose, tube.faces, human(), limb).isApprox(even, 0.02));
+    CHECK(with_bounded_stretch(even, surface, tube.faces, human(), limb).isApprox(even, 0.02));
     weights.setZero();
     weights.col(elbow).setOnes();
-    CHECK(with_bounded_stretch(weights, pose, tube.faces, human(), limb) == weights);
+    CHECK(with_bounded_stretch(weights, surface, tube.faces, human(), limb) == weights);
+}
+
+TEST_CASE("stretch: a limb that comes bent is seen as it is once it is straight", "[applications][weights]") {
+    const auto rest = rest_skeleton<double>(human());
+    const test::BentSleeve bent = test::bent_sleeve(rest, 2.0);
+    const int elbow = find_joint(rest, "left_elbow");
+    const Eigen::Vector3d joint = rest.joints[static_cast<std::size_t>(elbow)].position;
+    const JointWeights weights = test::sleeve_weights(sleeve(rest).vertices, rest, 0, 40 / test::sleeve_radius);
+    std::vector<int> limb(rest.joints.size(), -1);
+    for (const char* name : {"left_shoulder", "left_elbow", "left_wrist", "left_hand"})
+        limb[static_cast<std::size_t>(find_joint(rest, name))] = 0;
+    const RestingSurface<double> surface{bent.mesh.vertices, bent.motions, rest};
+    const auto growth = [&](const JointWeights& by) {
+        return most_growth({at_rest(surface, by), bent.mesh.faces}, by.col(elbow), joint);
+    };
+    CHECK(growth(weights) > 3.3);
+    CHECK(growth(with_bounded_stretch(weights, surface, bent.mesh.faces, human(), limb)) < 3.1);
 }
 
 TEST_CASE("stretch: where two limbs meet they stay apart", "[applications][weights]") {
@@ -65,8 +83,9 @@ TEST_CASE("stretch: where two limbs meet they stay apart", "[applications][weigh
     std::vector<int> limb(rest.joints.size(), -1);
     limb[static_cast<std::size_t>(left)] = 0;
     limb[static_cast<std::size_t>(right)] = 1;
-    const HeldSurface<double> pose{tube.vertices, rest};
-    CHECK(with_bounded_stretch(weights, pose, tube.faces, human(), limb) == weights);
+    const std::vector<RigidMotion<double>> none(rest.joints.size());
+    const RestingSurface<double> surface{tube.vertices, none, rest};
+    CHECK(with_bounded_stretch(weights, surface, tube.faces, human(), limb) == weights);
 }
 
 } // namespace

@@ -21,7 +21,7 @@ std::vector<Bone<Scalar>> two_bones() {
 TEMPLATE_TEST_CASE("heat: halves where bones meet, all of a bone far from others", "[applications][weights]", float,
                    double) {
     const auto body = test::body_of<TestType>(test::capsule(0.5, 4));
-    const auto weights = heat_weights<TestType>({{body, two_bones<TestType>()}}, 3);
+    const auto weights = heat_weights(heat_in(body, two_bones<TestType>(), 3));
     REQUIRE(weights);
     CHECK((weights->rowwise().sum().array() - 1).abs().maxCoeff() < 1e-12);
     CHECK(weights->minCoeff() >= 0);
@@ -69,15 +69,15 @@ TEST_CASE("heat: only bones in sight warm", "[applications][weights]") {
     // Beside the capsule, and nearer to its one side than the bone within.
     std::vector<Bone<double>> bones{{0, {0, 0, 0}, {0, 0, 4}, 0, 0}, {1, {0.6, 0, 0}, {0.6, 0, 4}, 0, 0}};
     const auto body = test::body_of<double>(test::capsule(0.5, 4));
-    const auto weights = heat_weights<double>({{body, bones}}, 2);
+    const auto weights = heat_weights(heat_in(body, bones, 2));
     REQUIRE(weights);
     for (Eigen::Index v = 0; v < weights->rows(); ++v)
         if (body.mesh.vertices(v, 0) < -0.1) CHECK((*weights)(v, 0) > 0.5);
 
     bones = {{0, {100, 0, 0}, {100, 0, 1}, 0, 0}};
     const auto inside_out = test::body_of<double>(test::capsule(0.5, 4));
-    CHECK(heat_weights<double>({{inside_out, bones}}, 1)); // seen from outside
-    CHECK_FALSE(heat_weights<double>({{inside_out, {}}}, 1));
+    CHECK(heat_weights(heat_in(inside_out, bones, 1))); // seen from outside
+    CHECK_FALSE(heat_weights(heat_in(inside_out, {}, 1)));
 }
 
 TEST_CASE("heat: bones of a limb warm that limb's region alone", "[applications][weights]") {
@@ -85,7 +85,7 @@ TEST_CASE("heat: bones of a limb warm that limb's region alone", "[applications]
     LimbRegions regions{{0, 1}, std::vector<int>(static_cast<std::size_t>(body.mesh.vertices.rows()), 0)};
     for (Eigen::Index v = 0; v < body.mesh.vertices.rows(); ++v)
         if (body.mesh.vertices(v, 2) > 3) regions.of_vertex[static_cast<std::size_t>(v)] = 1;
-    const auto weights = heat_weights<double>({{body, two_bones<double>()}}, 2, regions);
+    const auto weights = heat_weights(heat_in(body, two_bones<double>(), 2, regions));
     REQUIRE(weights);
     for (Eigen::Index v = 0; v < weights->rows(); ++v) { // the border is where the regions', not the bones', is
         const double z = body.mesh.vertices(v, 2);
@@ -96,8 +96,9 @@ TEST_CASE("heat: bones of a limb warm that limb's region alone", "[applications]
 
 TEST_CASE("heat: two poses alike give the weights of one", "[applications][weights]") {
     const auto body = test::body_of<double>(test::capsule(0.5, 4));
-    const auto one = heat_weights<double>({{body, two_bones<double>()}}, 2);
-    const auto two = heat_weights<double>({{body, two_bones<double>()}, {body, two_bones<double>()}}, 2);
+    const Heat heat = heat_in(body, two_bones<double>(), 2);
+    const auto one = heat_weights(heat);
+    const auto two = heat_weights(heat + heat);
     REQUIRE(one);
     REQUIRE(two);
     CHECK((*one - *two).cwiseAbs().maxCoeff() < 1e-12);

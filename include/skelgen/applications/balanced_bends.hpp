@@ -1,21 +1,22 @@
 #pragma once
 
-#include <skelgen/applications/bounded_stretch.hpp>
 #include <skelgen/applications/heat_weights.hpp>
+#include <skelgen/applications/resting_surface.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/core/skeleton_template.hpp>
 
 namespace skelgen::applications {
 
 /// The weights with the borders at elbows and knees moved along the limb, by at most some half of its radius, to where
-/// a bend by 90 degrees changes the volumes of what is above and below least, by linear skinning and as squares of
-/// their shares. In a bent tube of section A whose border is the length c below the joint, whose middle line is y
-/// inside of it, and which follows the hinge by w, the part below gains A (c / 4 - y / 2 - integral of w (1 - w))
+/// a bend by 90 degrees from rest changes the volumes of what is above and below least, by linear skinning and as
+/// squares of their shares. In a bent tube of section A whose border is the length c below the joint, whose middle line
+/// is y inside of it, and which follows the hinge by w, the part below gains A (c / 4 - y / 2 - integral of w (1 - w))
 /// beyond the border, and the part above A (-c / 4 - y / 2 - integral) on its side: what the one gains by moving the
-/// border the other loses, and the smaller part feels it more. `at_rest` closed and held by these weights, its skeleton
-/// the template's rest pose but for lengths; `faces` name the rows. O(n joints).
+/// border the other loses, and the smaller part feels it more. A limb that comes bent is another one at rest wherever
+/// its border is, so each of the borders that are tried is seen on the surface that it leads to. `surface` closed,
+/// its skeleton the template's rest pose but for lengths; `faces` name the rows. O(n joints).
 template <typename Scalar>
-[[nodiscard]] JointWeights with_balanced_bends(JointWeights weights, const HeldSurface<Scalar>& at_rest,
+[[nodiscard]] JointWeights with_balanced_bends(JointWeights weights, const RestingSurface<Scalar>& surface,
                                                const Triangles& faces, const SkeletonTemplate& skeleton_template);
 
 } // namespace skelgen::applications

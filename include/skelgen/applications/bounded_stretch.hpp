@@ -3,26 +3,19 @@
 #include <vector>
 
 #include <skelgen/applications/heat_weights.hpp>
-#include <skelgen/core/kinematic_skeleton.hpp>
+#include <skelgen/applications/resting_surface.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/core/skeleton_template.hpp>
 
 namespace skelgen::applications {
 
-/// A surface and its skeleton in one pose, in the same coordinates.
-template <typename Scalar = double>
-struct HeldSurface {
-    const Points<Scalar>& vertices;
-    const KinematicSkeleton<Scalar>& skeleton;
-};
-
 /// The weights with no edge that grows to more than three times its length when a joint of a limb bends by 90 degrees
-/// from this pose, by linear skinning: where it would, the weights of its ends come nearer to each other, in a
-/// few rounds over all edges; nothing else changes. Edges between two limbs stay. Edges shorter than a thousandth of
-/// the square root of the area count as that long. `faces` name the weights' rows, `limb_of_joint` as
-/// `LimbRegions::of_joint`. O(rounds faces joints).
+/// from rest, by linear skinning: where it would, the weights of its ends come nearer to each other, in rounds over the
+/// edges whose ends the last one changed, and so moved at rest; nothing else changes. Edges between two limbs stay.
+/// Edges shorter than a thousandth of the square root of the area count as that long. `faces` name the weights' rows,
+/// `limb_of_joint` as `LimbRegions::of_joint`. O(rounds faces + joints).
 template <typename Scalar>
-[[nodiscard]] JointWeights with_bounded_stretch(JointWeights weights, const HeldSurface<Scalar>& pose,
+[[nodiscard]] JointWeights with_bounded_stretch(JointWeights weights, const RestingSurface<Scalar>& surface,
                                                 const Triangles& faces, const SkeletonTemplate& skeleton_template,
                                                 const std::vector<int>& limb_of_joint);
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include <skelgen/applications/bones.hpp>
 #include <skelgen/applications/limb_regions.hpp>
@@ -14,26 +15,32 @@
 namespace skelgen::applications {
 
 /// How much each joint moves each vertex: n x joints, from 0 to 1, rows sum to 1. Double whatever the mesh's scalar: it
-/// comes out of a factorisation.
-using JointWeights = Eigen::MatrixX<core::Accumulator>;
+/// comes out of a factorisation. A vertex's lie together.
+using JointWeights = Eigen::Matrix<core::Accumulator, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// A body in one of its poses, and its bones there, in the body's coordinates.
-template <typename Scalar = double>
-struct HeatedPose {
-    const Body<Scalar>& body;
-    std::vector<Bone<Scalar>> bones;
+/// What warms a surface, in one pose or in several.
+struct Heat {
+    Eigen::SparseMatrix<core::Accumulator> conduction; ///< n x n, positive semi-definite: `surface_laplacian`
+    Eigen::VectorX<core::Accumulator> supply;   ///< per vertex its area over the squared distance of what heats it
+    Eigen::MatrixX<core::Accumulator> of_joint; ///< n x joints: of that what comes from each joint
 };
 
-/// Weights as temperatures on a body (BP07 section 4): each vertex is heated by the bone that is nearest to it, as seen
-/// through the body, the stronger the nearer, and the heat spreads over the surface until it rests. A trunk's bone is
-/// nearer than a limb's at the same distance: distances count relative to how thick the body is around the bone.
-/// Several poses of one surface (same faces, other places) give the weights that are smooth, and near to the bones, in
-/// all of them together. A limb's bones heat no vertex of another limb's region; without `regions` every bone heats
-/// any. `joints`: more than any bone's. One factorisation of a sparse matrix, O(n^1.5). \returns a failure where no
-/// vertex sees a bone.
+/// That of a body (BP07 section 4): each vertex is heated by the bone that is nearest to it, as seen through the body,
+/// the stronger the nearer. A trunk's bone is nearer than a limb's at the same distance: distances count relative to
+/// how thick the body is around the bone. `bones` in the body's coordinates. A limb's bones heat no vertex of another
+/// limb's region; without `regions` every bone heats any. `joints`: more than any bone's. O(n joints) looks through the
+/// body.
 template <typename Scalar>
-[[nodiscard]] Outcome<JointWeights> heat_weights(const std::vector<HeatedPose<Scalar>>& poses, int joints,
-                                                 const LimbRegions& regions = {});
+[[nodiscard]] Heat heat_in(const Body<Scalar>& body, const std::vector<Bone<Scalar>>& bones, int joints,
+                           const LimbRegions& regions = {});
+
+/// That of one surface in several poses, same faces and other places: for weights that are smooth, and near to the
+/// bones, in all of them together. O(n joints).
+[[nodiscard]] Heat operator+(Heat heat, const Heat& other);
+
+/// Weights as temperatures on a body: the heat spreads over the surface until it rests (BP07). One factorisation of a
+/// sparse matrix, O(n^1.5). \returns a failure where no vertex sees a bone.
+[[nodiscard]] Outcome<JointWeights> heat_weights(const Heat& heat);
 
 /// The weights with narrower bends: cubed, with rows that sum to 1 again. Where vertices follow two joints alike,
 /// linear skinning draws them towards the joint: the narrower that is, the less volume a bent limb loses, and the more

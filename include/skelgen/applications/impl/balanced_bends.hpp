@@ -25,17 +25,21 @@ class HingeBend {
     using Vector = Vector3<Accumulator>;
 
 public:
-    HingeBend(const JointWeights& weights, const HeldSurface<Scalar>& at_rest, const Triangles& faces,
+    HingeBend(const JointWeights& weights, const RestingSurface<Scalar>& surface, const Triangles& faces,
               const SkeletonTemplate& skeleton_template, int hinge)
-        : is_below_(joints_below(skeleton_template, hinge)) {
-        const Vector3<Scalar>& joint = at_rest.skeleton.joints[static_cast<std::size_t>(hinge)].position;
+        : surface_(surface), is_below_(joints_below(skeleton_template, hinge)),
+          joint_(surface.skeleton.joints[static_cast<std::size_t>(hinge)].position) {
         const auto axes = rest_axes<Scalar>(skeleton_template)[static_cast<std::size_t>(hinge)];
         bend_ = Eigen::AngleAxis<Accumulator>(std::numbers::pi / 2,
                                               (axes * Vector3<Scalar>::UnitX()).template cast<Accumulator>());
-        for (Eigen::Index v = 0; v < weights.rows(); ++v) {
+        const Points<Scalar> rest = at_rest(surface, weights);
+        for (int v = 0; v < weights.rows(); ++v) {
             shares_.push_back(share_below(weights, v));
-            places_.push_back((core::point(at_rest.vertices, v) - joint).template cast<Accumulator>());
+            places_.push_back(from_joint(rest, v));
+            if (shares_.back() > none && shares_.back() < 1 - none) between_.push_back(v);
         }
+        weights_ = weights(between_, Eigen::all);
+        as_is_ = surface.as_is(between_, Eigen::all);
         for (Eigen::Index f = 0; f < faces.rows(); ++f) {
             const std::array<std::size_t, 3> face{static_cast<std::size_t>(faces(f, 0)),
                                                   static_cast<std::size_t>(faces(f, 1)),
@@ -54,25 +58,22 @@ public:
         above_ = volume_following(weights, faces, skeleton_template.joint(hinge).parent);
     }
 
-    /// What the odds of following the hinge have to be multiplied by, as a logarithm.
-    [[nodiscard]] Accumulator balance() const {
+    /// The weights with the border where it changes the volumes least.
+    [[nodiscard]] JointWeights balanced(JointWeights weights) {
         constexpr Accumulator farthest = 5; // half a radius away: heat falls by e for each, odds are its sixth power
-        constexpr int halvings = 8;
-        Accumulator low = -farthest, high = farthest;
-        for (int i = 0; i < halvings; ++i) {
-            const Accumulator middle = (low + high) / 2;
-            (slope(middle) > 0 ? low : high) = middle;
-        }
-        return (low + high) / 2;
-    }
-
-    [[nodiscard]] JointWeights moved(JointWeights weights, Accumulator log_odds) const {
-        for (Eigen::Index v = 0; v < weights.rows(); ++v) {
-            const Accumulator was = shares_[static_cast<std::size_t>(v)], is = share_at(was, log_odds);
-            if (!(was > 0 && was < 1)) continue;
-            for (std::size_t j = 0; j < is_below_.size(); ++j)
-                weights(v, static_cast<Eigen::Index>(j)) *= is_below_[j] ? is / was : (1 - is) / (1 - was);
-        }
+        constexpr int steps = 10;           // to either side
+        const auto log_odds_at = [&](int step) { return farthest * (step - steps - 1) / steps; };
+        std::vector<Eigen::Vector2<Accumulator>> found; // also one step beyond
+        for (int i = 0; i <= 2 * steps + 2; ++i) found.push_back(changes(log_odds_at(i)));
+        // Creases are of few and large faces once they are open: neighbours say together where the border is better.
+        const auto cost = [&](int i) {
+            const auto at = static_cast<std::size_t>(i);
+            return (found[at - 1] + found[at] + found[at + 1]).squaredNorm();
+        };
+        int best = steps + 1;
+        for (int i = 1; i <= 2 * steps + 1; ++i)
+            if (cost(i) < cost(best)) best = i;
+        weights(between_, Eigen::all) = moved(log_odds_at(best));
         return weights;
     }
 
@@ -119,8 +120,27 @@ private:
         return seen;
     }
 
-    /// How much the sum of the squares falls where the border moves towards the trunk; it does so ever less.
-    [[nodiscard]] Accumulator slope(Accumulator log_odds) const {
+    [[nodiscard]] Vector from_joint(const Points<Scalar>& points, Eigen::Index v) const {
+        return (core::point(points, v) - joint_).template cast<Accumulator>();
+    }
+
+    /// The weights of the vertices that follow both, the odds of following the hinge multiplied by that.
+    [[nodiscard]] JointWeights moved(Accumulator log_odds) const {
+        JointWeights weights = weights_;
+        for (std::size_t i = 0; i < between_.size(); ++i) {
+            const Accumulator was = shares_[static_cast<std::size_t>(between_[i])], is = share_at(was, log_odds);
+            for (std::size_t j = 0; j < is_below_.size(); ++j)
+                weights(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) *=
+                    is_below_[j] ? is / was : (1 - is) / (1 - was);
+        }
+        return weights;
+    }
+
+    /// What a bend changes of what is below and above, as shares of their volumes.
+    [[nodiscard]] Eigen::Vector2<Accumulator> changes(Accumulator log_odds) {
+        const Points<Scalar> rest = at_rest<Scalar>({as_is_, surface_.motions, surface_.skeleton}, moved(log_odds));
+        for (std::size_t i = 0; i < between_.size(); ++i)
+            places_[static_cast<std::size_t>(between_[i])] = from_joint(rest, static_cast<Eigen::Index>(i));
         Part above, below;
         Vector between[2] = {Vector::Zero(), Vector::Zero()};
         below.area[0] = rigid_;
@@ -149,17 +169,22 @@ private:
                 ++(is_in[k] ? rim_below : rim_above);
             }
         }
-        if (rim_above == 0 || rim_below == 0) return 0;
+        if (rim_above == 0 || rim_below == 0) return {0, 0};
         for (int i = 0; i < 2; ++i) {
             above.area[i] = -below.area[i] - between[i]; // of a closed surface it is nothing
             above.rim[i] /= rim_above;
             below.rim[i] /= rim_below;
         }
-        return below.change() / (below_ * below_) - above.change() / (above_ * above_);
+        return {below.change() / below_, above.change() / above_};
     }
 
+    const RestingSurface<Scalar>& surface_;
     std::vector<bool> is_below_;
+    Vector3<Scalar> joint_;
     Eigen::Matrix3<Accumulator> bend_;
+    std::vector<int> between_;        ///< vertices that follow both sides
+    JointWeights weights_;            ///< of those
+    Points<Scalar> as_is_;            ///< those
     std::vector<Accumulator> shares_; ///< per vertex of what is below the joint
     std::vector<Vector> places_;
     std::vector<std::array<std::size_t, 3>> faces_; ///< all that do not move rigidly
@@ -170,13 +195,13 @@ private:
 } // namespace detail
 
 template <typename Scalar>
-JointWeights with_balanced_bends(JointWeights weights, const HeldSurface<Scalar>& at_rest, const Triangles& faces,
+JointWeights with_balanced_bends(JointWeights weights, const RestingSurface<Scalar>& surface, const Triangles& faces,
                                  const SkeletonTemplate& skeleton_template) {
     for (int j = 0; j < static_cast<int>(skeleton_template.joints.size()); ++j) {
         const JointRole role = skeleton_template.joint(j).role;
         if (role != JointRole::elbow && role != JointRole::knee) continue;
-        const detail::HingeBend<Scalar> bend(weights, at_rest, faces, skeleton_template, j);
-        weights = bend.moved(std::move(weights), bend.balance());
+        detail::HingeBend<Scalar> bend(weights, surface, faces, skeleton_template, j);
+        weights = bend.balanced(std::move(weights));
     }
     return weights;
 }

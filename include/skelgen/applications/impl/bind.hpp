@@ -16,6 +16,7 @@
 #include <skelgen/applications/heat_weights.hpp>
 #include <skelgen/applications/limb_regions.hpp>
 #include <skelgen/applications/posing.hpp>
+#include <skelgen/applications/resting_surface.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/precision.hpp>
@@ -106,13 +107,11 @@ JointWeights without_islands_of_input(JointWeights weights, const TriangleMesh<S
     return weights;
 }
 
-/// The weights of the vertices of a body from all of its poses. \throws Error no_skeleton where no bone is seen.
-template <typename Scalar>
-JointWeights weights_in(const std::vector<HeatedPose<Scalar>>& poses, const SkeletonTemplate& skeleton_template,
-                        const LimbRegions& regions) {
-    const Outcome<JointWeights> heat = heat_weights(poses, static_cast<int>(skeleton_template.joints.size()), regions);
-    if (!heat) throw Error(ErrorCode::no_skeleton, heat.failure().what);
-    return following_one_limb(with_narrow_hinges(concentrated(*heat), skeleton_template), skeleton_template);
+/// The weights of a body's vertices from what warms it. \throws Error no_skeleton where no bone is seen.
+inline JointWeights weights_from(const Heat& heat, const SkeletonTemplate& skeleton_template) {
+    const Outcome<JointWeights> weights = heat_weights(heat);
+    if (!weights) throw Error(ErrorCode::no_skeleton, weights.failure().what);
+    return following_one_limb(with_narrow_hinges(concentrated(*weights), skeleton_template), skeleton_template);
 }
 
 /// The weights of the vertices of a body, whose skeleton is in its own coordinates: smooth as it is and at rest alike.
@@ -123,32 +122,24 @@ template <typename Scalar>
 JointWeights body_weights(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
                           const SkeletonTemplate& skeleton_template) {
     const LimbRegions regions = limb_regions(body, skeleton, skeleton_template);
-    const HeatedPose<Scalar> as_is{body, heating_bones(skeleton, skeleton_template)};
-    const JointWeights first = weights_in<Scalar>({as_is}, skeleton_template, regions);
+    const auto heat_of = [&](const Body<Scalar>& pose, const KinematicSkeleton<Scalar>& bones) {
+        return heat_in(pose, heating_bones(bones, skeleton_template), static_cast<int>(bones.joints.size()), regions);
+    };
+    const Heat as_is = heat_of(body, skeleton);
+    const JointWeights first = weights_from(as_is, skeleton_template);
 
     const auto motion = rest_motions<Scalar>(RestPose::t_pose, skeleton, skeleton_template,
                                              bone_orientations(skeleton, skeleton_template),
                                              Eigen::Quaternion<Scalar>(Eigen::Quaternion<Scalar>::Identity()));
+    const KinematicSkeleton<Scalar> bones_at_rest = moved(skeleton, skeleton_template, motion);
+    const RestingSurface<Scalar> surface{body.mesh.vertices, motion, bones_at_rest};
     Body<Scalar> rest = body;
-    const auto held_by = [&](const JointWeights& weights) {
-        return skinned<Scalar>(body.mesh.vertices, strongest_influences<Scalar>(weights.cast<Scalar>()), motion);
-    };
-    rest.mesh.vertices = held_by(first);
+    rest.mesh.vertices = at_rest(surface, first);
     rest.tree = surface::FaceTree<Scalar>(rest.mesh);
-    const KinematicSkeleton<Scalar> at_rest = moved(skeleton, skeleton_template, motion);
-    JointWeights weights =
-        weights_in<Scalar>({as_is, {rest, heating_bones(at_rest, skeleton_template)}}, skeleton_template, regions);
+    JointWeights weights = weights_from(as_is + heat_of(rest, bones_at_rest), skeleton_template);
     const Triangles& faces = body.mesh.faces;
-    rest.mesh.vertices = held_by(weights);
-    weights = with_balanced_bends<Scalar>(std::move(weights), {rest.mesh.vertices, at_rest}, faces, skeleton_template);
-    constexpr int passes = 16; // each changes how the body is at rest a little; most bodies need half of them
-    for (int pass = 0; pass < passes; ++pass) {
-        rest.mesh.vertices = held_by(weights);
-        JointWeights bounded = with_bounded_stretch<Scalar>(weights, {rest.mesh.vertices, at_rest}, faces,
-                                                            skeleton_template, regions.of_joint);
-        if (bounded == weights) break;
-        weights = std::move(bounded);
-    }
+    weights = with_balanced_bends(std::move(weights), surface, faces, skeleton_template);
+    weights = with_bounded_stretch(std::move(weights), surface, faces, skeleton_template, regions.of_joint);
     return without_islands(std::move(weights), faces);
 }
 

@@ -3,9 +3,13 @@
 #include <skelgen/applications/bounded_stretch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <vector>
+
+#include <Eigen/Geometry>
 
 #include <skelgen/core/geometry.hpp>
 
@@ -15,37 +19,47 @@ namespace detail {
 /// How much the weights of an edge's ends may differ: of what follows a joint and those below it.
 template <typename Scalar>
 class StretchBound {
+    using Accumulator = core::Accumulator;
+
 public:
-    StretchBound(const HeldSurface<Scalar>& pose, const Triangles& faces, const SkeletonTemplate& skeleton_template)
-        : pose_(pose), template_(skeleton_template),
-          shortest_(std::sqrt(core::surface_area(TriangleMesh<Scalar>{pose.vertices, faces})) / 1000) {}
+    StretchBound(const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
+                 const TriangleMesh<Scalar>& rest)
+        : skeleton_(skeleton), template_(skeleton_template), shortest_(std::sqrt(core::surface_area(rest)) / 1000) {
+        Eigen::AlignedBox<Scalar, 3> box;
+        for (Eigen::Index v = 0; v < rest.vertices.rows(); ++v) box.extend(core::point(rest.vertices, v));
+        for (const Joint<Scalar>& joint : skeleton.joints) box.extend(joint.position);
+        farthest_ = 2 * box.diagonal().norm(); // vertices move a little with their weights
+    }
 
     /// The part of their difference that the rows of an edge's ends may keep: 1 where it is not stretched too far.
-    [[nodiscard]] core::Accumulator kept(const JointWeights& weights, int a, int b) const {
-        using core::Accumulator;
+    [[nodiscard]] Accumulator kept(const JointWeights& weights, const Points<Scalar>& rest, int a, int b) const {
+        constexpr Scalar most = 3; // times its length
+        const Vector3<Scalar> from = core::point(rest, a), to = core::point(rest, b), middle = (from + to) / 2;
+        const auto may_grow = static_cast<Accumulator>((most - 1) * std::max(shortest_, (to - from).norm()));
+        const auto harmless = may_grow / static_cast<Accumulator>(moved(farthest_)); // whatever the joint
+        if ((weights.row(a) - weights.row(b)).cwiseAbs().sum() < harmless) return 1;
         Eigen::RowVectorX<Accumulator> below = weights.row(a) - weights.row(b); // then also of those below a joint
         Accumulator part = 1;
         for (Eigen::Index j = below.size(); j-- > 1;) {
             const TemplateJoint& joint = template_.joints[static_cast<std::size_t>(j)];
-            if (part_of(joint.role) != BodyPart::trunk) part = std::min(part, largest(a, b, j) / std::abs(below[j]));
+            const Accumulator difference = std::abs(below[j]);
+            if (part_of(joint.role) != BodyPart::trunk && difference >= harmless) {
+                const Vector3<Scalar>& place = skeleton_.joints[static_cast<std::size_t>(j)].position;
+                part = std::min(part, may_grow / static_cast<Accumulator>(moved((middle - place).norm())) / difference);
+            }
             below[joint.parent] += below[j];
         }
         return part;
     }
 
 private:
-    /// A bend by 90 degrees moves what follows it by the square root of two times its distance from the joint.
-    [[nodiscard]] core::Accumulator largest(int a, int b, Eigen::Index j) const {
-        constexpr Scalar most = 3; // times its length
-        const Vector3<Scalar> from = core::point(pose_.vertices, a), to = core::point(pose_.vertices, b);
-        const Vector3<Scalar>& joint = pose_.skeleton.joints[static_cast<std::size_t>(j)].position;
-        const Scalar moved = std::numbers::sqrt2_v<Scalar> * ((from + to) / 2 - joint).norm();
-        return static_cast<core::Accumulator>((most - 1) * std::max(shortest_, (to - from).norm()) / moved);
-    }
+    /// How far a bend by 90 degrees moves what is so far from the joint.
+    static Scalar moved(Scalar distance) { return std::numbers::sqrt2_v<Scalar> * distance; }
 
-    const HeldSurface<Scalar>& pose_;
+    const KinematicSkeleton<Scalar>& skeleton_;
     const SkeletonTemplate& template_;
     Scalar shortest_; ///< what a shorter edge counts as
+    Scalar farthest_; ///< no vertex is so far from a joint
 };
 
 /// The limb that a vertex follows most, -1 where it follows none.
@@ -61,34 +75,50 @@ inline int strongest_limb(const JointWeights& weights, Eigen::Index v, const std
     return limb;
 }
 
+/// The edges between vertices of the same limb, once each where the surface is closed.
+inline std::vector<std::array<int, 2>> edges_of_limbs(const Triangles& faces, const std::vector<int>& limb) {
+    std::vector<std::array<int, 2>> edges;
+    for (Eigen::Index f = 0; f < faces.rows(); ++f)
+        for (int k = 0; k < 3; ++k) {
+            const int a = faces(f, k), b = faces(f, (k + 1) % 3);
+            if (a < b && limb[static_cast<std::size_t>(a)] == limb[static_cast<std::size_t>(b)])
+                edges.push_back({a, b});
+        }
+    return edges;
+}
+
 } // namespace detail
 
 template <typename Scalar>
-JointWeights with_bounded_stretch(JointWeights weights, const HeldSurface<Scalar>& pose, const Triangles& faces,
+JointWeights with_bounded_stretch(JointWeights weights, const RestingSurface<Scalar>& surface, const Triangles& faces,
                                   const SkeletonTemplate& skeleton_template, const std::vector<int>& limb_of_joint) {
-    constexpr int rounds = 20;
-    const detail::StretchBound<Scalar> bound(pose, faces, skeleton_template);
+    constexpr int rounds = 100;
     std::vector<int> limb;
     for (Eigen::Index v = 0; v < weights.rows(); ++v) limb.push_back(detail::strongest_limb(weights, v, limb_of_joint));
-    std::vector<int> changed(limb.size(), 0); ///< the round before which each vertex was last changed
-    bool any = true;
-    for (int round = 0; round < rounds && any; ++round) {
-        any = false;
-        for (Eigen::Index f = 0; f < faces.rows(); ++f)
-            for (int k = 0; k < 3; ++k) {
-                const int a = faces(f, k), b = faces(f, (k + 1) % 3);
-                const auto at_a = static_cast<std::size_t>(a), at_b = static_cast<std::size_t>(b);
-                if (a > b || limb[at_a] != limb[at_b]) continue;
-                if (changed[at_a] < round && changed[at_b] < round) continue; // it was seen to be fine
-                const core::Accumulator part = bound.kept(weights, a, b);
-                if (!(part < 1)) continue;
-                any = true;
-                changed[at_a] = changed[at_b] = round + 1;
-                const Eigen::RowVectorX<core::Accumulator> middle = (weights.row(a) + weights.row(b)) / 2;
-                const Eigen::RowVectorX<core::Accumulator> off = part * (weights.row(a) - middle);
-                weights.row(a) = middle + off;
-                weights.row(b) = middle - off;
-            }
+    const std::vector<std::array<int, 2>> edges = detail::edges_of_limbs(faces, limb);
+    Points<Scalar> rest = at_rest(surface, weights);
+    const detail::StretchBound<Scalar> bound(surface.skeleton, skeleton_template, {rest, faces});
+    std::vector<int> last(limb.size(), 0), changed; ///< `last`: the round before which each vertex was last changed
+    for (int round = 0; round < rounds; ++round) {
+        changed.clear();
+        const auto change = [&](int v) {
+            int& of_vertex = last[static_cast<std::size_t>(v)];
+            if (of_vertex <= round) changed.push_back(v);
+            of_vertex = round + 1;
+        };
+        for (const auto& [a, b] : edges) {
+            if (last[static_cast<std::size_t>(a)] < round && last[static_cast<std::size_t>(b)] < round) continue;
+            const core::Accumulator part = bound.kept(weights, rest, a, b);
+            if (!(part < 1)) continue;
+            change(a);
+            change(b);
+            const Eigen::RowVectorX<core::Accumulator> middle = (weights.row(a) + weights.row(b)) / 2;
+            const Eigen::RowVectorX<core::Accumulator> off = part * (weights.row(a) - middle);
+            weights.row(a) = middle + off;
+            weights.row(b) = middle - off;
+        }
+        if (changed.empty()) break;
+        rest(changed, Eigen::all) = at_rest(surface, weights, changed);
     }
     return weights;
 }

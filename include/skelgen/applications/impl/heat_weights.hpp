@@ -6,6 +6,8 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include <Eigen/SparseCholesky>
 
@@ -103,65 +105,49 @@ struct Limbs {
 
 } // namespace detail
 
-namespace detail {
-
-/// What a body's bones give to it: per vertex area over squared distance, and of that what comes from each joint.
-struct HeatSupply {
-    Eigen::VectorX<core::Accumulator> sum;
-    JointWeights of_joint;
-};
-
 template <typename Scalar>
-HeatSupply heat_supply(const Body<Scalar>& body, const std::vector<Bone<Scalar>>& bones, int joints,
-                       const LimbRegions& regions) {
+Heat heat_in(const Body<Scalar>& body, const std::vector<Bone<Scalar>>& bones, int joints, const LimbRegions& regions) {
     using core::Accumulator;
     const Eigen::Index n = body.mesh.vertices.rows();
     const Eigen::VectorX<Accumulator> areas = core::vertex_areas(body.mesh);
     const Accumulator largest_supply = areas.sum() / core::rounding<Accumulator>(); // at no distance from a bone
-    HeatSupply out{Eigen::VectorX<Accumulator>::Zero(n), JointWeights::Zero(n, joints)};
+    Heat out{surface_laplacian(body.mesh), Eigen::VectorX<Accumulator>::Zero(n),
+             Eigen::MatrixX<Accumulator>::Zero(n, joints)};
     for (Eigen::Index v = 0; v < n; ++v) {
-        const auto sources = nearest_bones_in_sight(core::point(body.mesh.vertices, v), bones, body, [&](int joint) {
-            return may_heat(regions, joint, static_cast<std::size_t>(v));
+        const Vector3<Scalar> vertex = core::point(body.mesh.vertices, v);
+        const auto sources = detail::nearest_bones_in_sight(vertex, bones, body, [&](int joint) {
+            return detail::may_heat(regions, joint, static_cast<std::size_t>(v));
         });
         if (sources.joints.empty()) continue;
         const auto distance = static_cast<Accumulator>(sources.distance), squared = distance * distance;
-        out.sum[v] = areas[v] < largest_supply * squared ? areas[v] / squared : largest_supply;
+        out.supply[v] = areas[v] < largest_supply * squared ? areas[v] / squared : largest_supply;
         for (const int joint : sources.joints)
-            out.of_joint(v, joint) += out.sum[v] / static_cast<Accumulator>(sources.joints.size());
+            out.of_joint(v, joint) += out.supply[v] / static_cast<Accumulator>(sources.joints.size());
     }
     return out;
 }
 
-} // namespace detail
+SKELGEN_INLINE Heat operator+(Heat heat, const Heat& other) {
+    heat.conduction += other.conduction;
+    heat.supply += other.supply;
+    heat.of_joint += other.of_joint;
+    return heat;
+}
 
-template <typename Scalar>
-Outcome<JointWeights> heat_weights(const std::vector<HeatedPose<Scalar>>& poses, int joints,
-                                   const LimbRegions& regions) {
+SKELGEN_INLINE Outcome<JointWeights> heat_weights(const Heat& heat) {
     using core::Accumulator;
-    Eigen::SparseMatrix<Accumulator> matrix;
-    detail::HeatSupply supply;
-    for (const HeatedPose<Scalar>& pose : poses) {
-        const Eigen::SparseMatrix<Accumulator> laplacian = surface_laplacian(pose.body.mesh);
-        const detail::HeatSupply more = detail::heat_supply(pose.body, pose.bones, joints, regions);
-        if (&pose == &poses.front()) {
-            matrix = laplacian;
-            supply = more;
-        } else {
-            matrix += laplacian;
-            supply.sum += more.sum;
-            supply.of_joint += more.of_joint;
-        }
-    }
-    if (!(supply.sum.maxCoeff() > 0))
+    if (!(heat.supply.maxCoeff() > 0))
         return Failure{FailureReason::no_body, "the skeleton is not in the body: no bone is seen from the surface"};
-
-    matrix.diagonal() += supply.sum;
+    Eigen::SparseMatrix<Accumulator> matrix = heat.conduction;
+    matrix.diagonal() += heat.supply;
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<Accumulator>> solver(matrix);
     if (solver.info() != Eigen::Success)
         throw Error(ErrorCode::internal, "the heat of the bones could not be solved for: a matrix is singular");
-    JointWeights weights = solver.solve(supply.of_joint).cwiseMax(0);
+    const Eigen::MatrixX<Accumulator> temperatures = solver.solve(heat.of_joint);
+    JointWeights weights = temperatures.cwiseMax(0);
     const Eigen::VectorX<Accumulator> sums = weights.rowwise().sum();
-    return JointWeights(weights.array().colwise() / sums.array());
+    weights.array().colwise() /= sums.array();
+    return weights;
 }
 
 SKELGEN_INLINE JointWeights concentrated(const JointWeights& weights) {
