@@ -22,7 +22,9 @@ set(skelgen_core_headers
     include/skelgen/applications/clip_body.hpp
     include/skelgen/applications/correspondence.hpp
     include/skelgen/applications/curve_skin.hpp
+    include/skelgen/applications/deep_shoulders.hpp
     include/skelgen/applications/heat_weights.hpp
+    include/skelgen/applications/joint_weights.hpp
     include/skelgen/applications/laplace_basis.hpp
     include/skelgen/applications/limb_regions.hpp
     include/skelgen/applications/measurement.hpp
@@ -177,6 +179,7 @@ set(skelgen_core_definitions
     include/skelgen/applications/impl/clip_body.hpp
     include/skelgen/applications/impl/correspondence.hpp
     include/skelgen/applications/impl/curve_skin.hpp
+    include/skelgen/applications/impl/deep_shoulders.hpp
     include/skelgen/applications/impl/heat_weights.hpp
     include/skelgen/applications/impl/laplace_basis.hpp
     include/skelgen/applications/impl/limb_regions.hpp

@@ -7,6 +7,7 @@
 #include <skelgen/applications/impl/bones.hpp>
 #include <skelgen/applications/impl/bounded_stretch.hpp>
 #include <skelgen/applications/impl/curve_skin.hpp>
+#include <skelgen/applications/impl/deep_shoulders.hpp>
 #include <skelgen/applications/impl/heat_weights.hpp>
 #include <skelgen/applications/impl/limb_regions.hpp>
 #include <skelgen/applications/impl/pose_transfer.hpp>
@@ -49,6 +50,8 @@ namespace skelgen::applications {
     template Points<Scalar> at_rest(const RestingSurface<Scalar>&, const JointWeights&);                               \
     template JointWeights with_bounded_stretch(JointWeights, const RestingSurface<Scalar>&, const Triangles&,          \
                                                const SkeletonTemplate&, const std::vector<int>&);                      \
+    template JointWeights with_deep_shoulders(JointWeights, const Points<Scalar>&, const KinematicSkeleton<Scalar>&,   \
+                                              const SkeletonTemplate&);                                                \
     template JointWeights with_balanced_bends(JointWeights, const RestingSurface<Scalar>&, const Triangles&,           \
                                               const SkeletonTemplate&);                                                \
     template LimbRegions limb_regions(const Body<Scalar>&, const KinematicSkeleton<Scalar>&, const SkeletonTemplate&); \

@@ -6,6 +6,7 @@
 #include <Eigen/SparseCore>
 
 #include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/joint_weights.hpp>
 #include <skelgen/applications/limb_regions.hpp>
 #include <skelgen/core/outcome.hpp>
 #include <skelgen/core/precision.hpp>
@@ -13,10 +14,6 @@
 #include <skelgen/surface/body.hpp>
 
 namespace skelgen::applications {
-
-/// How much each joint moves each vertex: n x joints, from 0 to 1, rows sum to 1. Double whatever the mesh's scalar: it
-/// comes out of a factorisation. A vertex's lie together.
-using JointWeights = Eigen::Matrix<core::Accumulator, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// What warms a surface, in one pose or in several.
 struct Heat {

@@ -34,7 +34,7 @@ public:
                                               (axes * Vector3<Scalar>::UnitX()).template cast<Accumulator>());
         const Points<Scalar> rest = at_rest(surface, weights);
         for (int v = 0; v < weights.rows(); ++v) {
-            shares_.push_back(share_below(weights, v));
+            shares_.push_back(std::min(shares_of(weights, v, is_below_).below, Accumulator(1)));
             places_.push_back(from_joint(rest, v));
             if (shares_.back() > none && shares_.back() < 1 - none) between_.push_back(v);
         }
@@ -96,13 +96,6 @@ private:
         return share / (share + (1 - share) * std::exp(-log_odds));
     }
 
-    [[nodiscard]] Accumulator share_below(const JointWeights& weights, Eigen::Index v) const {
-        Accumulator below = 0;
-        for (std::size_t j = 0; j < is_below_.size(); ++j)
-            if (is_below_[j]) below += weights(v, static_cast<Eigen::Index>(j));
-        return std::min(below, Accumulator(1));
-    }
-
     /// Of the part that follows a joint most, as its middle sees it: the same share of any tube.
     [[nodiscard]] Accumulator volume_following(const JointWeights& weights, const Triangles& faces, int joint) const {
         std::vector<Triangle> part;
@@ -128,10 +121,8 @@ private:
     [[nodiscard]] JointWeights moved(Accumulator log_odds) const {
         JointWeights weights = weights_;
         for (std::size_t i = 0; i < between_.size(); ++i) {
-            const Accumulator was = shares_[static_cast<std::size_t>(between_[i])], is = share_at(was, log_odds);
-            for (std::size_t j = 0; j < is_below_.size(); ++j)
-                weights(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) *=
-                    is_below_[j] ? is / was : (1 - is) / (1 - was);
+            const Accumulator was = shares_[static_cast<std::size_t>(between_[i])];
+            divide_shares(weights, static_cast<Eigen::Index>(i), is_below_, share_at(was, log_odds));
         }
         return weights;
     }

@@ -13,6 +13,7 @@
 #include <skelgen/applications/bone_orientations.hpp>
 #include <skelgen/applications/bones.hpp>
 #include <skelgen/applications/bounded_stretch.hpp>
+#include <skelgen/applications/deep_shoulders.hpp>
 #include <skelgen/applications/heat_weights.hpp>
 #include <skelgen/applications/limb_regions.hpp>
 #include <skelgen/applications/posing.hpp>
@@ -137,6 +138,7 @@ JointWeights body_weights(const Body<Scalar>& body, const KinematicSkeleton<Scal
     rest.mesh.vertices = at_rest(surface, first);
     rest.tree = surface::FaceTree<Scalar>(rest.mesh);
     JointWeights weights = weights_from(as_is + heat_of(rest, bones_at_rest), skeleton_template);
+    weights = with_deep_shoulders(std::move(weights), body.mesh.vertices, skeleton, skeleton_template);
     const Triangles& faces = body.mesh.faces;
     weights = with_balanced_bends(std::move(weights), surface, faces, skeleton_template);
     weights = with_bounded_stretch(std::move(weights), surface, faces, skeleton_template, regions.of_joint);

@@ -157,19 +157,14 @@ SKELGEN_INLINE JointWeights concentrated(const JointWeights& weights) {
 }
 
 SKELGEN_INLINE JointWeights with_narrow_hinges(JointWeights weights, const SkeletonTemplate& skeleton_template) {
-    using core::Accumulator;
     for (int hinge = 0; hinge < static_cast<int>(skeleton_template.joints.size()); ++hinge) {
         const JointRole role = skeleton_template.joint(hinge).role;
         if (role != JointRole::elbow && role != JointRole::knee) continue;
         const std::vector<bool> is_below = joints_below(skeleton_template, hinge);
         for (Eigen::Index v = 0; v < weights.rows(); ++v) {
-            Accumulator below = 0, above = 0;
-            for (std::size_t j = 0; j < is_below.size(); ++j)
-                (is_below[j] ? below : above) += weights(v, static_cast<Eigen::Index>(j));
+            const auto [below, above] = shares_of(weights, v, is_below);
             if (!(below > 0 && above > 0)) continue;
-            const Accumulator scale = (below + above) / (below * below + above * above);
-            for (std::size_t j = 0; j < is_below.size(); ++j)
-                weights(v, static_cast<Eigen::Index>(j)) *= scale * (is_below[j] ? below : above);
+            divide_shares(weights, v, is_below, below * below / (below * below + above * above));
         }
     }
     return weights;
