@@ -90,18 +90,19 @@ double changes(const BentSleeve& sleeve, const JointWeights& weights, const Kine
     return sum;
 }
 
-TEST_CASE("balanced bends: a limb that comes bent keeps its volume once it is straight and bends again",
+TEST_CASE("balanced bends: each border of a limb that comes bent is seen on the surface that it leads to",
           "[applications][weights]") {
     const auto rest = rest_skeleton<double>(human());
-    for (const double angle : {0.0, 1.0, 2.0}) {
+    const TriangleMesh<double> straight = test::sleeve(rest);
+    for (const double angle : {1.0, 2.0}) {
         const BentSleeve sleeve = test::bent_sleeve(rest, angle);
-        const TriangleMesh<double> straight = test::sleeve(rest);
         for (const double border : {-0.5 * sleeve_radius, 0.5 * sleeve_radius}) {
-            const JointWeights before = weights_with_border(straight.vertices, rest, border);
+            const JointWeights before = test::sleeve_weights(straight.vertices, rest, border, 6 / sleeve_radius);
             const JointWeights after = with_balanced_bends<double>(before, {sleeve.mesh.vertices, sleeve.motions, rest},
                                                                    sleeve.mesh.faces, human());
-            CAPTURE(angle, border, changes(sleeve, before, rest));
-            CHECK(changes(sleeve, after, rest) < 0.001);
+            CAPTURE(angle, border);
+            CHECK(changes(sleeve, before, rest) > 0.001);
+            CHECK(changes(sleeve, after, rest) < 0.0005); // seen on the surface that the weights led to before: 0.0007
         }
     }
 }

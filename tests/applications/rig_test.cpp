@@ -1,8 +1,13 @@
+#include <algorithm>
+#include <numbers>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <skelgen/applications/bind.hpp>
+#include <skelgen/applications/bones.hpp>
 #include <skelgen/applications/rig.hpp>
+#include <skelgen/applications/skinning.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/extract.hpp>
 
@@ -119,6 +124,56 @@ TEST_CASE("pieces and seams are bound like what they lie on", "[applications][ri
     }
     for (Eigen::Index v = soup.vertices.rows(); v < skin.weights.rows(); ++v)
         CHECK(part_of(human().joint(skin.joints(v, 0)).role) == BodyPart::trunk);
+}
+
+/// An open tube of fine rings around a limb's joint.
+TriangleMesh<double> tube_around(const Eigen::Vector3d& joint, const Eigen::Vector3d& along, double radius) {
+    constexpr int rings = 41, around = 24;
+    const Eigen::Vector3d across = along.unitOrthogonal();
+    TriangleMesh<double> tube;
+    tube.vertices.resize(rings * around, 3);
+    tube.faces.resize(2 * (rings - 1) * around, 3);
+    for (int i = 0; i < rings; ++i)
+        for (int k = 0; k < around; ++k) {
+            const Eigen::AngleAxisd turn(2 * std::numbers::pi * k / around, along);
+            tube.vertices.row(i * around + k) =
+                (joint + 0.004 * (i - rings / 2) * along + radius * (turn * across)).transpose();
+            if (i == 0) continue;
+            const int a = (i - 1) * around + k, b = (i - 1) * around + (k + 1) % around;
+            tube.faces.row(2 * a) << a, b, a + around;
+            tube.faces.row(2 * a + 1) << b, b + around, a + around;
+        }
+    return tube;
+}
+
+TEST_CASE("cloth of finer edges than the body's stretches no more than that", "[applications][rig]") {
+    const test::SampleBody& sample = test::sample_body();
+    const auto joint = [&](const char* name) -> const Joint<double>& {
+        return sample.skeleton.joints[static_cast<std::size_t>(find_joint(sample.skeleton, name))];
+    };
+    const Eigen::Vector3d along = (joint("left_ankle").position - joint("left_hip").position).normalized();
+    const TriangleMesh<double> dressed = test::side_by_side(
+        sample.mesh, tube_around(joint("left_knee").position, along, 1.1 * joint("left_knee").radius));
+    const Rig<double> rig = make_rig(dressed, extract_body(dressed).body, sample.skeleton, human(), RestPose::t_pose);
+    const auto knee = static_cast<std::size_t>(find_joint(sample.skeleton, "left_knee"));
+    const RigJoint<double>& bends = rig.joints[knee];
+    RigidMotion<double> bend;
+    bend.rotation = Eigen::AngleAxisd(std::numbers::pi / 2, bends.axes * Eigen::Vector3d::UnitX());
+    bend.translation = bends.position - bend.rotation * bends.position;
+    std::vector<RigidMotion<double>> motions(rig.joints.size());
+    const std::vector<bool> below = joints_below(human(), static_cast<int>(knee));
+    for (std::size_t j = 0; j < below.size(); ++j)
+        if (below[j]) motions[j] = bend;
+    const Points<double> bent = skinned_linearly(rig.mesh.vertices, rig.skin, motions);
+    const double shortest = 0.001 * rig.mesh.vertices.col(1).maxCoeff();
+    double most = 0;
+    for (Eigen::Index f = 0; f < rig.mesh.faces.rows(); ++f)
+        for (int k = 0; k < 3; ++k) {
+            const int a = rig.mesh.faces(f, k), b = rig.mesh.faces(f, (k + 1) % 3);
+            const double was = (rig.mesh.vertices.row(a) - rig.mesh.vertices.row(b)).norm();
+            most = std::max(most, (bent.row(a) - bent.row(b)).norm() / std::max(shortest, was));
+        }
+    CHECK(most < 3);
 }
 
 TEST_CASE("what cannot be bound is refused", "[applications][rig]") {

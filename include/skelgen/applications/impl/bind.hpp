@@ -95,24 +95,20 @@ std::vector<Bone<Scalar>> heating_bones(const KinematicSkeleton<Scalar>& skeleto
     return bones;
 }
 
-/// `without_islands` for a mesh whose vertices may be split along seams.
-template <typename Scalar>
-JointWeights without_islands_of_input(JointWeights weights, const TriangleMesh<Scalar>& mesh) {
-    const auto welded = surface::weld(mesh, Scalar(0));
-    JointWeights joined = JointWeights::Zero(welded.mesh.vertices.rows(), weights.cols());
-    for (std::size_t v = 0; v < welded.placed.size(); ++v)
-        if (welded.placed[v] >= 0) joined.row(welded.placed[v]) = weights.row(static_cast<Eigen::Index>(v));
-    joined = without_islands(std::move(joined), welded.mesh.faces);
-    for (std::size_t v = 0; v < welded.placed.size(); ++v)
-        if (welded.placed[v] >= 0) weights.row(static_cast<Eigen::Index>(v)) = joined.row(welded.placed[v]);
-    return weights;
-}
-
 /// The weights of a body's vertices from what warms it. \throws Error no_skeleton where no bone is seen.
 inline JointWeights weights_from(const Heat& heat, const SkeletonTemplate& skeleton_template) {
     const Outcome<JointWeights> weights = heat_weights(heat);
     if (!weights) throw Error(ErrorCode::no_skeleton, weights.failure().what);
     return following_one_limb(with_narrow_hinges(concentrated(*weights), skeleton_template), skeleton_template);
+}
+
+/// What brings each joint to the T-pose.
+template <typename Scalar>
+std::vector<RigidMotion<Scalar>> to_t_pose(const KinematicSkeleton<Scalar>& skeleton,
+                                           const SkeletonTemplate& skeleton_template) {
+    return rest_motions<Scalar>(RestPose::t_pose, skeleton, skeleton_template,
+                                bone_orientations(skeleton, skeleton_template),
+                                Eigen::Quaternion<Scalar>(Eigen::Quaternion<Scalar>::Identity()));
 }
 
 /// The weights of the vertices of a body, whose skeleton is in its own coordinates: smooth as it is and at rest alike.
@@ -121,19 +117,16 @@ inline JointWeights weights_from(const Heat& heat, const SkeletonTemplate& skele
 /// the crease of a bent joint has to come apart there, or limbs bulge once they are straight.
 template <typename Scalar>
 JointWeights body_weights(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
-                          const SkeletonTemplate& skeleton_template) {
-    const LimbRegions regions = limb_regions(body, skeleton, skeleton_template);
+                          const SkeletonTemplate& skeleton_template, const LimbRegions& regions) {
     const auto heat_of = [&](const Body<Scalar>& pose, const KinematicSkeleton<Scalar>& bones) {
         return heat_in(pose, heating_bones(bones, skeleton_template), static_cast<int>(bones.joints.size()), regions);
     };
     const Heat as_is = heat_of(body, skeleton);
     const JointWeights first = weights_from(as_is, skeleton_template);
 
-    const auto motion = rest_motions<Scalar>(RestPose::t_pose, skeleton, skeleton_template,
-                                             bone_orientations(skeleton, skeleton_template),
-                                             Eigen::Quaternion<Scalar>(Eigen::Quaternion<Scalar>::Identity()));
-    const KinematicSkeleton<Scalar> bones_at_rest = moved(skeleton, skeleton_template, motion);
-    const RestingSurface<Scalar> surface{body.mesh.vertices, motion, bones_at_rest};
+    const std::vector<RigidMotion<Scalar>> motions = to_t_pose(skeleton, skeleton_template);
+    const KinematicSkeleton<Scalar> bones_at_rest = moved(skeleton, skeleton_template, motions);
+    const RestingSurface<Scalar> surface{body.mesh.vertices, motions, bones_at_rest};
     Body<Scalar> rest = body;
     rest.mesh.vertices = at_rest(surface, first);
     rest.tree = surface::FaceTree<Scalar>(rest.mesh);
@@ -143,6 +136,27 @@ JointWeights body_weights(const Body<Scalar>& body, const KinematicSkeleton<Scal
     weights = with_balanced_bends(std::move(weights), surface, faces, skeleton_template);
     weights = with_bounded_stretch(std::move(weights), surface, faces, skeleton_template, regions.of_joint);
     return without_islands(std::move(weights), faces);
+}
+
+/// The weights that were carried to a mesh, whose vertices may be split along seams, as its own edges want them: they
+/// are others than those of the body, and so are the neighbours of each vertex.
+template <typename Scalar>
+JointWeights fitted_to_edges(JointWeights weights, const TriangleMesh<Scalar>& mesh,
+                             const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
+                             const LimbRegions& regions) {
+    const auto welded = surface::weld(mesh, Scalar(0));
+    JointWeights joined = JointWeights::Zero(welded.mesh.vertices.rows(), weights.cols());
+    for (std::size_t v = 0; v < welded.placed.size(); ++v)
+        if (welded.placed[v] >= 0) joined.row(welded.placed[v]) = weights.row(static_cast<Eigen::Index>(v));
+    const Triangles& faces = welded.mesh.faces;
+    const std::vector<RigidMotion<Scalar>> motions = to_t_pose(skeleton, skeleton_template);
+    const KinematicSkeleton<Scalar> at_rest = moved(skeleton, skeleton_template, motions);
+    joined = with_bounded_stretch<Scalar>(std::move(joined), {welded.mesh.vertices, motions, at_rest}, faces,
+                                          skeleton_template, regions.of_joint);
+    joined = without_islands(std::move(joined), faces);
+    for (std::size_t v = 0; v < welded.placed.size(); ++v)
+        if (welded.placed[v] >= 0) weights.row(static_cast<Eigen::Index>(v)) = joined.row(welded.placed[v]);
+    return weights;
 }
 
 } // namespace detail
@@ -175,7 +189,9 @@ Skin<Scalar> bind(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body, co
                   const SkeletonTemplate& skeleton_template) {
     if (2 * detail::joints_inside(body, skeleton) <= static_cast<int>(skeleton.joints.size()))
         throw Error(ErrorCode::no_skeleton, "the skeleton does not lie in the mesh: take that which was found in it");
-    const JointWeights weights = detail::body_weights(body, surface::to_body(body, skeleton), skeleton_template);
+    const KinematicSkeleton<Scalar> of_body = surface::to_body(body, skeleton);
+    const LimbRegions regions = limb_regions(body, of_body, skeleton_template);
+    const JointWeights weights = detail::body_weights(body, of_body, skeleton_template, regions);
 
     JointWeights carried = JointWeights::Zero(mesh.vertices.rows(), weights.cols());
     const std::vector<SurfacePlace<Scalar>> places = places_on(body, mesh);
@@ -184,7 +200,8 @@ Skin<Scalar> bind(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body, co
         for (int k = 0; k < 3; ++k)
             carried.row(v) += static_cast<core::Accumulator>(share[k]) * weights.row(body.mesh.faces(face, k));
     }
-    carried = detail::without_islands_of_input(following_one_limb(std::move(carried), skeleton_template), mesh);
+    carried = following_one_limb(std::move(carried), skeleton_template);
+    carried = detail::fitted_to_edges(std::move(carried), mesh, skeleton, skeleton_template, regions);
     return strongest_influences<Scalar>(carried.cast<Scalar>());
 }
 

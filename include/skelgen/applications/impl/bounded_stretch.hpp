@@ -75,15 +75,17 @@ inline int strongest_limb(const JointWeights& weights, Eigen::Index v, const std
     return limb;
 }
 
-/// The edges between vertices of the same limb, once each where the surface is closed.
+/// The edges between vertices of the same limb, once each.
 inline std::vector<std::array<int, 2>> edges_of_limbs(const Triangles& faces, const std::vector<int>& limb) {
     std::vector<std::array<int, 2>> edges;
     for (Eigen::Index f = 0; f < faces.rows(); ++f)
         for (int k = 0; k < 3; ++k) {
             const int a = faces(f, k), b = faces(f, (k + 1) % 3);
-            if (a < b && limb[static_cast<std::size_t>(a)] == limb[static_cast<std::size_t>(b)])
-                edges.push_back({a, b});
+            if (limb[static_cast<std::size_t>(a)] == limb[static_cast<std::size_t>(b)])
+                edges.push_back({std::min(a, b), std::max(a, b)});
         }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     return edges;
 }
 
