@@ -45,8 +45,8 @@ struct BodyMaterial {
     CleanMesh<Scalar> clean; ///< in its own axes unless it is sound; only the vertices that its faces use count
     int bodies = 1;          ///< how many stand apart in the input
     int dropped_pieces = 0;
-    std::vector<Remedy> remedies;                     ///< that may do, the gentlest first; never empty
-    std::optional<ClusteredMesh<Scalar>> coarse = {}; ///< of a large clean mesh that is to be taken as it is
+    std::vector<Remedy> remedies;            ///< that may do, the gentlest first; never empty
+    std::optional<Body<Scalar>> coarse = {}; ///< that of a large clean mesh which is to be taken as it is
 };
 
 /// Cleans a mesh, in its own axes unless it is sound, and chooses what belongs to the body. One piece that is closed
