@@ -59,7 +59,7 @@ template <typename Scalar>
 /// The body that a remedy makes: noise smoothed away where there is any, in canonical form. \returns a failure where
 /// nothing is enclosed. \throws Error bad_input when the surface has no area.
 template <typename Scalar>
-[[nodiscard]] Outcome<Body<Scalar>> make_body_by(Remedy remedy, const BodyMaterial<Scalar>& material,
+[[nodiscard]] Outcome<Body<Scalar>> make_body_by(Remedy remedy, BodyMaterial<Scalar> material,
                                                  const PrepareOptions& options = {});
 
 /// A mesh made ready for the pipeline without moving more than noise: cleaned, brought into canonical form, and its

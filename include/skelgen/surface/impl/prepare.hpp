@@ -259,11 +259,11 @@ ChosenPiece<Scalar> chosen_of(const BodyMaterial<Scalar>& material) {
 
 /// That piece as a body.
 template <typename Scalar>
-Body<Scalar> body_of_largest_piece(const BodyMaterial<Scalar>& material, const PrepareOptions& options) {
+Body<Scalar> body_of_largest_piece(BodyMaterial<Scalar> material, const PrepareOptions& options) {
     if (!material.coarse) return body_of(chosen_of(material), material.clean.placed, options);
-    Body<Scalar> body = *material.coarse;
+    Body<Scalar> body = *std::move(material.coarse);
     body.dropped_pieces += material.dropped_pieces;
-    body.repairs = material.clean.notes;
+    body.repairs = std::move(material.clean.notes);
     return body;
 }
 
@@ -390,11 +390,13 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
 }
 
 template <typename Scalar>
-Outcome<Body<Scalar>> make_body_by(Remedy remedy, const BodyMaterial<Scalar>& material, const PrepareOptions& options) {
-    Outcome<Body<Scalar>> body = remedy == Remedy::largest_piece ? detail::body_of_largest_piece(material, options)
-                                 : remedy == Remedy::rounded     ? detail::body_of_rounded_piece(material, options)
-                                                                 : detail::body_of_envelope(remedy, material, options);
-    if (body) body->similarity = material.clean.similarity.then(body->similarity);
+Outcome<Body<Scalar>> make_body_by(Remedy remedy, BodyMaterial<Scalar> material, const PrepareOptions& options) {
+    const Similarity<Scalar> cleaned = material.clean.similarity;
+    Outcome<Body<Scalar>> body = remedy == Remedy::largest_piece
+                                     ? detail::body_of_largest_piece(std::move(material), options)
+                                 : remedy == Remedy::rounded ? detail::body_of_rounded_piece(material, options)
+                                                             : detail::body_of_envelope(remedy, material, options);
+    if (body) body->similarity = cleaned.then(body->similarity);
     return body;
 }
 
@@ -406,7 +408,7 @@ Body<Scalar> prepare(const TriangleMesh<Scalar>& mesh, const PrepareOptions& opt
         material.clean = clean(mesh);
         return material.clean.is_sound;
     });
-    return detail::body_of_largest_piece(material, options);
+    return detail::body_of_largest_piece(std::move(material), options);
 }
 
 } // namespace skelgen::surface
