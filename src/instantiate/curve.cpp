@@ -67,8 +67,9 @@ namespace skelgen::curve {
                                                         const SurgeryOptions&);                                        \
     template CurveSkeleton<Scalar> centre_nodes(const CurveSkeleton<Scalar>&, const TriangleMesh<Scalar>&,             \
                                                 const Points<Scalar>&);                                                \
-    template CurveSkeleton<Scalar> spread_regions(const CurveSkeleton<Scalar>&, const Proxy<Scalar>&,                  \
-                                                  const Body<Scalar>&);                                                \
+    template std::vector<int> nearest_of_proxy(const Proxy<Scalar>&, const Body<Scalar>&);                             \
+    template CurveSkeleton<Scalar> spread_regions(CurveSkeleton<Scalar>, const std::vector<int>&,                      \
+                                                  const Proxy<Scalar>&);                                               \
     template CurveSkeleton<Scalar> extend_leaves(const CurveSkeleton<Scalar>&, const Body<Scalar>&,                    \
                                                  const LeafExtensionOptions&);                                         \
     template CurveSkeleton<Scalar> prune(const CurveSkeleton<Scalar>&, const PruningOptions&);                         \

@@ -93,7 +93,7 @@ namespace skelgen::surface {
     template BodyFaces faces_of_body(const TriangleMesh<Scalar>&, int, bool);                                          \
     template UsedPart<Scalar> used_part(const TriangleMesh<Scalar>&);                                                  \
     template BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>&, const PrepareOptions&);                          \
-    template Outcome<Body<Scalar>> make_body_by(Remedy, const BodyMaterial<Scalar>&, const PrepareOptions&);           \
+    template Outcome<Body<Scalar>> make_body_by(Remedy, BodyMaterial<Scalar>, const PrepareOptions&);                  \
     template Body<Scalar> prepare(const TriangleMesh<Scalar>&, const PrepareOptions&);
 
 SKELGEN_INSTANTIATE(float)

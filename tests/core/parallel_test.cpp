@@ -36,15 +36,28 @@ TEST_CASE("parts wait for each other where they are done at once", "[core]") {
     CHECK(threads.size() == 2);
 }
 
-TEST_CASE("a loop within a loop is done where it is met", "[core]") {
-    const ThreadScope scope(3);
-    std::vector<std::vector<int>> table(20, std::vector<int>(50, 0));
-    parallel_for(table.size(), 1, [&](std::size_t row) {
-        const auto here = std::this_thread::get_id();
-        parallel_for(table[row].size(), 1,
-                     [&](std::size_t i) { table[row][i] = here == std::this_thread::get_id() ? 1 : 2; });
-    });
-    CHECK(table == std::vector<std::vector<int>>(20, std::vector<int>(50, 1)));
+TEST_CASE("a loop within a loop is done once for each number", "[core]") {
+    for (const int threads : {1, 2, 5}) {
+        const ThreadScope scope(threads);
+        std::vector<std::vector<int>> table(20, std::vector<int>(50, 0));
+        parallel_for(table.size(), 1, [&](std::size_t row) {
+            parallel_for(table[row].size(), 1, [&](std::size_t i) { ++table[row][i]; });
+        });
+        CHECK(table == std::vector<std::vector<int>>(20, std::vector<int>(50, 1)));
+    }
+}
+
+TEST_CASE("a thread that has nothing to do helps with a loop within what another one does", "[core]") {
+    const ThreadScope scope(2);
+    std::atomic<int> arrived = 0;
+    const auto meet = [&] {
+        ++arrived;
+        while (arrived < 2) std::this_thread::yield(); // for ever, if one came after the other
+    };
+    in_parallel([] {}, [&] { in_parallel(meet, meet); });
+    arrived = 0;
+    in_parallel([&] { in_parallel(meet, meet); }, [] {});
+    CHECK(arrived == 2);
 }
 
 TEST_CASE("what a part throws comes out once the others are done, and the next loop is done", "[core]") {
@@ -57,6 +70,10 @@ TEST_CASE("what a part throws comes out once the others are done, and the next l
         };
         CHECK_THROWS_WITH(parallel_for(40, 1, fail_at_ten), "ten");
         if (threads > 1) CHECK(done == 39);
+        const auto fail_within = [&](std::size_t row) {
+            parallel_for(8, 1, [&](std::size_t i) { fail_at_ten(8 * row + i); });
+        };
+        CHECK_THROWS_WITH(parallel_for(4, 1, fail_within), "ten");
         std::vector<int> next(30, 0);
         parallel_for(next.size(), 1, [&](std::size_t i) { next[i] = 1; });
         CHECK(std::accumulate(next.begin(), next.end(), 0) == 30);

@@ -173,7 +173,7 @@ TEST_CASE("regions spread along the surface: what is near in space alone does no
     sheets.nodes = Points<double>::Zero(2, 3);
     sheets.regions.resize(2);
     for (int v = 0; v < proxy.mesh.vertices.rows(); ++v) sheets.regions[proxy.mesh.vertices(v, 2) > 0.01].push_back(v);
-    const CurveSkeleton<double> spread = spread_regions(sheets, proxy, plate);
+    const CurveSkeleton<double> spread = spread_regions(sheets, nearest_of_proxy(proxy, plate), proxy);
     check_is_curve(spread, plate.mesh.vertices.rows());
     const std::vector<int> node = node_of_vertex(spread, plate.mesh.vertices.rows());
     for (Eigen::Index v = 0; v < plate.mesh.vertices.rows(); ++v) {

@@ -2,10 +2,9 @@
 
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
-#include <skelgen/core/adjacency.hpp>
-#include <skelgen/core/geodesics.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/curve/medial_balls.hpp>
 #include <skelgen/surface/body.hpp>
@@ -15,11 +14,9 @@ namespace skelgen::test {
 /// A body of that mesh as it stands: neither moved, turned nor scaled.
 template <typename Scalar>
 Body<Scalar> body_of(const TriangleMesh<Scalar>& mesh) {
-    const Triangles adjacency = core::face_adjacency(mesh.faces);
     std::vector<int> source(static_cast<std::size_t>(mesh.vertices.rows()));
     std::iota(source.begin(), source.end(), 0);
-    return {mesh, adjacency, core::surface_graph(mesh, adjacency), surface::FaceTree<Scalar>(mesh), {}, source, {},
-            0,    {}};
+    return surface::make_body(mesh, {}, std::move(source), 0);
 }
 
 /// Balls in all of a body.

@@ -94,6 +94,8 @@ TEST_CASE("a place is inside of a body where its surface winds around it, whethe
     cup.faces = cup.faces.topRows(cup.faces.rows() - 1).eval();
     const Body<double> open = surface::make_body(cup, {}, std::vector<int>(8, -1), 0);
     REQUIRE(open.adjacency.minCoeff() < 0);
+    CHECK(ring.is_closed);
+    CHECK_FALSE(open.is_closed);
     for (const Body<double>& body : {ring, open}) {
         const Eigen::RowVector3d low = body.mesh.vertices.colwise().minCoeff();
         const Eigen::RowVector3d size = body.mesh.vertices.colwise().maxCoeff() - low;

@@ -10,6 +10,7 @@
 #include <skelgen/extract.hpp>
 #include <skelgen/surface/denoise.hpp>
 #include <skelgen/surface/prepare.hpp>
+#include <skelgen/surface/sound_faces.hpp>
 
 #include "catch.hpp"
 #include "mesh_changes.hpp"
@@ -56,7 +57,7 @@ TEMPLATE_TEST_CASE("a fine surface becomes a coarse one of the same shape and ki
     const TriangleMesh<TestType> fine{ball.vertices.cast<TestType>(), ball.faces};
     const auto coarse = cluster_vertices(fine, 8000);
     CHECK(static_cast<double>(coarse.mesh.faces.rows()) == Approx(8000).epsilon(0.1));
-    CHECK(is_closed(coarse.mesh.faces));
+    CHECK(is_sound(coarse.mesh));
     CHECK(euler_characteristic(coarse.mesh.faces) == 2);
     CHECK(core::enclosed_volume(coarse.mesh) == Approx(core::enclosed_volume(fine)).epsilon(0.003));
     CHECK(core::surface_area(coarse.mesh) == Approx(core::surface_area(fine)).epsilon(0.01));
@@ -77,11 +78,11 @@ TEST_CASE("each vertex of the fine surface is stood for by one near it", "[surfa
 TEST_CASE("what is thinner than a cell is not pinched off", "[surface]") {
     const Mesh thin = torus(1, 0.02, 1500, 20); // cells as wide as the tube
     const auto ring = cluster_vertices(thin, 500);
-    CHECK(is_closed(ring.mesh.faces));
+    CHECK(is_sound(ring.mesh));
     CHECK(euler_characteristic(ring.mesh.faces) == 0);
     const Mesh finger = capsule(0.05, 10, 24, 900);
     const auto coarse = cluster_vertices(finger, 900);
-    CHECK(is_closed(coarse.mesh.faces));
+    CHECK(is_sound(coarse.mesh));
     CHECK(euler_characteristic(coarse.mesh.faces) == 2);
     check_way_back(coarse, finger);
 }

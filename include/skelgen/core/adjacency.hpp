@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <skelgen/core/mesh.hpp>
+#include <skelgen/core/parallel.hpp>
 
 namespace skelgen::core {
 
@@ -38,12 +39,14 @@ struct DirectedEdge {
             const DirectedEdge edge = edge_at(f, k);
             edges[next[static_cast<std::size_t>(edge.low)]++] = edge;
         }
-    for (std::size_t v = 0; v < vertices; ++v)
+    constexpr std::size_t in_a_row = 4096;
+    parallel_for(vertices, in_a_row, [&](std::size_t v) {
         std::sort(edges.begin() + static_cast<std::ptrdiff_t>(begin[v]),
                   edges.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]),
                   [](const DirectedEdge& a, const DirectedEdge& b) {
                       return a.high != b.high ? a.high < b.high : a.corner < b.corner;
                   });
+    });
     return edges;
 }
 

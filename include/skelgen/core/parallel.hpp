@@ -6,15 +6,23 @@
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <stop_token>
 #include <thread>
-#include <utility>
 #include <vector>
 
 namespace skelgen::core {
 namespace detail {
 
-/// Threads that wait for work and share it with the one that brings it.
+class WorkerPool;
+
+/// Of the thread that asks; none where it has no others to help it.
+inline WorkerPool*& pool_of_this_thread() {
+    thread_local WorkerPool* pool = nullptr;
+    return pool;
+}
+
+/// Threads that wait for work and share it with those that bring it: a part of a job may bring another one.
 class WorkerPool {
 public:
     /// \param helpers threads beside the one that calls `run`.
@@ -27,62 +35,72 @@ public:
         for (std::jthread& thread : threads_) thread.request_stop();
     }
 
+    [[nodiscard]] int helpers() const { return static_cast<int>(threads_.size()); }
+
     /// Calls `part` with 0, 1, ... `parts` - 1, each once, on all threads. \throws what the first of the parts that
     /// failed threw, once all others are done.
     void run(std::size_t parts, const std::function<void(std::size_t)>& part) {
+        Job job{part, parts, parts, 0, 0, nullptr};
         std::unique_lock lock(mutex_);
-        part_ = &part;
-        parts_ = parts;
-        next_ = done_ = 0;
-        failed_ = parts;
-        error_ = nullptr;
+        jobs_.push_back(&job);
         changed_.notify_all();
-        work(lock);
-        changed_.wait(lock, [this] { return done_ == parts_; });
-        part_ = nullptr;
-        if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
+        // As long as others do the last parts, it helps with what they bring, which is less than what they are at.
+        Job* next = nullptr;
+        while (job.done < job.parts) {
+            changed_.wait(lock, [&] { return (next = open_job(&job)) != nullptr || job.done == job.parts; });
+            if (next != nullptr) do_part(*next, lock);
+        }
+        std::erase(jobs_, &job);
+        lock.unlock();
+        if (job.error) std::rethrow_exception(job.error);
     }
 
 private:
+    struct Job {
+        const std::function<void(std::size_t)>& part;
+        std::size_t parts;
+        std::size_t failed; ///< the first part that failed
+        std::size_t next, done;
+        std::exception_ptr error;
+    };
+
     void help(const std::stop_token& stop) {
+        pool_of_this_thread() = this;
         std::unique_lock lock(mutex_);
-        while (changed_.wait(lock, stop, [this] { return part_ != nullptr && next_ < parts_; })) work(lock);
+        Job* job = nullptr;
+        while (changed_.wait(lock, stop, [&] { return (job = open_job(nullptr)) != nullptr; })) do_part(*job, lock);
     }
 
-    /// Does parts as long as there are any; `lock` is held before and after.
-    void work(std::unique_lock<std::mutex>& lock) {
-        while (part_ != nullptr && next_ < parts_) {
-            const std::size_t mine = next_++;
-            const std::function<void(std::size_t)>& part = *part_;
-            std::exception_ptr error;
-            lock.unlock();
-            try {
-                part(mine);
-            } catch (...) {
-                error = std::current_exception();
-            }
-            lock.lock();
-            if (error && mine < failed_) {
-                failed_ = mine;
-                error_ = error;
-            }
-            if (++done_ == parts_) changed_.notify_all();
+    /// The oldest job that has parts to be done, of those as old as `oldest` and newer ones.
+    [[nodiscard]] Job* open_job(const Job* oldest) const {
+        const auto first = oldest == nullptr ? jobs_.begin() : std::find(jobs_.begin(), jobs_.end(), oldest);
+        const auto found = std::find_if(first, jobs_.end(), [](const Job* job) { return job->next < job->parts; });
+        return found == jobs_.end() ? nullptr : *found;
+    }
+
+    /// Does a job's next part; `lock` is held before and after.
+    void do_part(Job& job, std::unique_lock<std::mutex>& lock) {
+        const std::size_t mine = job.next++;
+        std::exception_ptr error;
+        lock.unlock();
+        try {
+            job.part(mine);
+        } catch (...) {
+            error = std::current_exception();
         }
+        lock.lock();
+        if (error && mine < job.failed) {
+            job.failed = mine;
+            job.error = error;
+        }
+        if (++job.done == job.parts) changed_.notify_all();
     }
 
     std::mutex mutex_;
     std::condition_variable_any changed_;
-    const std::function<void(std::size_t)>* part_ = nullptr;
-    std::size_t parts_ = 0, next_ = 0, done_ = 0, failed_ = 0;
-    std::exception_ptr error_;
+    std::vector<Job*> jobs_;            ///< the oldest first
     std::vector<std::jthread> threads_; ///< the last member: what they use is there before them, and after
 };
-
-/// Of the thread that asks; none where it has no others to help it.
-inline WorkerPool*& pool_of_this_thread() {
-    thread_local WorkerPool* pool = nullptr;
-    return pool;
-}
 
 } // namespace detail
 
@@ -90,8 +108,11 @@ inline WorkerPool*& pool_of_this_thread() {
 /// their number: each entry of a result is made by one of them, and sums are not parted.
 class ThreadScope {
 public:
-    explicit ThreadScope(int threads) : pool_(std::max(0, threads - 1)) {
-        detail::pool_of_this_thread() = threads > 1 ? &pool_ : nullptr;
+    explicit ThreadScope(int threads) {
+        const int helpers = std::max(0, threads - 1);
+        if (helpers == (before_ == nullptr ? 0 : before_->helpers())) return;
+        if (helpers > 0) pool_.emplace(helpers);
+        detail::pool_of_this_thread() = pool_ ? &*pool_ : nullptr;
     }
     ThreadScope(const ThreadScope&) = delete;
     ThreadScope& operator=(const ThreadScope&) = delete;
@@ -99,30 +120,21 @@ public:
 
 private:
     detail::WorkerPool* before_ = detail::pool_of_this_thread();
-    detail::WorkerPool pool_;
+    std::optional<detail::WorkerPool> pool_;
 };
 
 /// Calls `each` with 0, 1, ... `count` - 1, `grain` in a row, on the threads of the ThreadScope that there is, or on
-/// this one. Calls must not depend on each other. \throws what one of the calls threw.
+/// this one; also within another such loop. Calls must not depend on each other. \throws what one of the calls threw.
 template <typename Each>
 void parallel_for(std::size_t count, std::size_t grain, const Each& each) {
-    detail::WorkerPool*& pool = detail::pool_of_this_thread();
+    detail::WorkerPool* const pool = detail::pool_of_this_thread();
     if (pool == nullptr || count <= grain) {
         for (std::size_t i = 0; i < count; ++i) each(i);
         return;
     }
-    // Loops within this one, in any of the threads, are done by the thread that meets them.
-    detail::WorkerPool& helpers = *std::exchange(pool, nullptr);
-    const std::function<void(std::size_t)> part = [&](std::size_t p) {
+    pool->run((count + grain - 1) / grain, [&](std::size_t p) {
         for (std::size_t i = p * grain; i < std::min(count, (p + 1) * grain); ++i) each(i);
-    };
-    try {
-        helpers.run((count + grain - 1) / grain, part);
-    } catch (...) {
-        pool = &helpers;
-        throw;
-    }
-    pool = &helpers;
+    });
 }
 
 /// Calls both, at once where there are threads for that.

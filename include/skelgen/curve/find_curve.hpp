@@ -65,7 +65,7 @@ struct CurveResult {
 /// 2. contract: it shrinks towards its medial axis until next to no volume is left;
 /// 3. connectivity_surgery: edges collapse until no face is left, only a graph; centre_nodes: its nodes move back to
 ///    where the surface lay that collapsed into them;
-/// 4. spread_regions: the proxy's vertices hand their nodes on to the body's;
+/// 4. nearest_of_proxy, spread_regions: the proxy's vertices hand their nodes on to the body's;
 /// 5. extend_leaves: the curve grows to the ends of the limbs, on the surface;
 /// 6. prune: short branches go, as the detail asks;
 /// 7. centre_branches: the branches that are left are laid into the middle of the surface, section by section;

@@ -18,12 +18,16 @@ template <typename Scalar>
     return node;
 }
 
-/// The same curve with regions of the body's vertices in place of those of its proxy. Each of the body's vertices goes
-/// to the node of the proxy's vertex that is nearest along the surface, not through space, so that a hand on a thigh
-/// stays a hand. A region may come out empty. O(n log n).
+/// Per vertex of the body that of its proxy which is nearest along the surface, not through space, so that a hand on a
+/// thigh stays a hand. O(n log n).
 template <typename Scalar>
-[[nodiscard]] CurveSkeleton<Scalar> spread_regions(const CurveSkeleton<Scalar>& curve, const Proxy<Scalar>& proxy,
-                                                   const Body<Scalar>& body);
+[[nodiscard]] std::vector<int> nearest_of_proxy(const Proxy<Scalar>& proxy, const Body<Scalar>& body);
+
+/// The same curve with regions of the body's vertices in place of those of its proxy: each of them goes to the node of
+/// the proxy's vertex that is nearest to it. A region may come out empty. O(n).
+template <typename Scalar>
+[[nodiscard]] CurveSkeleton<Scalar> spread_regions(CurveSkeleton<Scalar> curve, const std::vector<int>& nearest,
+                                                   const Proxy<Scalar>& proxy);
 
 } // namespace skelgen::curve
 

@@ -23,6 +23,7 @@ struct Body {
     Triangles adjacency;              ///< as from core::face_adjacency(mesh.faces)
     core::SurfaceGraph<Scalar> graph; ///< as from core::surface_graph(mesh, adjacency)
     surface::FaceTree<Scalar> tree;   ///< of the mesh
+    bool is_closed = false;           ///< no edge of the mesh is on a boundary
     Similarity<Scalar> similarity;    ///< from the input's coordinates to the mesh's
     std::vector<int> source;          ///< per vertex that of the input at the same place (6e-8 apart at most where the
                                       ///< input was no sound surface), -1 for those added

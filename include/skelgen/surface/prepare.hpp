@@ -45,8 +45,8 @@ struct BodyMaterial {
     CleanMesh<Scalar> clean; ///< in its own axes unless it is sound; only the vertices that its faces use count
     int bodies = 1;          ///< how many stand apart in the input
     int dropped_pieces = 0;
-    std::vector<Remedy> remedies;                     ///< that may do, the gentlest first; never empty
-    std::optional<ClusteredMesh<Scalar>> coarse = {}; ///< of a large clean mesh that is to be taken as it is
+    std::vector<Remedy> remedies;            ///< that may do, the gentlest first; never empty
+    std::optional<Body<Scalar>> coarse = {}; ///< that of a large clean mesh which is to be taken as it is
 };
 
 /// Cleans a mesh, in its own axes unless it is sound, and chooses what belongs to the body. One piece that is closed
@@ -59,7 +59,7 @@ template <typename Scalar>
 /// The body that a remedy makes: noise smoothed away where there is any, in canonical form. \returns a failure where
 /// nothing is enclosed. \throws Error bad_input when the surface has no area.
 template <typename Scalar>
-[[nodiscard]] Outcome<Body<Scalar>> make_body_by(Remedy remedy, const BodyMaterial<Scalar>& material,
+[[nodiscard]] Outcome<Body<Scalar>> make_body_by(Remedy remedy, BodyMaterial<Scalar> material,
                                                  const PrepareOptions& options = {});
 
 /// A mesh made ready for the pipeline without moving more than noise: cleaned, brought into canonical form, and its

@@ -10,6 +10,7 @@
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
+#include <skelgen/core/parallel.hpp>
 #include <skelgen/curve/centring.hpp>
 #include <skelgen/curve/regions.hpp>
 #include <skelgen/curve/section_regions.hpp>
@@ -117,12 +118,18 @@ CurveResult<Scalar> find_curve(const Body<Scalar>& body, const CurveOptions& wan
     const CurveOptions options = detail::at_detail(wanted);
 
     const Proxy<Scalar> proxy = build_proxy(body.mesh, options.proxy);
-    const MedialBalls<Scalar> balls = contraction_balls(proxy.mesh, options.contraction);
-    const Contraction<Scalar> thin = detail::contract_to_the_end(proxy.mesh, balls, options.contraction);
-
-    CurveSkeleton<Scalar> curve = connectivity_surgery(thin.vertices, proxy.mesh.faces, options.surgery);
-    curve = centre_nodes(curve, proxy.mesh, thin.vertices);
-    curve = spread_regions(curve, proxy, body);
+    MedialBalls<Scalar> balls;
+    Contraction<Scalar> thin;
+    CurveSkeleton<Scalar> curve;
+    const auto contract_proxy = [&] {
+        balls = contraction_balls(proxy.mesh, options.contraction);
+        thin = detail::contract_to_the_end(proxy.mesh, balls, options.contraction);
+        curve = connectivity_surgery(thin.vertices, proxy.mesh.faces, options.surgery);
+        curve = centre_nodes(curve, proxy.mesh, thin.vertices);
+    };
+    std::vector<int> nearest;
+    core::in_parallel(contract_proxy, [&] { nearest = nearest_of_proxy(proxy, body); });
+    curve = spread_regions(std::move(curve), nearest, proxy);
     curve = extend_leaves(curve, body, options.leaves);
     curve = prune(curve, options.pruning);
 

@@ -65,6 +65,8 @@ std::vector<Entry> rearranged(const std::vector<Entry>& list, const std::vector<
 SKELGEN_INLINE HalfEdges::HalfEdges(const Points<core::Accumulator>& vertices, const Triangles& faces)
     : first_(static_cast<std::size_t>(vertices.rows()), -1), mark_(first_.size(), 0) {
     const std::vector<int> opposite = detail::opposite_corners(faces);
+    places_.reserve(first_.size());
+    sources_.reserve(first_.size());
     for (Eigen::Index v = 0; v < vertices.rows(); ++v) {
         places_.push_back(core::point(vertices, v));
         sources_.push_back(static_cast<int>(v));
@@ -73,6 +75,7 @@ SKELGEN_INLINE HalfEdges::HalfEdges(const Points<core::Accumulator>& vertices, c
     const auto next_corner = [](int corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; };
     std::vector<int> side_at(opposite.size()), corners(first_.size(), 0);
     sides_.reserve(opposite.size() + opposite.size() / 8);
+    deleted_edges_.reserve(sides_.capacity() / 2);
     for (int corner = 0; corner < static_cast<int>(opposite.size()); ++corner) {
         const int beyond = opposite[at(corner)];
         side_at[at(corner)] = beyond >= 0 && beyond < corner ? other(side_at[at(beyond)])

@@ -8,20 +8,24 @@
 namespace skelgen::curve {
 
 template <typename Scalar>
-CurveSkeleton<Scalar> spread_regions(const CurveSkeleton<Scalar>& curve, const Proxy<Scalar>& proxy,
-                                     const Body<Scalar>& body) {
-    const std::vector<int> node = node_of_vertex(curve, proxy.mesh.vertices.rows());
+std::vector<int> nearest_of_proxy(const Proxy<Scalar>& proxy, const Body<Scalar>& body) {
     std::vector<core::Source<Scalar>> seeds;
     for (std::size_t v = 0; v < proxy.source.size(); ++v)
-        if (proxy.source[v] >= 0) seeds.push_back({0, node[v], proxy.source[v]});
-    const std::vector<int> owner = core::nearest_source(body.graph, seeds);
-    CurveSkeleton<Scalar> out = curve;
-    for (auto& region : out.regions) region.clear();
-    for (std::size_t v = 0; v < owner.size(); ++v) {
-        if (owner[v] < 0) throw Error(ErrorCode::internal, "a part of the surface is not connected to its proxy");
-        out.regions[static_cast<std::size_t>(owner[v])].push_back(static_cast<int>(v));
+        if (proxy.source[v] >= 0) seeds.push_back({0, static_cast<int>(v), proxy.source[v]});
+    return core::nearest_source(body.graph, seeds);
+}
+
+template <typename Scalar>
+CurveSkeleton<Scalar> spread_regions(CurveSkeleton<Scalar> curve, const std::vector<int>& nearest,
+                                     const Proxy<Scalar>& proxy) {
+    const std::vector<int> node = node_of_vertex(curve, proxy.mesh.vertices.rows());
+    for (auto& region : curve.regions) region.clear();
+    for (std::size_t v = 0; v < nearest.size(); ++v) {
+        const int owner = nearest[v] < 0 ? -1 : node[static_cast<std::size_t>(nearest[v])];
+        if (owner < 0) throw Error(ErrorCode::internal, "a part of the surface is not connected to its proxy");
+        curve.regions[static_cast<std::size_t>(owner)].push_back(static_cast<int>(v));
     }
-    return out;
+    return curve;
 }
 
 } // namespace skelgen::curve

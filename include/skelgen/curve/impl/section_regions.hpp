@@ -7,6 +7,7 @@
 
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/parallel.hpp>
 
 namespace skelgen::curve {
 namespace detail {
@@ -53,8 +54,11 @@ void claim_balls(Claims<Scalar>& claims, const CurveSkeleton<Scalar>& curve, con
 
 template <typename Scalar>
 std::vector<Scalar> ball_radii(const Points<Scalar>& nodes, const Body<Scalar>& body) {
-    std::vector<Scalar> out;
-    for (Eigen::Index k = 0; k < nodes.rows(); ++k) out.push_back(body.tree.distance(body.mesh, core::point(nodes, k)));
+    constexpr std::size_t in_a_row = 16;
+    std::vector<Scalar> out(static_cast<std::size_t>(nodes.rows()));
+    core::parallel_for(out.size(), in_a_row, [&](std::size_t k) {
+        out[k] = body.tree.distance(body.mesh, core::point(nodes, static_cast<Eigen::Index>(k)));
+    });
     return out;
 }
 

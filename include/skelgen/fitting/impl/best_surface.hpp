@@ -11,6 +11,7 @@
 
 #include <skelgen/anatomy/confidence.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/parallel.hpp>
 #include <skelgen/core/precision.hpp>
 #include <skelgen/core/stopwatch.hpp>
 #include <skelgen/fitting/fit.hpp>
@@ -150,10 +151,9 @@ inline bool is_envelope(surface::Remedy remedy) {
 /// A skeleton found in a body that the remedy made of the mesh, with what that says of its certainty.
 template <typename Scalar>
 Outcome<Fit<Scalar>> judged_by_surface(Outcome<Fit<Scalar>> found, const Body<Scalar>& body, surface::Remedy remedy,
-                                       const TriangleMesh<Scalar>& mesh) {
+                                       double noise) {
     constexpr double much_noise = 0.005; // a centimetre on a person
     if (!found) return found;
-    const double noise = smoothed_away(body, mesh);
     const bool is_noisy = noise > much_noise;
     if (is_noisy) found->skeleton.quality.warnings.push_back(noise_smoothed(noise));
     const bool is_as_given = remedy == surface::Remedy::largest_piece && body.dropped_pieces == 0 && !is_noisy;
@@ -172,9 +172,9 @@ struct Trials {
 
 /// The surface that a remedy makes of the material: a failure, too, where it is too compact for a body.
 template <typename Scalar>
-Outcome<Body<Scalar>> slender_body_by(surface::Remedy remedy, const surface::BodyMaterial<Scalar>& material,
+Outcome<Body<Scalar>> slender_body_by(surface::Remedy remedy, surface::BodyMaterial<Scalar> material,
                                       const surface::PrepareOptions& options) {
-    Outcome<Body<Scalar>> body = surface::make_body_by(remedy, material, options);
+    Outcome<Body<Scalar>> body = surface::make_body_by(remedy, std::move(material), options);
     if (body && is_envelope(remedy))
         if (const auto failure = too_compact(*body)) return *failure;
     return body;
@@ -182,25 +182,29 @@ Outcome<Body<Scalar>> slender_body_by(surface::Remedy remedy, const surface::Bod
 
 /// Fits the template to the surface that a remedy makes. \returns whether other remedies need not be tried.
 template <typename Scalar>
-bool try_remedy(surface::Remedy remedy, const surface::BodyMaterial<Scalar>& material, const TriangleMesh<Scalar>& mesh,
+bool try_remedy(surface::Remedy remedy, surface::BodyMaterial<Scalar> material, const TriangleMesh<Scalar>& mesh,
                 const SkeletonTemplate& wanted, const ExtractOptions& options, Trials<Scalar>& trials) {
     constexpr double sure = 0.4;
     auto& [best, best_body, first_failed, timings] = trials;
     if (remedy == surface::Remedy::rounded && best && is_refused(*best)) return true; // however round
+    // What is wrong with one of several surfaces is not the curve's doing: the next surface may serve better.
+    const surface::Remedy last = material.remedies.back();
+    const bool is_only_one = last == material.remedies.front() || last == surface::Remedy::rounded;
     core::Stopwatch stage;
-    Outcome<Body<Scalar>> body = slender_body_by(remedy, material, options.prepare);
+    Outcome<Body<Scalar>> body = slender_body_by(remedy, std::move(material), options.prepare);
     timings.surface += stage.lap();
     if (!body) {
         if (!best) best = body.failure();
         return false;
     }
-    // What is wrong with one of several surfaces is not the curve's doing: the next surface may serve better.
-    const surface::Remedy last = material.remedies.back();
-    const bool is_only_one = last == material.remedies.front() || last == surface::Remedy::rounded;
-    Outcome<Fit<Scalar>> found =
-        fit_opened(*body, wanted, options, is_only_one ? most_attempts : 1, is_envelope(remedy));
+    std::optional<Outcome<Fit<Scalar>>> fitted;
+    double noise = 0;
+    core::in_parallel(
+        [&] { fitted = fit_opened(*body, wanted, options, is_only_one ? most_attempts : 1, is_envelope(remedy)); },
+        [&] { noise = smoothed_away(*body, mesh); });
+    Outcome<Fit<Scalar>>& found = *fitted;
     if (found) timings = timings + found->timings;
-    found = judged_by_surface(std::move(found), *body, remedy, mesh);
+    found = judged_by_surface(std::move(found), *body, remedy, noise);
     // What is thin where gaps are open is no body where they are closed: that takes long on boards and bars.
     const bool is_too_long = is_envelope(remedy) && !found && found.failure().reason == FailureReason::too_long;
     if (!found && !first_failed) first_failed = std::pair(*body, remedy);
@@ -220,7 +224,7 @@ void try_partial(const TriangleMesh<Scalar>& mesh, const SkeletonTemplate& wante
     Outcome<Fit<Scalar>> partial = fit_partial(body, wanted, options);
     if (!partial) return;
     trials.timings = trials.timings + partial->timings;
-    trials.best = judged_by_surface(std::move(partial), body, remedy, mesh);
+    trials.best = judged_by_surface(std::move(partial), body, remedy, smoothed_away(body, mesh));
     trials.best_body = std::move(body);
 }
 
@@ -230,15 +234,18 @@ template <typename Scalar>
 Outcome<FittedBody<Scalar>> fit_to_best_surface(const TriangleMesh<Scalar>& mesh, const SkeletonTemplate& wanted,
                                                 const ExtractOptions& options) {
     core::Stopwatch stage;
-    const surface::BodyMaterial<Scalar> material = surface::gather(mesh, options.prepare);
+    surface::BodyMaterial<Scalar> material = surface::gather(mesh, options.prepare);
     if (material.bodies > 1 && options.prepare.component == 0)
         return Failure{FailureReason::no_body,
                        std::to_string(material.bodies) +
                            " bodies apart; give each a file of its own, or take one by its number (--component)"};
     detail::Trials<Scalar> trials;
     trials.timings.surface = stage.lap();
-    for (const surface::Remedy remedy : material.remedies)
-        if (detail::try_remedy(remedy, material, mesh, wanted, options, trials)) break;
+    const std::vector<surface::Remedy> remedies = material.remedies;
+    for (const surface::Remedy remedy : remedies) {
+        const bool is_last = remedy == remedies.back();
+        if (detail::try_remedy(remedy, is_last ? std::move(material) : material, mesh, wanted, options, trials)) break;
+    }
     Outcome<Fit<Scalar>>& best = *trials.best;
     if (!best && !is_refused(best) && trials.first_failed) detail::try_partial(mesh, wanted, options, trials);
     if (!best) return best.failure();

@@ -18,16 +18,19 @@ Body<Scalar> make_body(TriangleMesh<Scalar> mesh, const Similarity<Scalar>& simi
                        int dropped_pieces) {
     Triangles adjacency;
     core::SurfaceGraph<Scalar> graph;
+    bool is_closed = false;
     std::optional<FaceTree<Scalar>> tree;
     const auto connect = [&] {
         adjacency = core::face_adjacency(mesh.faces);
         graph = core::surface_graph(mesh, adjacency);
+        is_closed = adjacency.rows() > 0 && adjacency.minCoeff() >= 0;
     };
     core::in_parallel(connect, [&] { tree.emplace(mesh); });
     return {std::move(mesh),
             std::move(adjacency),
             std::move(graph),
             *std::move(tree),
+            is_closed,
             similarity,
             std::move(source),
             {},
@@ -38,11 +41,10 @@ Body<Scalar> make_body(TriangleMesh<Scalar> mesh, const Similarity<Scalar>& simi
 
 template <typename Scalar>
 bool is_inside(const Body<Scalar>& body, const Vector3<Scalar>& place) {
-    const bool is_closed = body.adjacency.rows() > 0 && body.adjacency.minCoeff() >= 0;
     // In no plane of symmetry; the second and the third, where the first passes through an edge.
     for (const Vector3<double>& way :
          {Vector3<double>(0.48, 0.6, 0.64), Vector3<double>(-0.64, 0.48, 0.6), Vector3<double>(0.6, -0.64, 0.48)}) {
-        if (!is_closed) break;
+        if (!body.is_closed) break;
         const Vector3<Scalar> direction = way.cast<Scalar>();
         if (const auto windings = body.tree.windings_along(body.mesh, place, direction)) return *windings > 0;
     }

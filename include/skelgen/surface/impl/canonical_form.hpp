@@ -182,11 +182,13 @@ inline Triangles sorted_faces(const Triangles& faces, const std::vector<int>& ne
         const Face face = renumbered(f);
         list[next[static_cast<std::size_t>(face.low)]++] = face;
     }
-    for (std::size_t v = 0; v < new_index.size(); ++v)
+    constexpr std::size_t in_a_row = 4096;
+    core::parallel_for(new_index.size(), in_a_row, [&](std::size_t v) {
         std::sort(list.begin() + static_cast<std::ptrdiff_t>(begin[v]),
                   list.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]), [](const Face& a, const Face& b) {
                       return a.second != b.second ? a.second < b.second : a.third < b.third;
                   });
+    });
     Triangles out(faces.rows(), 3);
     for (std::size_t f = 0; f < list.size(); ++f)
         out.row(static_cast<Eigen::Index>(f)) << list[f].low, list[f].second, list[f].third;

@@ -99,7 +99,7 @@ std::optional<HandleLoop<Scalar>> find_contact(const TriangleMesh<Scalar>& mesh,
 template <typename Scalar>
 std::optional<Body<Scalar>> open_handles(const Body<Scalar>& body, Contacts contacts) {
     const int handles = detail::genus(body.mesh);
-    if (handles < 1 || handles > detail::most_handles || body.adjacency.minCoeff() < 0) return std::nullopt;
+    if (handles < 1 || handles > detail::most_handles || !body.is_closed) return std::nullopt;
     std::optional<Body<Scalar>> out;
     int opened = 0;
     for (; opened < handles; ++opened) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/parallel.hpp>
 #include <skelgen/surface/without_faces.hpp>
 
 namespace skelgen::surface {
@@ -33,38 +34,47 @@ inline constexpr double deeper_than_wide = 3;
 /// smallest pocket it is one or two.
 inline constexpr Eigen::Index first_asked = 1000;
 
-/// The faces that see another one before them, across less than a pocket's width, as connected groups. Groups that hold
-/// none of the first faces asked are not found.
+/// Does a face see another one before it, across less than a pocket's width?
+template <typename Scalar>
+bool is_facing(const Body<Scalar>& body, Eigen::Index f) {
+    const TriangleMesh<Scalar>& mesh = body.mesh;
+    const Vector3<Scalar> across = core::face_area_vector(mesh, f);
+    const Scalar length = across.norm();
+    if (!(length > 0)) return false;
+    const Vector3<Scalar> normal = across / length;
+    const Vector3<Scalar> centre =
+        (core::point(mesh.vertices, mesh.faces(f, 0)) + core::point(mesh.vertices, mesh.faces(f, 1)) +
+         core::point(mesh.vertices, mesh.faces(f, 2))) /
+        3;
+    const Vector3<Scalar> lifted = centre + std::sqrt(length) / 1000 * normal;
+    const auto hit = body.tree.first_along(mesh, lifted, normal, static_cast<Scalar>(widest_pocket));
+    return hit.face >= 0 && core::face_area_vector(mesh, hit.face).dot(normal) < 0;
+}
+
+/// Those that do, as connected groups. Groups that hold none of the first faces asked are not found.
 template <typename Scalar>
 std::vector<std::vector<int>> facing_groups(const Body<Scalar>& body) {
-    enum class State : std::uint8_t { unknown, facing, open };
-    const TriangleMesh<Scalar>& mesh = body.mesh;
-    std::vector<State> states(static_cast<std::size_t>(mesh.faces.rows()), State::unknown);
-    const auto is_facing = [&](Eigen::Index f) {
-        State& state = states[static_cast<std::size_t>(f)];
-        if (state != State::unknown) return false; // has been asked
-        const Vector3<Scalar> across = core::face_area_vector(mesh, f);
-        const Scalar length = across.norm();
-        state = State::open;
-        if (!(length > 0)) return false;
-        const Vector3<Scalar> normal = across / length;
-        const Vector3<Scalar> centre =
-            (core::point(mesh.vertices, mesh.faces(f, 0)) + core::point(mesh.vertices, mesh.faces(f, 1)) +
-             core::point(mesh.vertices, mesh.faces(f, 2))) /
-            3;
-        const Vector3<Scalar> lifted = centre + std::sqrt(length) / 1000 * normal;
-        const auto hit = body.tree.first_along(mesh, lifted, normal, static_cast<Scalar>(widest_pocket));
-        if (hit.face >= 0 && core::face_area_vector(mesh, hit.face).dot(normal) < 0) state = State::facing;
-        return state == State::facing;
-    };
+    const Eigen::Index faces = body.mesh.faces.rows();
+    const Eigen::Index stride = std::max<Eigen::Index>(1, faces / first_asked);
+    constexpr std::size_t in_a_row = 64;
+    std::vector<std::uint8_t> first_facing(static_cast<std::size_t>((faces - stride / 2 + stride - 1) / stride));
+    core::parallel_for(first_facing.size(), in_a_row, [&](std::size_t i) {
+        first_facing[i] = is_facing(body, stride / 2 + static_cast<Eigen::Index>(i) * stride) ? 1 : 0;
+    });
+    std::vector<bool> is_known(static_cast<std::size_t>(faces), false);
     std::vector<std::vector<int>> groups;
-    const Eigen::Index stride = std::max<Eigen::Index>(1, mesh.faces.rows() / first_asked);
-    for (Eigen::Index first = stride / 2; first < mesh.faces.rows(); first += stride) {
-        if (!is_facing(first)) continue;
+    for (std::size_t i = 0; i < first_facing.size(); ++i) {
+        const auto first = static_cast<std::size_t>(stride / 2) + i * static_cast<std::size_t>(stride);
+        if (first_facing[i] == 0 || is_known[first]) continue;
+        is_known[first] = true;
         std::vector<int> group{static_cast<int>(first)};
-        for (std::size_t i = 0; i < group.size(); ++i)
-            for (int k = 0; k < 3; ++k)
-                if (const int next = body.adjacency(group[i], k); next >= 0 && is_facing(next)) group.push_back(next);
+        for (std::size_t g = 0; g < group.size(); ++g)
+            for (int k = 0; k < 3; ++k) {
+                const int next = body.adjacency(group[g], k);
+                if (next < 0 || is_known[static_cast<std::size_t>(next)]) continue;
+                is_known[static_cast<std::size_t>(next)] = true;
+                if (is_facing(body, next)) group.push_back(next);
+            }
         groups.push_back(std::move(group));
     }
     return groups;

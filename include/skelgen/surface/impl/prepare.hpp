@@ -89,6 +89,7 @@ inline std::vector<int> coarser_rim(const std::vector<int>& rim, const std::vect
 template <typename Scalar>
 ChosenPiece<Scalar> coarser(const ChosenPiece<Scalar>& piece, ClusteredMesh<Scalar> coarse) {
     ChosenPiece<Scalar> out{std::move(coarse.mesh), std::move(coarse.source), piece.dropped_pieces, piece.notes};
+    out.is_sound = true; // clusters of a closed surface that are discs make one
     out.standing = std::move(coarse.cluster);
     return out;
 }
@@ -258,11 +259,12 @@ ChosenPiece<Scalar> chosen_of(const BodyMaterial<Scalar>& material) {
 
 /// That piece as a body.
 template <typename Scalar>
-Body<Scalar> body_of_largest_piece(const BodyMaterial<Scalar>& material, const PrepareOptions& options) {
-    const CleanMesh<Scalar>& clean = material.clean;
-    if (!material.coarse) return body_of(chosen_of(material), clean.placed, options);
-    const ChosenPiece<Scalar> whole{{}, {}, material.dropped_pieces, clean.notes};
-    return body_as_is(coarser(whole, *material.coarse), clean.placed);
+Body<Scalar> body_of_largest_piece(BodyMaterial<Scalar> material, const PrepareOptions& options) {
+    if (!material.coarse) return body_of(chosen_of(material), material.clean.placed, options);
+    Body<Scalar> body = *std::move(material.coarse);
+    body.dropped_pieces += material.dropped_pieces;
+    body.repairs = std::move(material.clean.notes);
+    return body;
 }
 
 /// The same, rounder.
@@ -309,12 +311,12 @@ Outcome<Body<Scalar>> body_of_envelope(Remedy remedy, const BodyMaterial<Scalar>
     return body;
 }
 
-/// A mesh that is too fine in fewer faces, if `is_sound` then says that it is sound and it has no noise. Another thread
-/// clusters it while this one finds that out, which takes as long: most meshes of that size are.
+/// The body of a mesh that is too fine in fewer faces, if `is_sound` then says that it is sound and it has no noise.
+/// Another thread makes it while this one finds that out, which takes as long: most meshes of that size are.
 template <typename Scalar, typename IsSound>
-std::optional<ClusteredMesh<Scalar>> coarse_if_sound(const TriangleMesh<Scalar>& mesh, const PrepareOptions& options,
-                                                     const IsSound& is_sound) {
-    std::optional<ClusteredMesh<Scalar>> coarse;
+std::optional<Body<Scalar>> coarse_if_sound(const TriangleMesh<Scalar>& mesh, const PrepareOptions& options,
+                                            const IsSound& is_sound) {
+    std::optional<Body<Scalar>> coarse;
     std::atomic<bool> is_wanted = is_too_fine(mesh, options);
     if (!is_wanted) {
         is_sound();
@@ -324,7 +326,8 @@ std::optional<ClusteredMesh<Scalar>> coarse_if_sound(const TriangleMesh<Scalar>&
                       [&] {
                           if (!is_wanted) return;
                           try {
-                              coarse = cluster_vertices(mesh, options.most_faces / 2);
+                              coarse = body_as_is(
+                                  coarser(ChosenPiece<Scalar>{}, cluster_vertices(mesh, options.most_faces / 2)), {});
                           } catch (const Error&) { // it has no area, and will not be found to be sound
                           }
                       });
@@ -343,7 +346,7 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
     validate(options);
     BodyMaterial<Scalar> out;
     BodyFaces chosen;
-    std::optional<ClusteredMesh<Scalar>> coarse = detail::coarse_if_sound(mesh, options, [&] {
+    std::optional<Body<Scalar>> coarse = detail::coarse_if_sound(mesh, options, [&] {
         out.clean = clean_in_own_axes(mesh);
         chosen = faces_of_body(out.clean.mesh, options.component, out.clean.is_sound);
         return out.clean.is_sound && chosen.faces.rows() == mesh.faces.rows();
@@ -387,11 +390,13 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
 }
 
 template <typename Scalar>
-Outcome<Body<Scalar>> make_body_by(Remedy remedy, const BodyMaterial<Scalar>& material, const PrepareOptions& options) {
-    Outcome<Body<Scalar>> body = remedy == Remedy::largest_piece ? detail::body_of_largest_piece(material, options)
-                                 : remedy == Remedy::rounded     ? detail::body_of_rounded_piece(material, options)
-                                                                 : detail::body_of_envelope(remedy, material, options);
-    if (body) body->similarity = material.clean.similarity.then(body->similarity);
+Outcome<Body<Scalar>> make_body_by(Remedy remedy, BodyMaterial<Scalar> material, const PrepareOptions& options) {
+    const Similarity<Scalar> cleaned = material.clean.similarity;
+    Outcome<Body<Scalar>> body = remedy == Remedy::largest_piece
+                                     ? detail::body_of_largest_piece(std::move(material), options)
+                                 : remedy == Remedy::rounded ? detail::body_of_rounded_piece(material, options)
+                                                             : detail::body_of_envelope(remedy, material, options);
+    if (body) body->similarity = cleaned.then(body->similarity);
     return body;
 }
 
@@ -403,7 +408,7 @@ Body<Scalar> prepare(const TriangleMesh<Scalar>& mesh, const PrepareOptions& opt
         material.clean = clean(mesh);
         return material.clean.is_sound;
     });
-    return detail::body_of_largest_piece(material, options);
+    return detail::body_of_largest_piece(std::move(material), options);
 }
 
 } // namespace skelgen::surface

@@ -101,6 +101,7 @@ struct ClustersAndEdges {
 inline ClustersAndEdges clusters_in_cells(const Triangles& faces, const std::vector<std::uint64_t>& cells,
                                           const std::vector<bool>& is_boundary) {
     ClustersAndEdges out;
+    out.edges.reserve(static_cast<std::size_t>(faces.rows()));
     core::DisjointSets joined(cells.size());
     for (Eigen::Index f = 0; f < faces.rows(); ++f)
         for (int k = 0; k < 3; ++k) {
