@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/surface/cut_surface.hpp>
 #include <skelgen/surface/handle_loops.hpp>
@@ -100,18 +101,22 @@ template <typename Scalar>
 std::optional<Body<Scalar>> open_handles(const Body<Scalar>& body, Contacts contacts) {
     const int handles = detail::genus(body.mesh);
     if (handles < 1 || handles > detail::most_handles || !body.is_closed) return std::nullopt;
-    std::optional<Body<Scalar>> out;
+    TriangleMesh<Scalar> mesh = body.mesh;
+    Triangles adjacency = body.adjacency;
+    std::vector<int> source; // per vertex that of the body
     int opened = 0;
     for (; opened < handles; ++opened) {
-        const Body<Scalar>& closed = out ? *out : body;
-        const auto loop = detail::find_contact(closed.mesh, closed.adjacency, contacts);
+        const auto loop = detail::find_contact(mesh, adjacency, contacts);
         if (!loop) break;
-        CutSurface<Scalar> cut = cut_along(closed.mesh, closed.adjacency, {loop->vertices});
-        out = resurfaced(closed, std::move(cut.mesh), std::move(cut.source));
+        CutSurface<Scalar> cut = cut_along(mesh, adjacency, {loop->vertices});
+        mesh = std::move(cut.mesh);
+        adjacency = core::face_adjacency(mesh.faces);
+        source = opened > 0 ? composed(std::move(cut.source), source) : std::move(cut.source);
     }
-    if (out)
-        out->repairs.push_back("the body has grown together with itself in " + std::to_string(opened) +
-                               (opened == 1 ? " place" : " places") + ": it was opened there");
+    if (opened == 0) return std::nullopt;
+    Body<Scalar> out = resurfaced(body, std::move(mesh), std::move(source));
+    out.repairs.push_back("the body has grown together with itself in " + std::to_string(opened) +
+                          (opened == 1 ? " place" : " places") + ": it was opened there");
     return out;
 }
 
