@@ -113,6 +113,7 @@ set(skelgen_core_headers
     include/skelgen/refinement/fork.hpp
     include/skelgen/refinement/head.hpp
     include/skelgen/refinement/headgear.hpp
+    include/skelgen/refinement/hem.hpp
     include/skelgen/refinement/hip_anchor.hpp
     include/skelgen/refinement/limb_joints.hpp
     include/skelgen/refinement/limbs.hpp
@@ -246,6 +247,7 @@ set(skelgen_core_definitions
     include/skelgen/refinement/impl/fork.hpp
     include/skelgen/refinement/impl/head.hpp
     include/skelgen/refinement/impl/headgear.hpp
+    include/skelgen/refinement/impl/hem.hpp
     include/skelgen/refinement/impl/hip_anchor.hpp
     include/skelgen/refinement/impl/limb_joints.hpp
     include/skelgen/refinement/impl/limbs.hpp
