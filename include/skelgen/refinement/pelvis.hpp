@@ -40,7 +40,8 @@ inline void validate(const PelvisOptions& options) {
 /// so much as the hips' line is, and by its part of the flexion of both thighs. From the trunk's place it lies along
 /// the chord of that bend, as far below as the fork and the lengths of the thighs together tell; off the chord, and
 /// turned with it, as the middle between the thighs' hips does, where that is not far off. Hips and knees must have
-/// been placed. None where there are no two legs, or the hips lie along the axis. O(limbs).
+/// been placed; of a hem's height nothing is told. None where there are no two legs, or the hips lie along the axis.
+/// O(limbs).
 template <typename Scalar>
 [[nodiscard]] std::optional<Placement<Scalar>>
 place_pelvis(Placement<Scalar> placement, const std::vector<Limb<Scalar>>& limbs, const TrunkAxis<Scalar>& axis,

@@ -21,6 +21,7 @@ struct TrunkAxis {
     Vector3<Scalar> across = Vector3<Scalar>::Zero();
     Scalar largest_section =
         std::numeric_limits<Scalar>::infinity(); ///< area from which on a section holds a thigh, too
+    bool is_hem = false;                         ///< is the fork no crotch, but the hem of a skirt or a coat?
     /// Among which `fork` is, for who knows the pelvis's own up; none: it stays where it is.
     std::vector<Crossing<Scalar>> crossings = {};
 };

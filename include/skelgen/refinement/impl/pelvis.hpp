@@ -195,7 +195,8 @@ private:
             // Far from where the thighs' lengths put the hips, it is rather the hem of a coat than the fork of the
             // legs.
             const Scalar off = below - by_fork, exact = precision(options_.fork_deviation);
-            const Scalar weight = exact / (1 + exact * off * off / static_cast<Scalar>(far_off));
+            const Scalar weight =
+                axis_.is_hem ? Scalar(0) : exact / (1 + exact * off * off / static_cast<Scalar>(far_off));
             Scalar gradient = weight * off, curvature = weight;
             for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
                 const Vector3<Scalar> hip_at = axis_.place - below * chord + (leg == 0 ? side : Vector3<Scalar>(-side));

@@ -14,6 +14,7 @@
 #include <skelgen/refinement/cross_section.hpp>
 #include <skelgen/refinement/fork.hpp>
 #include <skelgen/refinement/headgear.hpp>
+#include <skelgen/refinement/hem.hpp>
 #include <skelgen/refinement/hip_anchor.hpp>
 #include <skelgen/refinement/limbs.hpp>
 #include <skelgen/refinement/placement.hpp>
@@ -168,6 +169,8 @@ trunk_axis_of(const std::vector<Limb<Scalar>>& limbs, const std::vector<EndPoint
     if (!axis) return axis;
     axis->crossings = std::move(crossings);
     axis->fork = fork_along(axis->crossings, axis->place, axis->up);
+    const auto leg = [&](std::size_t i) { return LegToEnd<Scalar>{limbs[legs[i]], ends[legs[i]]}; };
+    axis->is_hem = is_hem(slicer, {leg(0), leg(1)}, *axis, thigh);
     return axis;
 }
 
@@ -190,7 +193,8 @@ ScaledLimbs<Scalar> find_limbs(const Slicer<Scalar>& slicer, const std::vector<E
         shorten_cut_limbs(trace_limbs(slicer, ends, skeleton_template, scale, options.centreline), slicer, ends,
                           skeleton_template, options.thickness_profile, options.centreline);
     const auto axis = trunk_axis_of(traced, ends, slicer, curve, embedding, skeleton_template, scale);
-    if (axis) traced = anchor_hips(std::move(traced), *axis, skeleton_template, scale, options.bone_line);
+    if (axis && !axis->is_hem)
+        traced = anchor_hips(std::move(traced), *axis, skeleton_template, scale, options.bone_line);
     auto [limbs, ratio] = match_thickness_profiles(std::move(traced), skeleton_template, options.thickness_profile,
                                                    options.bend, options.bone_line);
     for (std::size_t i = 0; i < limbs.size(); ++i) {

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <skelgen/refinement/hem.hpp>
+
+#include <algorithm>
+
+#include <skelgen/core/geometry.hpp>
+
+namespace skelgen::refinement {
+namespace detail {
+
+/// How far above and below a fork sections are compared, in thighs: a hem need not be level.
+template <typename Scalar>
+inline constexpr Scalar above_hem = Scalar(0.05);
+template <typename Scalar>
+inline constexpr Scalar below_hem = Scalar(0.1);
+
+/// A section above a fork that many times larger than both legs' below it is that of clothes. In the midst between 96
+/// registered bodies, 1.5 at most, and generated skirts and coats, 2.3 and more; so are the next two values.
+template <typename Scalar>
+inline constexpr Scalar hollow = Scalar(2.1);
+
+/// Clothes flare from the waist on: what is smaller than this part of the largest section of the trunk alone, a tenth
+/// more than the waist, is a trunk that ends flat, as a block figure's.
+template <typename Scalar>
+inline constexpr Scalar narrowest_hem = Scalar(0.7);
+
+/// What is so many times larger than that holds thighs that are raised before the trunk.
+template <typename Scalar>
+inline constexpr Scalar widest_hem = Scalar(1.5);
+
+/// Cosine of the angle from which on a leg does not hang down: 45 degrees.
+template <typename Scalar>
+inline constexpr Scalar hanging = Scalar(0.7);
+
+/// Does the leg hang down from the fork?
+template <typename Scalar>
+bool hangs(const LegToEnd<Scalar>& leg, int fork, const Vector3<Scalar>& up, Scalar thigh) {
+    const Centreline<Scalar>& line = leg.limb.line;
+    const Scalar at_fork = line.arc[line.arc.size() - 1] - leg.end.distance[fork];
+    const Vector3<Scalar> high = point_on(leg.limb, at_fork + Scalar(0.1) * thigh);
+    const Vector3<Scalar> low = point_on(leg.limb, at_fork + Scalar(0.5) * thigh);
+    return (high - low).normalized().dot(up) > hanging<Scalar>;
+}
+
+/// Area of the leg's section across `up` through where, seen from its end, it is first as high as `place`; 0 for none.
+template <typename Scalar>
+Scalar area_at_height(const Limb<Scalar>& leg, const Slicer<Scalar>& slicer, const Vector3<Scalar>& place,
+                      const Vector3<Scalar>& up, Scalar thigh) {
+    Eigen::Index i = leg.line.points.rows() - 1;
+    while (i > 0 && (core::point(leg.line.points, i) - place).dot(up) < 0) --i;
+    const auto section = slicer.around(core::point(leg.line.points, i), up, Scalar(0.1) * thigh);
+    return section ? section->area : Scalar(0);
+}
+
+} // namespace detail
+
+template <typename Scalar>
+bool is_hem(const Slicer<Scalar>& slicer, const std::array<LegToEnd<Scalar>, 2>& legs, const TrunkAxis<Scalar>& axis,
+            Scalar thigh) {
+    using namespace detail;
+    const int fork = core::nearest_vertex(slicer.mesh(), axis.fork);
+    if (!hangs(legs[0], fork, axis.up, thigh) || !hangs(legs[1], fork, axis.up, thigh)) return false;
+    const auto above = slicer.around(axis.fork + above_hem<Scalar> * thigh * axis.up, axis.up, Scalar(0.3) * thigh);
+    const Vector3<Scalar> below = axis.fork - below_hem<Scalar> * thigh * axis.up;
+    const Scalar one = area_at_height(legs[0].limb, slicer, below, axis.up, thigh),
+                 other = area_at_height(legs[1].limb, slicer, below, axis.up, thigh);
+    if (!above || !(one > 0) || !(other > 0)) return false;
+    const Scalar flare = above->area / axis.largest_section;
+    return above->area > hollow<Scalar> * (one + other) && flare > narrowest_hem<Scalar> && flare < widest_hem<Scalar>;
+}
+
+} // namespace skelgen::refinement
