@@ -24,8 +24,9 @@ template <typename Scalar>
 [[nodiscard]] CurveSkeleton<Scalar> prune(const CurveSkeleton<Scalar>& curve, const PruningOptions& options = {});
 
 /// Cuts leaf branches that stick out less than `least_relief` times the radius of the ball at the junction that they
-/// leave, beyond that ball: the least first, again and again. One that lies, but for its tip, in the balls around other
-/// branches does not stick out at all. O(b k^2) for b branches that are cut, of a curve of k points.
+/// leave, beyond that ball: the least first, again and again. One that is long, twice that radius, and lies but for its
+/// tip in the balls around other branches does not stick out at all. O(b k^2) for b branches that are cut, of a curve
+/// of k points.
 template <typename Scalar>
 [[nodiscard]] BranchedCurve<Scalar> prune_twigs(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
                                                 double least_relief);

@@ -150,7 +150,8 @@ BranchedCurve<Scalar> prune_twigs(BranchedCurve<Scalar> branched, const Body<Sca
             if ((from == 1) == (to == 1) || std::max(from, to) < 3) continue;
             const Scalar radius = (from == 1 ? balls[b].back() : balls[b].front()).radius;
             const Scalar length = core::arc_lengths(branch.line)[branch.line.rows() - 1];
-            const bool is_hidden = detail::length_outside(branch.line, b, balls) < detail::hidden<Scalar> * radius;
+            const bool is_hidden =
+                length > 2 * radius && detail::length_outside(branch.line, b, balls) < detail::hidden<Scalar> * radius;
             const Scalar relief = is_hidden ? Scalar(0) : (length - radius) / radius;
             if (!(relief < least)) continue;
             least = relief;
