@@ -18,9 +18,9 @@ struct LegToEnd {
 
 /// Is it no crotch where the legs seem to part, but the hem of a skirt, a coat or a robe? A trunk goes over into two
 /// legs that are together about as large: across the axis, its section above a hem is more than twice both legs'
-/// sections below it, and larger than the waist's. Told of legs that hang down from there; those that are raised have
-/// other sections. `axis`: with its fork; `thigh`: rest-pose length in the body's unit. O(log m) for each face that is
-/// cut.
+/// sections below it, and larger than the waist's. Told of legs that hang down from there; those that are raised or
+/// folded have other sections. `axis`: with its fork; `thigh`: rest-pose length in the body's unit. O(log m) for each
+/// face that is cut.
 template <typename Scalar>
 [[nodiscard]] bool is_hem(const Slicer<Scalar>& slicer, const std::array<LegToEnd<Scalar>, 2>& legs,
                           const TrunkAxis<Scalar>& axis, Scalar thigh);

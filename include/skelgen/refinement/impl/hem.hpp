@@ -3,6 +3,7 @@
 #include <skelgen/refinement/hem.hpp>
 
 #include <algorithm>
+#include <cstddef>
 
 #include <skelgen/core/geometry.hpp>
 
@@ -33,14 +34,19 @@ inline constexpr Scalar widest_hem = Scalar(1.5);
 template <typename Scalar>
 inline constexpr Scalar hanging = Scalar(0.7);
 
-/// Does the leg hang down from the fork?
+/// A leg whose ankle is nearer than this part of its length is folded, as in a squat: its knee is bent by 74 degrees.
+template <typename Scalar>
+inline constexpr Scalar folded_leg = Scalar(0.8);
+
+/// Does the leg hang down from the fork, and stand or step?
 template <typename Scalar>
 bool hangs(const LegToEnd<Scalar>& leg, int fork, const Vector3<Scalar>& up, Scalar thigh) {
     const Centreline<Scalar>& line = leg.limb.line;
-    const Scalar at_fork = line.arc[line.arc.size() - 1] - leg.end.distance[fork];
-    const Vector3<Scalar> high = point_on(leg.limb, at_fork + Scalar(0.1) * thigh);
-    const Vector3<Scalar> low = point_on(leg.limb, at_fork + Scalar(0.5) * thigh);
-    return (high - low).normalized().dot(up) > hanging<Scalar>;
+    const Scalar high_at = line.arc[line.arc.size() - 1] - leg.end.distance[fork] + Scalar(0.1) * thigh;
+    const Scalar ankle_at = arc_of(leg.limb, leg.limb.joints.size() - std::min<std::size_t>(2, leg.limb.joints.size()));
+    const Vector3<Scalar> high = point_on(leg.limb, high_at), low = point_on(leg.limb, high_at + Scalar(0.4) * thigh);
+    const Scalar straight = (high - point_on(leg.limb, ankle_at)).norm();
+    return (high - low).normalized().dot(up) > hanging<Scalar> && straight > folded_leg<Scalar> * (ankle_at - high_at);
 }
 
 /// Area of the leg's section across `up` through where, seen from its end, it is first as high as `place`; 0 for none.
