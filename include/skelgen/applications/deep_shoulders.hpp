@@ -11,7 +11,7 @@ namespace skelgen::applications {
 /// it the odds of following the arm are e^2 times as high, less and less below. Warmed by trunk and arm alike is the
 /// armpit, a fifth of the upper arm below the joint; the flesh above it would stay behind, and a shoulder that hung be
 /// hollow below once its arm is level. Beside the lower part of the arm, flanks keep still. Calibrated: in the T-pose,
-/// found anew, the arms of 77 of 86 registered bodies are level to 5 degrees, and of 62 without this. `vertices` as
+/// found anew, the arms of 78 of 86 registered bodies are level to 5 degrees, and of 61 without this. `vertices` as
 /// they are with that skeleton, of weights that follow one limb each, in rows that sum to what they did. O(n joints).
 template <typename Scalar>
 [[nodiscard]] JointWeights with_deep_shoulders(JointWeights weights, const Points<Scalar>& vertices,
