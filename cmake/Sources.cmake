@@ -124,6 +124,7 @@ set(skelgen_core_headers
     include/skelgen/refinement/placement.hpp
     include/skelgen/refinement/profile_matcher.hpp
     include/skelgen/refinement/refine.hpp
+    include/skelgen/refinement/shoulder_anchor.hpp
     include/skelgen/refinement/thickness_profile.hpp
     include/skelgen/refinement/trunk_axis.hpp
     include/skelgen/refinement/trunk_joints.hpp
@@ -260,6 +261,7 @@ set(skelgen_core_definitions
     include/skelgen/refinement/impl/placement.hpp
     include/skelgen/refinement/impl/profile_matcher.hpp
     include/skelgen/refinement/impl/refine.hpp
+    include/skelgen/refinement/impl/shoulder_anchor.hpp
     include/skelgen/refinement/impl/thickness_profile.hpp
     include/skelgen/refinement/impl/trunk_axis.hpp
     include/skelgen/refinement/impl/trunk_joints.hpp

@@ -18,6 +18,7 @@
 #include <skelgen/refinement/impl/placement.hpp>
 #include <skelgen/refinement/impl/profile_matcher.hpp>
 #include <skelgen/refinement/impl/refine.hpp>
+#include <skelgen/refinement/impl/shoulder_anchor.hpp>
 #include <skelgen/refinement/impl/thickness_profile.hpp>
 #include <skelgen/refinement/impl/trunk_axis.hpp>
 #include <skelgen/refinement/impl/trunk_joints.hpp>
@@ -62,6 +63,9 @@ namespace skelgen::refinement {
                                     const BoneLineOptions&);                                                           \
     template std::vector<Limb<Scalar>> anchor_hips(std::vector<Limb<Scalar>>, const TrunkAxis<Scalar>&,                \
                                                    const SkeletonTemplate&, Scalar, const BoneLineOptions&);           \
+    template std::vector<Limb<Scalar>> anchor_shoulders(std::vector<Limb<Scalar>>,                                     \
+                                                        const std::optional<Vector3<Scalar>>&,                         \
+                                                        const SkeletonTemplate&, const BoneLineOptions&);              \
     template std::optional<HeadShape<Scalar>> measure_head(const Slicer<Scalar>&, const Vector3<Scalar>&,              \
                                                            const Vector3<Scalar>&, const HeadOptions&);                \
     template std::optional<ThroatOnCurve<Scalar>> find_throat_on_curve(                                                \

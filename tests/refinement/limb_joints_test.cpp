@@ -171,6 +171,10 @@ TEST_CASE("a shoulder that would be far from its distance to the neck goes where
     CHECK((shoulder_with_neck_at(by_line + Vec3(0, 1.39 * rest, 0)) - by_line).norm() < 1e-12); // within the tolerance
     const Vec3 apart = (by_start - by_line).normalized(); // a neck that the arm's start is right for
     CHECK((shoulder_with_neck_at(by_start + rest * apart) - by_start).norm() < 1e-12);
+
+    limb = limb_along<double>({Vec3(-0.3, 0, 0), Vec3::UnitX()}, arm_joints(), {1.1, 0.8, 0.3, 0.1});
+    limb.attachment = 0.2 + 0.29 * 0.3; // seven tenths of the upper arm are plain to see
+    CHECK((shoulder_with_neck_at(by_start + rest * apart) - by_line).norm() < 1e-12);
 }
 
 TEMPLATE_TEST_CASE("an adapted template's shoulder is on the arm's line, as far from the neck as the trunk says", "",

@@ -97,4 +97,5 @@ TEST_CASE("the fork of stout legs tells less of where they begin") {
     CHECK(deviation_of(top, std::log(0.13 * 0.4), s) == Approx(0.03));
     CHECK(deviation_of(top, std::log(0.10 * 0.4), s) == Approx(0.03));
     CHECK(deviation_of(top, std::log(0.15 * 0.4), s) == Approx(0.03 + 5 * 0.02));
+    CHECK(deviation_of({1.1, 0.03, BodyPart::arm}, std::log(0.15 * 0.4), s) == Approx(0.03)); // arms do not touch
 }

@@ -126,6 +126,28 @@ TEST_CASE("where the trunk tells the upper end of the thigh, the thigh is as lon
     CHECK(thigh_with_top(hidden, sharp) == Approx(without).epsilon(0.08));
 }
 
+TEST_CASE(
+    "an arm that shows nothing is, by half, as much longer than the template's as the legs are; a figure's is not") {
+    const Limb<double> rest = leg(0.2, 0.6, 1);
+    const double ankle = rest.from_tip[2], knee = rest.from_tip[1];
+    Limb<double> arm =
+        limb_along<double>({Vec3::Zero(), Vec3::UnitX()},
+                           {joint_of(JointRole::shoulder, Side::left), joint_of(JointRole::elbow, Side::left),
+                            joint_of(JointRole::wrist, Side::left), joint_of(JointRole::hand, Side::left)},
+                           {0.7, 0.45, 0.2, 0.1});
+    arm.line.thickness.setZero();
+    for (const double longer : {0.9, 1.1}) {
+        SkeletonTemplate human = builtin_template("human21");
+        const std::vector<Limb<double>> limbs{leg(ankle, ankle + longer * (knee - ankle), 0.05), arm};
+        const auto person = match_thickness_profiles(limbs, human).limbs;
+        const double calf = (person[0].from_tip[1] - person[0].from_tip[2]) / (knee - ankle);
+        for (std::size_t i = 1; i < arm.from_tip.size(); ++i)
+            CHECK(person[1].from_tip[i] == Approx(std::sqrt(calf) * arm.from_tip[i]).epsilon(1e-6));
+        human.is_adapted = true;
+        CHECK(match_thickness_profiles(limbs, human).limbs[1].from_tip[1] == Approx(arm.from_tip[1]).epsilon(1e-6));
+    }
+}
+
 TEST_CASE("both legs' calves are equally long") {
     const Limb<double> rest = leg(0.2, 0.6, 1);
     const double ankle = rest.from_tip[2], calf = rest.from_tip[1] - ankle;

@@ -69,7 +69,8 @@ template <typename Scalar>
 
 /// Shoulder, hip: the limb's own sections end short of them; the line of the bone goes on to its length. Where the bone
 /// shows too little of itself, in a deep crouch or behind crossed arms, that line points anywhere: then of all the ways
-/// to go on the one that keeps the rest-pose distance from the neck best, which must have been placed.
+/// to go on the one that keeps the rest-pose distance from the neck best, which must have been placed. A bone that is
+/// plainly seen is believed.
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_girdle(Placement<Scalar> placement, const Limb<Scalar>& limb,
                                              const GirdleOptions& options = {}, const BoneLineOptions& bone_line = {});

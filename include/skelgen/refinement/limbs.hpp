@@ -19,7 +19,8 @@ struct Limb {
     Centreline<Scalar> line; ///< from the branching node to the tip on the surface
     std::vector<Scalar>
         from_tip; ///< per joint its rest-pose distance from the tip along the template, scaled to this body
-    std::optional<Scalar> top_by_trunk; ///< distance of the first joint from the tip as the trunk's shape tells it
+    std::optional<Scalar> top_by_trunk; ///< distance of the first joint from the tip as the trunk's shape tells it:
+                                        ///< the fork of the legs, the armpit
     Scalar top_deviation = 0;           ///< standard deviation of that
     std::size_t missing = 0;            ///< how many of the last joints are cut off
     Scalar attachment =

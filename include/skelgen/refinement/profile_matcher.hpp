@@ -93,9 +93,10 @@ inline constexpr double far_off = 4;
 template <typename Scalar = double>
 struct Top {
     Scalar from_tip = 0, deviation = 0;
+    BodyPart part = BodyPart::leg;
 };
 
-/// Standard deviation of the logarithm of the upper bone's length on a leg of that stoutness: where legs are stout,
+/// Standard deviation of the logarithm of the upper bone's length on a limb of that stoutness: where legs are stout,
 /// they touch, and part lower than others.
 template <typename Scalar>
 [[nodiscard]] Scalar deviation_of(const Top<Scalar>& top, Scalar stoutness, const Stretch<Scalar>& stretch);

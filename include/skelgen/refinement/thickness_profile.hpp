@@ -23,10 +23,10 @@ struct ThicknessMatch {
 /// Moves the joints of arms and legs along their centrelines to where their thickness says they are: everybody's
 /// forearm and calf swell and thin in the same places relative to wrist and elbow, ankle and knee, whatever the
 /// proportions. Finds for each limb the piecewise linear stretch of the mean profile that fits its own best, for any
-/// stoutness; a bent limb is compared as if it were straight, without its fold. Upper bones are as long as the lower
-/// ones of both sides make them likely, and, where the trunk tells their upper ends, as these do. Only `from_tip`
-/// changes, and `attachment` where a limb is hidden, of limbs with joints of those roles. O(samples) for each of some
-/// hundred stretches per limb.
+/// stoutness; a bent limb is compared as if it were straight, without its fold. Legs go first, and tell how long arms
+/// are likely to be. Upper bones are as long as the lower ones of both sides make them likely, and, where the trunk
+/// tells their upper ends, as these do. Only `from_tip` changes, and `attachment` where a limb is hidden, of limbs with
+/// joints of those roles. O(samples) for each of some hundred stretches per limb.
 template <typename Scalar>
 [[nodiscard]] ThicknessMatch<Scalar>
 match_thickness_profiles(std::vector<Limb<Scalar>> limbs, const SkeletonTemplate& skeleton_template,

@@ -17,6 +17,10 @@ namespace detail {
 template <typename Scalar>
 inline constexpr Scalar least_visible_bone = Scalar(0.3);
 
+/// A bone that shows this much of itself tells its direction, wherever the neck is. A working value.
+template <typename Scalar>
+inline constexpr Scalar plainly_visible_bone = Scalar(0.7);
+
 } // namespace detail
 
 template <typename Scalar>
@@ -101,6 +105,8 @@ Placement<Scalar> place_girdle(Placement<Scalar> placement, const Limb<Scalar>& 
     placement.put(top, ways.front());
 
     const int anchor = role == JointRole::shoulder ? placement.find(JointRole::neck) : -1;
+    const Scalar visible = outer - std::max(limb.attachment, inner);
+    if (line && visible > detail::plainly_visible_bone<Scalar> * (outer - inner)) return placement;
     if (anchor < 0 || is_bare(placement.skeleton_template(), anchor)) return placement;
     const Scalar rest = placement.rest_distance(top, anchor);
     const auto misfit = [&](const Vector3<Scalar>& p) { return std::abs((p - placement.at(anchor)).norm() - rest); };

@@ -258,6 +258,7 @@ ProfileFit<Scalar> fit_profile(const std::vector<Sample<Scalar>>& samples, const
 
 template <typename Scalar>
 Scalar deviation_of(const Top<Scalar>& top, Scalar stoutness, const Stretch<Scalar>& s) {
+    if (top.part != BodyPart::leg) return top.deviation;
     const Scalar thickness = std::exp(stoutness) / (s.middle - s.outer);
     return top.deviation + detail::touching_growth<Scalar> * std::max(Scalar(0), thickness - detail::slim<Scalar>);
 }

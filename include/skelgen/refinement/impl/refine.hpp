@@ -18,6 +18,7 @@
 #include <skelgen/refinement/hip_anchor.hpp>
 #include <skelgen/refinement/limbs.hpp>
 #include <skelgen/refinement/placement.hpp>
+#include <skelgen/refinement/shoulder_anchor.hpp>
 #include <skelgen/refinement/trunk_axis.hpp>
 
 namespace skelgen::refinement {
@@ -195,6 +196,9 @@ ScaledLimbs<Scalar> find_limbs(const Slicer<Scalar>& slicer, const std::vector<E
     const auto axis = trunk_axis_of(traced, ends, slicer, curve, embedding, skeleton_template, scale);
     if (axis && !axis->is_hem)
         traced = anchor_hips(std::move(traced), *axis, skeleton_template, scale, options.bone_line);
+    if (!skeleton_template.is_adapted) // a figure's arms may be as thick as they like
+        traced = anchor_shoulders(std::move(traced), axis ? std::optional<Vector3<Scalar>>(axis->up) : std::nullopt,
+                                  skeleton_template, options.bone_line);
     auto [limbs, ratio] = match_thickness_profiles(std::move(traced), skeleton_template, options.thickness_profile,
                                                    options.bend, options.bone_line);
     for (std::size_t i = 0; i < limbs.size(); ++i) {

@@ -52,6 +52,7 @@ struct ProfiledLimb {
     BodyPart part;
     std::size_t inner, middle, outer;
     Stretch<Scalar> rest;
+    Scalar scale = 1; ///< `rest` is the template's, times that
     Scalar bone_ratio = 1;
     ProfileFit<Scalar> fit = {};
 };
@@ -95,7 +96,8 @@ Scalar clothed_attachment(const Limb<Scalar>& limb, const Profile& profile, cons
 template <typename Scalar>
 std::optional<Top<Scalar>> top_of(const ProfiledLimb<Scalar>& p, const Fold<Scalar>& fold = {}) {
     if (!p.limb->top_by_trunk) return std::nullopt;
-    return Top<Scalar>{fold.along_bones(*p.limb->top_by_trunk), p.limb->top_deviation / (p.rest.inner - p.rest.middle)};
+    return Top<Scalar>{fold.along_bones(*p.limb->top_by_trunk), p.limb->top_deviation / (p.rest.inner - p.rest.middle),
+                       p.part};
 }
 
 /// The stretches along the bones where the `found` ones, along centrelines, show a limb to be bent; those where none
@@ -146,16 +148,31 @@ std::vector<ProfiledLimb<Scalar>> with_outer_joints(std::vector<ProfiledLimb<Sca
     return limbs;
 }
 
-/// Geometric mean of the ratios of the lower bones that `use` selects; 1 for none.
+/// Geometric mean of the ratios of the lower bones, to the template's, that `use` selects; 1 for none.
 template <typename Scalar, typename Use>
 Scalar mean_bone_ratio(const std::vector<ProfiledLimb<Scalar>>& limbs, Use&& use) {
     Scalar sum = 0, count = 0;
     for (const ProfiledLimb<Scalar>& p : limbs)
         if (use(p)) {
-            sum += std::log(p.bone_ratio);
+            sum += std::log(p.scale * p.bone_ratio);
             count += 1;
         }
     return count > 0 ? std::exp(sum / count) : 1;
+}
+
+/// A person's arms are looked for as the legs' length makes them likely, by half (on a logarithmic scale): the geodesic
+/// diameter, by which all are scaled at first, differs by a fifth between poses of one body, most by how its arms are
+/// held.
+template <typename Scalar>
+std::vector<ProfiledLimb<Scalar>> with_arms_by_legs(std::vector<ProfiledLimb<Scalar>> limbs) {
+    const Scalar scale = std::sqrt(mean_bone_ratio(limbs, [](const auto& p) { return p.part == BodyPart::leg; }));
+    for (ProfiledLimb<Scalar>& p : limbs) {
+        if (p.part != BodyPart::arm) continue;
+        for (Scalar& from_tip : p.limb->from_tip) from_tip *= scale;
+        p.rest = {scale * p.rest.outer, scale * p.rest.middle, scale * p.rest.inner};
+        p.scale = scale;
+    }
+    return limbs;
 }
 
 /// How much longer than the template's an upper bone is where the lower one is `lower` times as long: half as much in
@@ -203,11 +220,12 @@ ThicknessMatch<Scalar> match_thickness_profiles(std::vector<Limb<Scalar>> limbs,
     std::vector<detail::ProfiledLimb<Scalar>> all;
     for (Limb<Scalar>& limb : limbs)
         if (const auto p = detail::as_profiled(limb, skeleton_template)) all.push_back(*p);
-    for (const BodyPart part : {BodyPart::arm, BodyPart::leg})
-        all = detail::with_outer_joints(std::move(all), part, options, bend, bone_line);
+    all = detail::with_outer_joints(std::move(all), BodyPart::leg, options, bend, bone_line);
+    if (!skeleton_template.is_adapted) all = detail::with_arms_by_legs(std::move(all));
+    all = detail::with_outer_joints(std::move(all), BodyPart::arm, options, bend, bone_line);
     for (const detail::ProfiledLimb<Scalar>& p : all) {
         const Scalar ratio = detail::mean_bone_ratio(all, [&](const auto& q) { return q.part == p.part; });
-        const Scalar by_ratio = detail::upper_bone_ratio(ratio) * (p.rest.inner - p.rest.middle);
+        const Scalar by_ratio = detail::upper_bone_ratio(ratio / p.scale) * (p.rest.inner - p.rest.middle);
         p.limb->from_tip[p.inner] =
             p.limb->from_tip[p.middle] + detail::upper_bone_length(all, p.part, by_ratio, options);
     }
