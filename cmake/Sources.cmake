@@ -116,6 +116,7 @@ set(skelgen_core_headers
     include/skelgen/refinement/fork.hpp
     include/skelgen/refinement/head.hpp
     include/skelgen/refinement/headgear.hpp
+    include/skelgen/refinement/heel.hpp
     include/skelgen/refinement/hem.hpp
     include/skelgen/refinement/hip_anchor.hpp
     include/skelgen/refinement/limb_joints.hpp
@@ -253,6 +254,7 @@ set(skelgen_core_definitions
     include/skelgen/refinement/impl/fork.hpp
     include/skelgen/refinement/impl/head.hpp
     include/skelgen/refinement/impl/headgear.hpp
+    include/skelgen/refinement/impl/heel.hpp
     include/skelgen/refinement/impl/hem.hpp
     include/skelgen/refinement/impl/hip_anchor.hpp
     include/skelgen/refinement/impl/limb_joints.hpp

@@ -10,6 +10,7 @@
 #include <skelgen/refinement/impl/fork.hpp>
 #include <skelgen/refinement/impl/head.hpp>
 #include <skelgen/refinement/impl/headgear.hpp>
+#include <skelgen/refinement/impl/heel.hpp>
 #include <skelgen/refinement/impl/hem.hpp>
 #include <skelgen/refinement/impl/hip_anchor.hpp>
 #include <skelgen/refinement/impl/limb_joints.hpp>
@@ -74,6 +75,7 @@ namespace skelgen::refinement {
     template Limb<Scalar> without_headgear(Limb<Scalar>, const ThroatOnCurve<Scalar>&, const Slicer<Scalar>&,          \
                                            const CentrelineOptions&);                                                  \
     template Scalar head_joint_growth(Scalar);                                                                         \
+    template std::optional<Heel<Scalar>> find_heel(const Limb<Scalar>&, const Stretch<Scalar>&, const BendOptions&);   \
     template bool is_hem(const Slicer<Scalar>&, const std::array<LegToEnd<Scalar>, 2>&, const TrunkAxis<Scalar>&,      \
                          Scalar);                                                                                      \
     template std::optional<TrunkShape<Scalar>> measure_trunk(const Slicer<Scalar>&, const Vector3<Scalar>&,            \

@@ -81,9 +81,22 @@ TEST_CASE("the throat is where the neck is thinnest, above what it stands on") {
     CHECK_FALSE(bare->throat.has_value());
 }
 
-TEST_CASE("a ball has no face") {
-    Mesh ball = sphere(0.1);
-    CHECK_FALSE(shape_of(ball, Vec3(0, 0, 0.1), Vec3(0, 0, -0.1)).has_value());
+TEST_CASE("a ball has no face, but a throat where it has a neck") {
+    const auto field = [](const Vec3& p) { // a ball on a neck that widens to a trunk below z = -0.02
+        const double neck = 0.04 + std::max(0.0, -p.z() - 0.02);
+        const double around = std::max(p.head<2>().norm() / neck, std::abs(p.z() + 0.1) / 0.12);
+        return std::min((p - Vec3(0, 0, 0.1)).norm() / 0.1, around) - 1;
+    };
+    const Mesh mesh = level_set(field, Vec3(-0.25, -0.25, -0.24), Vec3(0.25, 0.25, 0.22), 0.01);
+    const auto head = shape_of(mesh, Vec3(0, 0, 0.2), Vec3(0, 0, -0.05));
+    REQUIRE(head.has_value());
+    CHECK(head->frontness == 0);
+    CHECK(head->length == Approx(0.2).margin(0.01));
+    CHECK(head->breadth == head->length);
+    CHECK(head->joint == head->centroid);
+    REQUIRE(head->throat.has_value());
+    CHECK(head->throat->head<2>().norm() < 0.01);
+    CHECK(std::abs(head->throat->z()) < 0.03);
 }
 
 TEST_CASE("where there is no head there is nothing to measure") {

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <skelgen/refinement/profile_matcher.hpp>
@@ -74,6 +75,24 @@ TEMPLATE_TEST_CASE("the joints of a limb that is the profile are found where the
         CHECK(found[0].outer == Approx(0.2).margin(0.012));
     }
     CHECK(best_stretches(std::vector<MatchedLimb<TestType>>{}, leg_profile, {}).empty());
+}
+
+TEST_CASE("the ankle of a figure with large feet is found by the heel and the profile, not by a person's lengths") {
+    const Stretch<double> rest{0.2, 0.6, 1.1}, own{0.32, 0.58, 0.9};
+    const std::optional<Heel<double>> heel = Heel<double>{0.32 * std::exp(-0.13), 1};
+    const auto ankle_of = [&](std::optional<Heel<double>> seen, bool is_figures) {
+        return best_stretches<double>({{samples_of(leg_profile, own, -3), rest, std::nullopt, seen, is_figures}},
+                                      leg_profile, {})[0]
+            .outer;
+    };
+    CHECK(ankle_of(heel, true) == Approx(own.outer).epsilon(0.05));
+    CHECK(std::abs(ankle_of(std::nullopt, false) - own.outer) > 0.02);
+    CHECK(std::abs(ankle_of(heel, true) - own.outer) <= std::abs(ankle_of(std::nullopt, true) - own.outer));
+    // A heel that is not where the rest of the leg has the ankle at all says little.
+    const Stretch<double> like_rest = rest;
+    const std::vector<MatchedLimb<double>> shoe{
+        {samples_of(leg_profile, like_rest, -3), rest, std::nullopt, Heel<double>{0.5, 1}, true}};
+    CHECK(best_stretches(shoe, leg_profile, {})[0].outer == Approx(0.2).epsilon(0.1));
 }
 
 TEST_CASE("a limb that is a little longer is found a little longer, without steps") {

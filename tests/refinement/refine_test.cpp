@@ -240,6 +240,12 @@ TEST_CASE("options that make no sense are refused, whichever step they are for")
     options.thickness_profile.bone_deviation = 0;
     CHECK(refusal(options).find("refinement.thickness_profile.bone_deviation") != std::string::npos);
     options = {};
+    options.thickness_profile.heel_deviation = -1;
+    CHECK(refusal(options).find("refinement.thickness_profile.heel_deviation") != std::string::npos);
+    options = {};
+    options.thickness_profile.ankle_beyond_heel = 2;
+    CHECK(refusal(options).find("refinement.thickness_profile.ankle_beyond_heel") != std::string::npos);
+    options = {};
     options.crotch.depth = std::nan("");
     CHECK(refusal(options).find("refinement.crotch.depth") != std::string::npos);
 }

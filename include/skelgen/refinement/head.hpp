@@ -43,9 +43,9 @@ struct HeadShape {
 };
 
 /// Cuts the head into slices across the line from `neck` to the middle of the head, from `top` down to the throat,
-/// where the slices' diameter has shrunk or their longer axis turns, and measures them (RB12). None when there are
-/// fewer than five slices, when they are round, so that there is no front to see, or longer than a head's. O(slices (n
-/// + m)).
+/// where the slices' diameter has shrunk or their longer axis turns, and measures them (RB12). Round ones are as long
+/// as they are broad and show no front: its frontness is 0, its joint the centroid. None when there are fewer than five
+/// slices, or longer ones than a head's. O(slices (n + m)).
 template <typename Scalar>
 [[nodiscard]] std::optional<HeadShape<Scalar>> measure_head(const Slicer<Scalar>& slicer, const Vector3<Scalar>& top,
                                                             const Vector3<Scalar>& neck,

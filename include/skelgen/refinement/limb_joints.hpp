@@ -29,7 +29,7 @@ struct GirdleOptions {
 
 /// \throws Error usage when an option is out of its range.
 inline void validate(const NeckOptions& options) {
-    core::require_in_range("refinement.neck.below_throat", options.below_throat, -1.0, 1.0);
+    core::require_in_range("refinement.neck.below_throat", options.below_throat, -1.0, 0.9);
     core::require_in_range("refinement.neck.throat_weight", options.throat_weight, 0.0, 1.0);
 }
 
@@ -49,8 +49,9 @@ inline void validate(const GirdleOptions& options) {
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_by_ratio(Placement<Scalar> placement, const Limb<Scalar>& limb);
 
-/// Neck: brought nearer to its height below the throat. Where the limb does not begin with a neck, or the head shows no
-/// throat, nothing moves.
+/// Neck: brought nearer to its height below the throat; with an adapted template, which tells no lengths, put there,
+/// and the head's joint above it. Where the limb does not begin with a neck, or the head shows no throat, nothing
+/// moves.
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_neck(Placement<Scalar> placement, const Limb<Scalar>& limb,
                                            const HeadShape<Scalar>& head, const NeckOptions& options = {});

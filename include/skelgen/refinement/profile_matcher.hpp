@@ -19,6 +19,8 @@ struct ThicknessProfileOptions {
     double proportion_deviation = 0.08; ///< of upper bone against lower bone
     double thickness_deviation = 0.07;  ///< of the logarithm of thickness
     double independent_samples = 10;    ///< as many independent measurements a limb's thickness profile is worth
+    double ankle_beyond_heel = 0.13;    ///< logarithm of the ankle's distance from the tip to the heel's
+    double heel_deviation = 0.12;       ///< of that; both calibrated on the legs of registered bodies, and of figures
 };
 
 /// \throws Error usage when an option is out of its range.
@@ -29,6 +31,8 @@ inline void validate(const ThicknessProfileOptions& options) {
     deviation("refinement.thickness_profile.bone_deviation", options.bone_deviation);
     deviation("refinement.thickness_profile.proportion_deviation", options.proportion_deviation);
     deviation("refinement.thickness_profile.thickness_deviation", options.thickness_deviation);
+    deviation("refinement.thickness_profile.heel_deviation", options.heel_deviation);
+    core::require_in_range("refinement.thickness_profile.ankle_beyond_heel", options.ankle_beyond_heel, -1.0, 1.0);
     core::require_in_range("refinement.thickness_profile.independent_samples", options.independent_samples, 0.0, 1e4);
 }
 
@@ -101,12 +105,21 @@ struct Top {
 template <typename Scalar>
 [[nodiscard]] Scalar deviation_of(const Top<Scalar>& top, Scalar stoutness, const Stretch<Scalar>& stretch);
 
+/// Where a leg's centreline turns from calf to foot: see find_heel.
+template <typename Scalar = double>
+struct Heel {
+    Scalar from_tip = 0;
+    Scalar bent = 0; ///< how much it counts as turned: 0 up to `BendOptions::from`, 1 from `full` on
+};
+
 /// A limb whose thickness is compared with the profile.
 template <typename Scalar = double>
 struct MatchedLimb {
     std::vector<Sample<Scalar>> samples;
     Stretch<Scalar> rest; ///< the template's own
     std::optional<Top<Scalar>> top;
+    std::optional<Heel<Scalar>> heel = {};
+    bool is_figures = false; ///< its proportions are its own: `rest` has them roughly
 };
 
 /// The stretch of the profile for each of the limbs, both arms or both legs, that fit their samples, the template's

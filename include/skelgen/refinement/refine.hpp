@@ -60,7 +60,7 @@ struct RefinedJoints {
     Points<Scalar> positions;     ///< per template joint; of those beyond the end of a limb that is cut off, that end
     std::vector<bool> is_present; ///< per template joint; empty: all are
     std::vector<std::pair<int, Vector3<Scalar>>> tips; ///< end joint and the end of its limb, where that is whole
-    std::optional<HeadShape<Scalar>> head;             ///< none when the template has no neck, or the head is round
+    std::optional<HeadShape<Scalar>> head;             ///< none when the template has no neck, or no head is seen
     std::optional<TrunkShape<Scalar>> trunk;           ///< none when the template has no two hips or no neck
 };
 

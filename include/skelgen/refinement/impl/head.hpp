@@ -156,6 +156,17 @@ std::vector<Slice<Scalar>> slices_of(const Slicer<Scalar>& slicer, const Vector3
     return slices;
 }
 
+/// How far slices reach from their centres, all around.
+template <typename Scalar>
+Scalar largest_radius(const std::vector<Slice<Scalar>>& slices) {
+    Scalar squared = 0;
+    for (std::size_t i = 0; i + 1 < slices.size(); ++i)
+        squared = std::max(
+            squared,
+            (slices[i].section.points.rowwise() - slices[i].centre.transpose()).rowwise().squaredNorm().maxCoeff());
+    return std::sqrt(squared);
+}
+
 /// How clearly the head faces `head.forward` (positive) or away (negative). Two signs: under the skull the jaw lies to
 /// the front, so that slices' centres move forward from top to bottom; and slices are egg-shaped, narrower at the
 /// front.
@@ -227,7 +238,7 @@ std::optional<HeadShape<Scalar>> measure_head(const Slicer<Scalar>& slicer, cons
     for (std::size_t i = 0; i + 1 < slices.size(); ++i) moments.add(slices[i].section, slices[i].centre);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3<Scalar>> axes(moments.covariance());
     const Scalar longer = axes.eigenvalues()[2], shorter = axes.eigenvalues()[1];
-    if (!(longer > detail::least_oval<Scalar> * shorter)) return std::nullopt;
+    const bool is_round = !(longer > detail::least_oval<Scalar> * shorter);
     out.forward = axes.eigenvectors().col(2);
     out.forward = (out.forward - out.forward.dot(out.up) * out.up).normalized();
     const Vector3<Scalar> side = out.up.cross(out.forward);
@@ -240,12 +251,18 @@ std::optional<HeadShape<Scalar>> measure_head(const Slicer<Scalar>& slicer, cons
         out.forward = -out.forward;
         out.frontness = -out.frontness;
     }
+    if (is_round) { // its axes may point anywhere
+        out.length = out.breadth = 2 * detail::largest_radius(slices);
+        out.frontness = 0;
+    }
 
     const Scalar height = (top - neck).norm();
     if (out.length > static_cast<Scalar>(options.longest) * height) return std::nullopt;
     const Scalar throat = (top - slices.back().centre).dot(out.up) / height;
     out.size = std::min(throat / detail::adult_throat<Scalar>, out.length / (detail::adult_length<Scalar> * height));
     out.throat = detail::find_throat(slicer, out, height, Scalar(static_cast<Scalar>(options.slice) / 2 * height));
+    out.joint = out.centroid;
+    if (is_round) return out;
     std::size_t nose = 0;
     Scalar farthest = 0;
     for (std::size_t i = 0; i + 1 < slices.size(); ++i) {
@@ -256,8 +273,7 @@ std::optional<HeadShape<Scalar>> measure_head(const Slicer<Scalar>& slicer, cons
         }
     }
     const Scalar nose_height = (slices[nose].section.points.row(0).transpose() - out.centroid).dot(out.up);
-    out.joint =
-        out.centroid + nose_height * out.up - static_cast<Scalar>(options.joint_back) * out.length * out.forward;
+    out.joint += nose_height * out.up - static_cast<Scalar>(options.joint_back) * out.length * out.forward;
     return out;
 }
 

@@ -53,9 +53,12 @@ inline constexpr Scalar touching_growth = Scalar(5);
 template <typename Scalar>
 inline constexpr Scalar shortest_upper_bone = Scalar(0.1);
 
-/// Logarithms of lengths are looked for up to so far from the template's: lengths from 3/4 to 4/3 of it.
+/// Logarithms of lengths are looked for up to so far from the template's: lengths from 3/4 to 4/3 of it; of a figure,
+/// whose hands and feet may be of any size, from 1/2 to 2 times as long.
 template <typename Scalar>
 inline constexpr Scalar widest_search = Scalar(0.3);
+template <typename Scalar>
+inline constexpr Scalar widest_search_of_figures = Scalar(0.6);
 
 /// Steps of the grids of logarithms, each grid around the best of the one before; the last is half a percent of a
 /// length. For what the best costs a wider first step is enough: which of two like ones it is does not matter then.
@@ -85,6 +88,13 @@ Scalar squared(Scalar x) {
     return x * x;
 }
 
+/// Squared deviations of what may be far off for a reason of its own, and then says little.
+template <typename Scalar>
+Scalar softened(Scalar squares) {
+    constexpr auto far = static_cast<Scalar>(far_off);
+    return far * std::log1p(squares / far);
+}
+
 /// What a stretch of the profile costs on one limb: squared deviations of the thickness and of the lengths.
 template <typename Scalar>
 class StretchCost {
@@ -102,9 +112,9 @@ public:
     /// What the lengths alone cost, for any thickness.
     [[nodiscard]] Scalar of_lengths(Scalar outer_ratio, Scalar bone_ratio) const {
         const Stretch<Scalar> s = stretch(outer_ratio, bone_ratio);
-        return squared(outer_ratio / static_cast<Scalar>(options_.end_deviation)) +
-               squared(std::log(s.middle / limb_.rest.middle) / static_cast<Scalar>(options_.limb_deviation)) +
-               squared(bone_ratio / static_cast<Scalar>(options_.bone_deviation));
+        return off_rest(outer_ratio, options_.end_deviation) +
+               off_rest(std::log(s.middle / limb_.rest.middle), options_.limb_deviation) +
+               off_rest(bone_ratio, options_.bone_deviation);
     }
 
     [[nodiscard]] Scalar operator()(Scalar outer_ratio, Scalar bone_ratio) const {
@@ -113,24 +123,36 @@ public:
             fit_profile(limb_.samples, profile_, s, static_cast<Scalar>(options_.thickness_deviation));
         return static_cast<Scalar>(options_.independent_samples) * far_misfit<Scalar> *
                    std::log1p(fit.misfit / far_misfit<Scalar>) +
-               squared(outer_ratio / static_cast<Scalar>(options_.end_deviation)) +
-               squared(std::log(s.middle / limb_.rest.middle) / static_cast<Scalar>(options_.limb_deviation)) +
-               squared(bone_ratio / static_cast<Scalar>(options_.bone_deviation)) + disproportion(s, fit.stoutness);
+               off_rest(outer_ratio, options_.end_deviation) +
+               off_rest(std::log(s.middle / limb_.rest.middle), options_.limb_deviation) +
+               off_rest(bone_ratio, options_.bone_deviation) + disproportion(s, fit.stoutness) + off_heel(s);
     }
 
 private:
     [[nodiscard]] Scalar lower_bone() const { return limb_.rest.middle - limb_.rest.outer; }
     [[nodiscard]] Scalar upper_bone() const { return limb_.rest.inner - limb_.rest.middle; }
 
+    /// Of a length from the template's. A figure's proportions are its own: far off they say little.
+    [[nodiscard]] Scalar off_rest(Scalar ratio, double deviation) const {
+        const Scalar squares = squared(ratio / static_cast<Scalar>(deviation));
+        return limb_.is_figures ? softened(squares) : squares;
+    }
+
+    /// Of the ankle from where the heel has it. Shoes may turn the line elsewhere: far off it says little.
+    [[nodiscard]] Scalar off_heel(const Stretch<Scalar>& s) const {
+        if (!limb_.heel) return 0;
+        const Scalar ratio = std::log(s.outer / limb_.heel->from_tip) - static_cast<Scalar>(options_.ankle_beyond_heel);
+        return limb_.heel->bent * softened(squared(ratio / static_cast<Scalar>(options_.heel_deviation)));
+    }
+
     /// Of the upper bone, whose upper end is known, to the lower one. Clothes hide that end: far off, it says little.
     [[nodiscard]] Scalar disproportion(const Stretch<Scalar>& s, Scalar stoutness) const {
         if (!limb_.top) return 0;
-        constexpr auto far = static_cast<Scalar>(far_off);
         const Scalar upper = std::max(limb_.top->from_tip - s.middle, shortest_upper_bone<Scalar> * upper_bone());
         const Scalar x = std::log(upper / (s.inner - s.middle));
         const Scalar deviation = deviation_of(*limb_.top, stoutness, s);
-        const Scalar xx = x * x / (squared(static_cast<Scalar>(options_.proportion_deviation)) + squared(deviation));
-        return far * std::log1p(xx / far);
+        return softened(squared(x) /
+                        (squared(static_cast<Scalar>(options_.proportion_deviation)) + squared(deviation)));
     }
 
     const MatchedLimb<Scalar>& limb_;
@@ -209,7 +231,8 @@ StretchRatios<Scalar> cheapest_ratios(const std::vector<MatchedLimb<Scalar>>& li
     std::vector<StretchCost<Scalar>> costs;
     for (const MatchedLimb<Scalar>& limb : limbs) costs.emplace_back(limb, profile, options);
     StretchRatios<Scalar> best{0, std::vector<Scalar>(limbs.size(), Scalar(0))};
-    Scalar reach = widest_search<Scalar>;
+    const bool are_figures = std::any_of(limbs.begin(), limbs.end(), [](const auto& limb) { return limb.is_figures; });
+    Scalar reach = are_figures ? widest_search_of_figures<Scalar> : widest_search<Scalar>;
     for (const double step : steps) {
         best = search_ratios(costs, best, reach, static_cast<Scalar>(step));
         reach = static_cast<Scalar>(step);

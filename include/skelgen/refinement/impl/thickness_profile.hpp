@@ -10,6 +10,7 @@
 
 #include <skelgen/core/parallel.hpp>
 #include <skelgen/refinement/flat_end.hpp>
+#include <skelgen/refinement/heel.hpp>
 
 namespace skelgen::refinement {
 namespace detail {
@@ -52,6 +53,7 @@ struct ProfiledLimb {
     BodyPart part;
     std::size_t inner, middle, outer;
     Stretch<Scalar> rest;
+    bool is_figures;  ///< whose proportions are its own
     Scalar scale = 1; ///< `rest` is the template's, times that
     Scalar bone_ratio = 1;
     ProfileFit<Scalar> fit = {};
@@ -65,9 +67,13 @@ std::optional<ProfiledLimb<Scalar>> as_profiled(Limb<Scalar>& limb, const Skelet
     const auto middle = find_in_limb(limb, skeleton_template, leg ? knee : elbow);
     const auto outer = find_in_limb(limb, skeleton_template, leg ? ankle : wrist);
     if (!inner || !middle || !outer) return std::nullopt;
-    return ProfiledLimb<Scalar>{&limb,  leg ? BodyPart::leg : BodyPart::arm,
-                                *inner, *middle,
-                                *outer, {limb.from_tip[*outer], limb.from_tip[*middle], limb.from_tip[*inner]}};
+    return ProfiledLimb<Scalar>{&limb,
+                                leg ? BodyPart::leg : BodyPart::arm,
+                                *inner,
+                                *middle,
+                                *outer,
+                                {limb.from_tip[*outer], limb.from_tip[*middle], limb.from_tip[*inner]},
+                                skeleton_template.is_adapted};
 }
 
 /// Arc length of the limb's attachment moved outwards to where, seen from the trunk, its sections cease to be a third
@@ -100,6 +106,13 @@ std::optional<Top<Scalar>> top_of(const ProfiledLimb<Scalar>& p, const Fold<Scal
                        p.part};
 }
 
+/// The heel of a figure, whose foot may be of any size; a person's own lengths know the ankle as well.
+template <typename Scalar>
+std::optional<Heel<Scalar>> heel_of(const ProfiledLimb<Scalar>& p, const BendOptions& bend) {
+    if (p.part != BodyPart::leg || !p.is_figures || p.limb->missing > 0) return std::nullopt;
+    return find_heel(*p.limb, p.rest, bend);
+}
+
 /// The stretches along the bones where the `found` ones, along centrelines, show a limb to be bent; those where none
 /// is. A centreline cuts the corner, and the fold there has flesh of both bones: bent limbs would seem short.
 template <typename Scalar>
@@ -113,7 +126,8 @@ std::vector<Stretch<Scalar>> stretches_along_bones(std::vector<MatchedLimb<Scala
         const Fold<Scalar> fold = find_fold(*limbs[k]->limb, found[k], bend, bone_line);
         if (!(fold.bent > 0)) continue;
         any_bent = true;
-        matched[k] = {thickness_samples(*limbs[k]->limb, fold), limbs[k]->rest, top_of(*limbs[k], fold)};
+        matched[k].samples = thickness_samples(*limbs[k]->limb, fold);
+        matched[k].top = top_of(*limbs[k], fold);
     }
     return any_bent ? best_stretches(matched, profile, options) : found;
 }
@@ -130,7 +144,7 @@ std::vector<ProfiledLimb<Scalar>> with_outer_joints(std::vector<ProfiledLimb<Sca
     for (ProfiledLimb<Scalar>& p : limbs)
         if (p.part == part) {
             pair.push_back(&p);
-            matched.push_back({thickness_samples(*p.limb), p.rest, top_of(p)});
+            matched.push_back({thickness_samples(*p.limb), p.rest, top_of(p), heel_of(p, bend), p.is_figures});
         }
     if (pair.empty()) return limbs;
     const std::vector<Stretch<Scalar>> found = best_stretches(matched, profile, options);
@@ -300,7 +314,7 @@ Limb<Scalar> ending_at(Limb<Scalar> limb, std::size_t outer) {
 template <typename Scalar>
 Scalar cost_of(Limb<Scalar> limb, const SkeletonTemplate& skeleton_template, const ThicknessProfileOptions& options) {
     const auto p = as_profiled(limb, skeleton_template);
-    return least_cost<Scalar>({thickness_samples(limb), p->rest, std::nullopt},
+    return least_cost<Scalar>({thickness_samples(limb), p->rest, std::nullopt, std::nullopt},
                               p->part == BodyPart::leg ? leg_profile : arm_profile, options);
 }
 
