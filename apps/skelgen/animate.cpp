@@ -39,7 +39,7 @@ void run(const AnimateCommand& command) {
     in_file(command.output, [&] {
         io::write_file_atomically(command.output, rig_to_glb(character.rig, names, character.looks, {animation}));
     });
-    if (!command.quiet) print_warnings(command.mesh.file, character.skeleton);
+    if (!command.quiet) print_warnings(command.mesh.file, character);
 }
 
 } // namespace
