@@ -107,7 +107,8 @@ void run(const PoseCommand& command) {
     const FittedFile body = in_file(command.mesh.file, [&] { return fit_file(command.mesh, options); });
     const TriangleMesh<double> held =
         model ? held_like_model(command, body, *model) : held_as_in_clip(command, body, *clip);
-    in_file(command.output, [&] { write_mesh(command.output, held); });
+    const io::SceneLooks looks = format == io::MeshFormat::glb ? load_looks(command.mesh) : io::SceneLooks{};
+    in_file(command.output, [&] { io::write_mesh(command.output, held, looks); });
     waiting.end();
     if (command.quiet) return;
     if (model) print_warnings(command.like.empty() ? command.pose : command.like, model->skeleton);
