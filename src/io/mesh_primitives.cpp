@@ -67,7 +67,7 @@ std::optional<std::size_t> normal_map_set(const Json& materials, const ScenePart
 
 /// The parts, which must be of this mesh: all of its faces, one after the other.
 std::vector<ScenePart> checked(std::vector<ScenePart> parts, const TriangleMesh<double>& mesh) {
-    if (parts.empty()) return {{0, mesh.vertices.rows(), 0, mesh.faces.rows(), std::nullopt, {}}};
+    if (parts.empty()) return {{0, mesh.vertices.rows(), 0, mesh.faces.rows(), std::nullopt, {}, {}}};
     Eigen::Index faces = 0;
     for (const ScenePart& part : parts) {
         const auto corners = mesh.faces.middleRows(std::min(part.first_face, mesh.faces.rows()),
@@ -102,6 +102,7 @@ Json describe_primitives(GltfBuffer& buffer, const TriangleMesh<double>& mesh, c
         for (std::size_t set = 0; set < part.texture_coordinates.size(); ++set)
             attributes["TEXCOORD_" + std::to_string(set)] =
                 buffer.add_floats(part.texture_coordinates[set], GltfTarget::vertices);
+        if (part.colours.rows() > 0) attributes["COLOR_0"] = buffer.add_floats(part.colours, GltfTarget::vertices);
         std::vector<std::uint32_t> corners;
         for (const int corner : mesh.faces.middleRows(part.first_face, part.faces).reshaped<Eigen::RowMajor>())
             corners.push_back(static_cast<std::uint32_t>(corner - part.first_vertex));

@@ -88,6 +88,7 @@ TEST_CASE("GLB: parts of a scene keep materials, texture coordinates and picture
     const auto coordinates = scene.add<float>("VEC2", {0, 0, 0.5F, 0.25F, 1, 0, 1, 1});
     auto& primitive = scene.json["meshes"][0]["primitives"][0];
     primitive["attributes"]["TEXCOORD_0"] = coordinates;
+    primitive["attributes"]["COLOR_0"] = scene.add<float>("VEC3", {1, 0, 0, 0, 1, 0, 0, 0, 1, 0.5F, 0.25F, 2});
     primitive["material"] = 0;
     scene.json["materials"] = {{{"name", "skin"},
                                 {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
@@ -102,6 +103,8 @@ TEST_CASE("GLB: parts of a scene keep materials, texture coordinates and picture
     REQUIRE(looks->parts.size() == 1);
     CHECK(looks->parts[0].vertices == 4);
     CHECK(looks->parts[0].faces == 4);
+    REQUIRE(looks->parts[0].colours.rows() == 4);
+    CHECK(looks->parts[0].colours.row(3) == Eigen::RowVector4f(0.5F, 0.25F, 1, 1)); // opaque, within 0 and 1
     CHECK(looks->pictures == std::vector<std::string>{"\x89PNG\r\n\x1A\n"});
 
     Rig<double> rig = small_rig();
@@ -113,6 +116,7 @@ TEST_CASE("GLB: parts of a scene keep materials, texture coordinates and picture
     const auto again = io::read_looks(folder / "rig.glb");
     REQUIRE(again);
     CHECK(again->parts[0].texture_coordinates == looks->parts[0].texture_coordinates);
+    CHECK(again->parts[0].colours == looks->parts[0].colours);
     CHECK(again->pictures == looks->pictures);
     CHECK(again->json == looks->json);
     CHECK(again->json.find("KHR_materials_unlit") != std::string::npos);
@@ -125,6 +129,7 @@ TEST_CASE("GLB: parts of a scene keep materials, texture coordinates and picture
     const auto of_held = io::read_looks(folder / "held.glb");
     REQUIRE(of_held);
     CHECK(of_held->parts[0].texture_coordinates == looks->parts[0].texture_coordinates);
+    CHECK(of_held->parts[0].colours == looks->parts[0].colours);
     CHECK(of_held->pictures == looks->pictures);
     CHECK(of_held->json == looks->json);
     const auto held_again = io::read_mesh(folder / "held.glb");
