@@ -191,6 +191,25 @@ TEST_CASE("clips: stubs, helpers and fingers are told from the joints that they 
     CHECK(body->arms[0].tip == 22);
 }
 
+TEST_CASE("clips: a pelvis beside the spine, both on the hip, holds the legs", "[applications][clip]") {
+    MotionClip clip = test::standing_clip(); // as Daz and Character Creator have it
+    clip.joints[0].name = "hip";
+    clip.joints.insert(clip.joints.begin() + 1, {"pelvis", 0, {0, 0, 0}});
+    for (std::size_t j = 2; j < clip.joints.size(); ++j) {
+        ClipJoint& joint = clip.joints[j];
+        if (joint.parent > 0)
+            ++joint.parent;
+        else if (joint.name == "LeftUpLeg" || joint.name == "RightUpLeg")
+            joint.parent = 1;
+    }
+    const auto body = find_body(clip);
+    if (!body) FAIL(body.failure().what);
+    CHECK(body->pelvis == 1);
+    CHECK(body->spine == std::vector<int>{2, 3});
+    CHECK(body->chest == 4);
+    CHECK(body->legs[1].upper == 19);
+}
+
 TEST_CASE("clips: what is missing is named", "[applications][clip]") {
     const auto fault = [](const std::string& joint, const std::string& name, int parent = -2) {
         MotionClip clip = test::standing_clip();

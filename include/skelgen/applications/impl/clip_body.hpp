@@ -284,13 +284,15 @@ inline std::string fault_of(const std::array<ClipLimb, 2>& limbs, const PartFind
     return "";
 }
 
-/// Whether legs hang on the pelvis, and chest and head above it, arms on the chest.
+/// Whether legs hang on the pelvis, arms on the chest, and pelvis, chest and head on each other or on a joint below
+/// all.
 inline bool hangs_together(const ClipBody& body, const ClipTree& tree) {
     bool limbs_hang = true;
     for (const ClipLimb& leg : body.legs) limbs_hang = limbs_hang && tree.is_below(leg.upper, body.pelvis);
     for (const ClipLimb& arm : body.arms) limbs_hang = limbs_hang && tree.is_below(arm.upper, body.chest);
-    return limbs_hang && (body.chest == body.pelvis || tree.is_below(body.chest, body.pelvis)) &&
-           tree.is_below(body.head, body.pelvis) && body.head != body.chest && !tree.is_below(body.chest, body.head);
+    const int trunk = tree.fork(body.pelvis, body.chest);
+    return limbs_hang && trunk >= 0 && !tree.is_below(body.pelvis, body.chest) && tree.is_below(body.head, trunk) &&
+           body.head != body.chest && !tree.is_below(body.chest, body.head);
 }
 
 } // namespace detail
@@ -320,7 +322,8 @@ SKELGEN_INLINE Outcome<ClipBody> find_body(const MotionClip& clip) {
         body.head = parts.find_last(detail::NamedPart::upper_spine, tree, body.chest);
     if (body.head < 0) return failed("no joint is named as a head");
     if (!detail::hangs_together(body, tree)) return failed("trunk, head and limbs do not hang together as a body's do");
-    body.spine = tree.between(body.pelvis, body.chest);
+    // The chest may hang beside the pelvis, both on the hip, as Daz has it.
+    body.spine = tree.between(tree.fork(body.pelvis, body.chest), body.chest);
     // A head may hang below the chest, on the pelvis' side of it: its neck begins where the two part.
     body.neck = tree.between(tree.fork(body.head, body.chest), body.head);
     return body;
