@@ -1,6 +1,7 @@
 // node view.mjs PAGE LARGE MANY: fails where a page of `skelgen view` does not show on the screen what it is to show. PAGE
 // holds a body, one in the A-pose (both with the clip walk), something that is no body and something that cannot be read; LARGE a body of 100
 // thousand faces; MANY two dozen bodies.
+import { readFile, writeFile } from "node:fs/promises";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { changed, Faults, launch, picture, pixel } from "./browser.mjs";
@@ -161,6 +162,17 @@ const elbow = await place(phone, "left_elbow");
 await phone.touchscreen.tap(elbow.x, elbow.y);
 expect((await phone.locator("#tip").innerText()).includes("confidence"), "a tap on a joint tells nothing");
 await phone.close();
+
+// ---- one that the browser cannot show ----
+
+const torn_path = `${path}.torn.html`; // as the page, but for the first body's file
+await writeFile(torn_path, (await readFile(path, "utf8")).replace(/"glb":"[^"]{40}/, '"glb":"'));
+const torn = await open(torn_path, { viewport: { width: 1100, height: 700 } });
+const told = await torn.locator(".body").allInnerTexts();
+expect(told.length === 4 && told[0].includes("cannot be shown"), `where one cannot be shown the page has ${told}`);
+await press(torn, "n");
+expect((await torn.locator(".joint:visible").count()) === 21, "with the one that cannot be shown, others are not");
+await torn.close();
 
 // ---- many ----
 
