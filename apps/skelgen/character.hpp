@@ -16,7 +16,7 @@ namespace skelgen::cli {
 /// A file's body bound to its skeleton.
 struct Character {
     applications::Rig<double> rig;
-    io::SceneLooks looks;
+    KeptLooks kept;
     KinematicSkeleton<double> skeleton; ///< in the file's coordinates
 };
 

@@ -107,12 +107,13 @@ void run(const PoseCommand& command) {
     const FittedFile body = in_file(command.mesh.file, [&] { return fit_file(command.mesh, options); });
     const TriangleMesh<double> held =
         model ? held_like_model(command, body, *model) : held_as_in_clip(command, body, *clip);
-    const io::SceneLooks looks = format == io::MeshFormat::glb ? load_looks(command.mesh) : io::SceneLooks{};
-    in_file(command.output, [&] { io::write_mesh(command.output, held, looks); });
+    const KeptLooks kept = format == io::MeshFormat::glb ? keep_looks(command.mesh) : KeptLooks{};
+    in_file(command.output, [&] { io::write_mesh(command.output, held, kept.looks); });
     waiting.end();
     if (command.quiet) return;
     if (model) print_warnings(command.like.empty() ? command.pose : command.like, model->skeleton);
     print_warnings(command.mesh.file, body.skeleton());
+    if (!kept.warning.empty()) print_warning(command.mesh.file.string() + ": " + kept.warning);
 }
 
 } // namespace

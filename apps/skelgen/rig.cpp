@@ -46,8 +46,9 @@ void run(const RigCommand& command) {
         const WaitingLine waiting(command.mesh.file.string(), !command.quiet);
         return make_character(command.mesh, options);
     });
-    in_file(command.output,
-            [&] { write_rig(command.output, character.rig, *io::joint_names_named(command.names), character.looks); });
+    in_file(command.output, [&] {
+        write_rig(command.output, character.rig, *io::joint_names_named(command.names), character.kept.looks);
+    });
     if (!command.quiet) print_warnings(command.mesh.file, character);
 }
 
