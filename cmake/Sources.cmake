@@ -403,6 +403,7 @@ set(skelgen_sources
     src/io/leftovers.cpp
     src/io/measurements_text.cpp
     src/io/mesh_format.cpp
+    src/io/mesh_primitives.cpp
     src/io/obj_parser.cpp
     src/io/off_parser.cpp
     src/io/ply_header.cpp

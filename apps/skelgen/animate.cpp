@@ -37,9 +37,9 @@ void run(const AnimateCommand& command) {
     const auto animation = follow_clip(clip, character.rig);
     const auto names = *io::joint_names_named(command.names);
     in_file(command.output, [&] {
-        io::write_file_atomically(command.output, rig_to_glb(character.rig, names, character.looks, {animation}));
+        io::write_file_atomically(command.output, rig_to_glb(character.rig, names, character.kept.looks, {animation}));
     });
-    if (!command.quiet) print_warnings(command.mesh.file, character.skeleton);
+    if (!command.quiet) print_warnings(command.mesh.file, character);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "character.hpp"
 
+#include "console.hpp"
 #include "fitted_file.hpp"
 
 namespace skelgen::cli {
@@ -10,7 +11,15 @@ Character make_character(const MeshInput& input, const CharacterOptions& options
     const FittedFile body = fit_file(input, extraction);
     const SkeletonTemplate& skeleton_template = builtin_template(body.skeleton().template_name);
     return {applications::make_rig(body.mesh, body.found.body, body.skeleton(), skeleton_template, options.rest),
-            load_looks(input), body.skeleton()};
+            keep_looks(input), body.skeleton()};
+}
+
+void print_warnings(const std::filesystem::path& file, const Character& character) {
+    print_warnings(file, character.skeleton);
+    if (!character.kept.warning.empty()) print_warning(file.string() + ": " + character.kept.warning);
+    if (!character.rig.unit_is_known)
+        print_warning(file.string() + ": its unit is unknown, as it has no person's height in any; " +
+                      "lengths are left as they are");
 }
 
 void add_joint_names_option(CLI::App& command, std::string& names, const std::string& help) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -15,7 +16,7 @@ namespace skelgen::cli {
 /// A file's body bound to its skeleton.
 struct Character {
     applications::Rig<double> rig;
-    io::SceneLooks looks;
+    KeptLooks kept;
     KinematicSkeleton<double> skeleton; ///< in the file's coordinates
 };
 
@@ -27,6 +28,9 @@ struct CharacterOptions {
 
 /// Reads a mesh, finds the body in it and binds it. \throws Error as `fit_file`, without the file's name.
 [[nodiscard]] Character make_character(const MeshInput& input, const CharacterOptions& options);
+
+/// Prints what is to be known of a character, beside what is of its skeleton.
+void print_warnings(const std::filesystem::path& file, const Character& character);
 
 /// Adds the option --names, with `help` as what it says there: `names` is then one that `io::joint_names_named` knows.
 void add_joint_names_option(CLI::App& command, std::string& names, const std::string& help);

@@ -53,4 +53,13 @@ io::SceneLooks load_looks(const MeshInput& input) {
     return io::read_looks(input.file).value_or(io::SceneLooks{});
 }
 
+KeptLooks keep_looks(const MeshInput& input) {
+    try {
+        return {load_looks(input), ""};
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::bad_input) throw;
+        return {{}, std::string("its looks are left out: ") + error.what()};
+    }
+}
+
 } // namespace skelgen::cli

@@ -30,4 +30,14 @@ void add_component_option(CLI::App& command, int& component);
 /// `io::read_looks`, without the file's name.
 [[nodiscard]] io::SceneLooks load_looks(const MeshInput& input);
 
+/// How a mesh looks, or what is to be said where that cannot be read, as its pictures are missing: a body is one
+/// without.
+struct KeptLooks {
+    io::SceneLooks looks;
+    std::string warning; ///< empty: none
+};
+
+/// As `load_looks`, but for what it throws of bad input.
+[[nodiscard]] KeptLooks keep_looks(const MeshInput& input);
+
 } // namespace skelgen::cli

@@ -1,4 +1,5 @@
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -106,9 +107,13 @@ void run(const PoseCommand& command) {
     const FittedFile body = in_file(command.mesh.file, [&] { return fit_file(command.mesh, options); });
     const TriangleMesh<double> held =
         model ? held_like_model(command, body, *model) : held_as_in_clip(command, body, *clip);
-    in_file(command.output, [&] { write_mesh(command.output, held); });
+    const KeptLooks kept = format == io::MeshFormat::glb ? keep_looks(command.mesh) : KeptLooks{};
+    in_file(command.output, [&] { io::write_mesh(command.output, held, kept.looks); });
     waiting.end();
-    if (!command.quiet) print_warnings(command.mesh.file, body.skeleton());
+    if (command.quiet) return;
+    if (model) print_warnings(command.like.empty() ? command.pose : command.like, model->skeleton);
+    print_warnings(command.mesh.file, body.skeleton());
+    if (!kept.warning.empty()) print_warning(command.mesh.file.string() + ": " + kept.warning);
 }
 
 } // namespace
@@ -124,7 +129,7 @@ void add_pose_command(CLI::App& app) {
     model->require_option(1);
     sub->add_option("--frame", command->frame, "Which of the motion's frames, counted from 0")
         ->needs(clip)
-        ->check(CLI::NonNegativeNumber)
+        ->check(CLI::Range(0, std::numeric_limits<int>::max()))
         ->capture_default_str();
     sub->add_option("-o,--output", command->output, "Mesh to write: " + io::written_mesh_extensions_text())->required();
     add_component_option(*sub, command->component);

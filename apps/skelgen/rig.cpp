@@ -46,13 +46,10 @@ void run(const RigCommand& command) {
         const WaitingLine waiting(command.mesh.file.string(), !command.quiet);
         return make_character(command.mesh, options);
     });
-    in_file(command.output,
-            [&] { write_rig(command.output, character.rig, *io::joint_names_named(command.names), character.looks); });
-    if (command.quiet) return;
-    print_warnings(command.mesh.file, character.skeleton);
-    if (!character.rig.unit_is_known)
-        print_warning(command.mesh.file.string() + ": its unit is unknown, as it has no person's height in any; " +
-                      "lengths are left as they are");
+    in_file(command.output, [&] {
+        write_rig(command.output, character.rig, *io::joint_names_named(command.names), character.kept.looks);
+    });
+    if (!command.quiet) print_warnings(command.mesh.file, character);
 }
 
 } // namespace

@@ -35,7 +35,9 @@ io::ViewedBody viewed(const BatchItem& item, const TriangleMesh<double>& mesh) {
     body.name = item.file;
     body.sections = applications::bone_sections(found.body, skeleton, skeleton_template);
     body.rig = applications::make_rig(mesh, found.body, skeleton, skeleton_template);
-    body.looks = load_looks({item.mesh, {}});
+    KeptLooks kept = keep_looks({item.mesh, {}});
+    body.looks = std::move(kept.looks);
+    if (!kept.warning.empty()) skeleton.quality.warnings.push_back(std::move(kept.warning));
     body.skeleton = std::move(skeleton);
     body.curve = std::move(found.extraction.curve);
     return body;

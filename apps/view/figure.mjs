@@ -61,7 +61,7 @@ export class Figure {
       depth.renderOrder = 1;
       mesh.renderOrder = 2;
       const plain = new THREE.MeshLambertMaterial({ vertexColors: true, transparent: true });
-      mesh.userData = { looks: mesh.material, plain, depth };
+      mesh.userData = { looks: mesh.material, plain, depth, colours: mesh.geometry.attributes.color };
       mesh.parent.add(depth);
       this.layers.body.push(mesh, depth);
     }
@@ -196,6 +196,7 @@ export class Figure {
       const own = scheme === "looks" && this.data.has_looks;
       mesh.material = own ? mesh.userData.looks : mesh.userData.plain;
       mesh.userData.depth.material.visible = !own;
+      if (own && mesh.userData.colours) mesh.geometry.setAttribute("color", mesh.userData.colours);
       if (own) continue;
       if (!mesh.isSkinnedMesh || scheme === "plain" || scheme === "looks") colours.paint_plain(mesh.geometry);
       else if (scheme === "sides") colours.paint_sides(mesh.geometry, this.data.joints);

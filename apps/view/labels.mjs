@@ -21,8 +21,9 @@ export class Labels {
     this.tip = tip;
     this.figures = figures;
     this.bodies = figures.map((figure) => {
-      const element = label(parent, "body", figure.data.name);
-      if (figure.data.failure) label(element, "failure", figure.data.failure);
+      const element = label(parent, "body", "");
+      label(element, "name", figure.data.name).classList.toggle("failure", "failure" in figure.data);
+      if (figure.data.failure) label(element, "failure reason", figure.data.failure);
       return element;
     });
     this.joints = figures.flatMap((figure) => figure.bones.map((bone, j) => ({
@@ -36,8 +37,9 @@ export class Labels {
   /// Puts all texts where their objects are on the stage.
   update(stage, names, frame) {
     this.figures.forEach((figure, i) => {
-      const { x, z } = figure.root.position;
-      put(this.bodies[i], stage.project(place.set(x, 0, z)), "translate(-50%, 14px)");
+      const { x, y, z } = figure.root.position;
+      put(this.bodies[i], stage.project(place.set(x, y, z)), "translate(-50%, 14px)");
+      if (this.figures.length > 1) this.fit(this.bodies[i], stage, figure);
     });
     const of = (labels, shown) => {
       for (const { object, element } of labels)
@@ -45,6 +47,17 @@ export class Labels {
     };
     of(this.joints, names);
     of(this.directions, frame);
+  }
+
+  /// A body's text does not run into those beside it: names are cut short, and without room for a reason, the list has it.
+  fit(element, stage, { root: { position }, slot }) {
+    const [from, to] = [-0.5, 0.5].map((part) => stage.project(place.copy(position).setX(position.x + part * slot)));
+    if (!from || !to) return;
+    const room = Math.max(Math.round(Math.hypot(to.x - from.x, to.y - from.y)), 24);
+    if (element.dataset.room === String(room)) return;
+    element.dataset.room = String(room);
+    element.style.maxWidth = `min(16em, ${room}px)`;
+    element.classList.toggle("narrow", room < 80);
   }
 
   /// The joint nearest to a place on the canvas within `reach` pixels, in front of others at about the same place.

@@ -7,6 +7,31 @@ import { Poses } from "./poses.mjs";
 import { Stage } from "./stage.mjs";
 
 const gap = 0.25; // metres between bodies
+const caption = 0.35; // and below those of a row, for their names
+
+/// Figures one after the other, cut into so many rows of about the same width.
+function in_rows(figures, count) {
+  const rows = [];
+  const all = figures.reduce((sum, { width }) => sum + width, 0);
+  let before = 0;
+  for (const figure of figures) {
+    const row = Math.min(Math.floor(((before + figure.width / 2) / all) * count), count - 1);
+    (rows[row] ??= []).push(figure);
+    before += figure.width;
+  }
+  return rows.filter((row) => row);
+}
+
+/// The rows in which figures are seen as large as can be; one where more are not half as good again.
+function best_rows(figures, aspect) {
+  const height_of_view = (rows) => {
+    const width = Math.max(...rows.map((row) => row.reduce((sum, { width }) => sum + width, 0)));
+    return Math.max(width / aspect, rows.reduce((sum, row) => sum + Math.max(...row.map(({ height }) => height)), 0));
+  };
+  const choices = figures.map((_, i) => in_rows(figures, i + 1));
+  const best = choices.reduce((a, b) => (height_of_view(b) < height_of_view(a) ? b : a));
+  return height_of_view(choices[0]) > 1.5 * height_of_view(best) ? best : choices[0];
+}
 
 /// What is shown of the bodies and how they are held; every change ends in a new picture.
 class Viewer {
@@ -30,16 +55,26 @@ class Viewer {
     this.see_all();
   }
 
-  /// Side by side along x, the first on the viewer's left. \returns the box of all.
+  /// Side by side along x, the first on the viewer's left; many in rows, one above the other. \returns the box of all.
   line_up() {
     const all = new THREE.Box3();
-    let x = 0;
-    for (const { root, box } of this.figures) {
-      root.position.x = x - box.min.x;
-      x += box.max.x - box.min.x + gap;
-      root.updateMatrixWorld(true);
-      this.stage.scene.add(root);
-      all.union(box.clone().translate(root.position));
+    const { canvas } = this.stage;
+    const slots = this.figures.map((figure) => {
+      const { min, max } = figure.box;
+      figure.slot = max.x - min.x + gap;
+      return { figure, width: figure.slot, height: max.y - min.y + caption };
+    });
+    let y = 0;
+    for (const row of best_rows(slots, canvas.clientWidth / canvas.clientHeight).reverse()) {
+      let x = 0;
+      for (const { figure: { root, box }, width } of row) {
+        root.position.set(x - box.min.x, y, 0);
+        x += width;
+        root.updateMatrixWorld(true);
+        this.stage.scene.add(root);
+        all.union(box.clone().translate(root.position));
+      }
+      y += Math.max(...row.map(({ height }) => height));
     }
     return all;
   }
@@ -153,7 +188,10 @@ const problem = (text) => {
 try {
   const bodies = JSON.parse(document.getElementById("bodies").textContent);
   document.title = bodies.length === 1 ? bodies[0].name : `${bodies.length} bodies`;
-  Promise.all(bodies.map((body) => Figure.load(body)))
+  // What a browser cannot show of one body costs that one alone.
+  const load = (body) => Figure.load(body).catch(({ message }) =>
+    Figure.load({ name: body.name, faces: body.faces, failure: `cannot be shown: ${message}` }));
+  Promise.all(bodies.map(load))
     .then((figures) => new Viewer(figures))
     .then(() => { document.body.dataset.state = "ready"; })
     .catch((error) => problem(`The bodies cannot be shown: ${error.message}`));

@@ -227,11 +227,49 @@ private:
     MotionClip clip_;
 };
 
+/// The positions of a joint and the offsets that they may have in them: columns of the frames.
+struct PositionColumn {
+    Eigen::Index column;
+    double offset;
+};
+
+std::vector<std::vector<PositionColumn>> position_columns(const MotionClip& clip) {
+    std::vector<std::vector<PositionColumn>> out(clip.joints.size());
+    Eigen::Index column = 0;
+    for (std::size_t j = 0; j < clip.joints.size(); ++j)
+        for (const ClipChannel channel : clip.joints[j].channels) {
+            if (channel <= ClipChannel::z_position)
+                out[j].push_back({column, clip.joints[j].offset[static_cast<int>(channel)]});
+            ++column;
+        }
+    return out;
+}
+
+/// Some programs write positions that stand for a joint's offset, others those that come on top of it. Of joints below
+/// the root, whose bones keep about their length, they are nearer to the offset or nearer to zero: most joints decide.
+/// The root's only say where all of it is.
+MotionClip with_offsets_in_positions(MotionClip clip) {
+    const auto columns = position_columns(clip);
+    int on_top = 0;
+    for (std::size_t j = 1; j < columns.size(); ++j) {
+        double to_zero = 0, to_offset = 0;
+        for (const auto& [column, offset] : columns[j]) {
+            to_zero += clip.frames.col(column).squaredNorm();
+            to_offset += (clip.frames.col(column).array() - offset).matrix().squaredNorm();
+        }
+        on_top += to_zero < to_offset ? 1 : to_zero > to_offset ? -1 : 0;
+    }
+    if (on_top > 0)
+        for (std::size_t j = 1; j < columns.size(); ++j)
+            for (const auto& [column, offset] : columns[j]) clip.frames.col(column).array() += offset;
+    return clip;
+}
+
 } // namespace
 
 MotionClip parse_bvh(std::string_view text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3); // the byte order mark that some editors write
-    return BvhParser(text).parse();
+    return with_offsets_in_positions(BvhParser(text).parse());
 }
 
 MotionClip read_bvh(const std::filesystem::path& path) { return parse_bvh(read_file(path)); }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <skelgen/core/error.hpp>
@@ -9,12 +10,24 @@
 
 #include "glb_container.hpp"
 #include "gltf_buffer.hpp"
+#include "mesh_primitives.hpp"
 
 namespace skelgen::io::detail {
 namespace {
 
 [[noreturn]] void refuse(const std::string& message) {
     throw Error(ErrorCode::usage, "the mesh cannot be written: " + message);
+}
+
+/// One mesh of these primitives, as it lies.
+Json scene_of(Json primitives) {
+    Json json;
+    json["asset"] = {{"version", "2.0"}, {"generator", "skelgen " + std::string(version)}};
+    json["scene"] = 0;
+    json["scenes"] = Json::array({{{"nodes", {0}}}});
+    json["nodes"] = Json::array({{{"mesh", 0}}});
+    json["meshes"] = Json::array({{{"primitives", std::move(primitives)}}});
+    return json;
 }
 
 } // namespace
@@ -29,13 +42,15 @@ std::string format_glb(const Points<double>& vertices, const Triangles& faces) {
     const std::vector<std::uint32_t> corners(faces.data(), faces.data() + faces.size());
     const std::size_t indices = buffer.add_indices(corners);
 
-    Json json;
-    json["asset"] = {{"version", "2.0"}, {"generator", "skelgen " + std::string(version)}};
-    json["scene"] = 0;
-    json["scenes"] = Json::array({{{"nodes", {0}}}});
-    json["nodes"] = Json::array({{{"mesh", 0}}});
-    json["meshes"] = Json::array(
-        {{{"primitives", Json::array({{{"attributes", {{"POSITION", position}}}, {"indices", indices}}})}}});
+    Json json = scene_of(Json::array({{{"attributes", {{"POSITION", position}}}, {"indices", indices}}}));
+    buffer.describe_in(json);
+    return format_glb_container(json.dump(), buffer.bytes());
+}
+
+std::string format_glb(const TriangleMesh<double>& mesh, const SceneLooks& looks) {
+    GltfBuffer buffer;
+    Json json = scene_of(describe_primitives(buffer, mesh, nullptr, looks));
+    add_materials(json, buffer, looks);
     buffer.describe_in(json);
     return format_glb_container(json.dump(), buffer.bytes());
 }

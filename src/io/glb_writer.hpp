@@ -3,6 +3,7 @@
 #include <string>
 
 #include <skelgen/core/mesh.hpp>
+#include <skelgen/io/scene_looks.hpp>
 
 namespace skelgen::io::detail {
 
@@ -10,5 +11,9 @@ namespace skelgen::io::detail {
 /// Linear. \throws Error usage when a coordinate is too large for a float, or there are no vertices or faces: glTF has
 /// no way to write nothing.
 [[nodiscard]] std::string format_glb(const Points<double>& vertices, const Triangles& faces);
+
+/// The same with smooth normals and the looks of the scene that it was made of. \throws Error usage also when these are
+/// those of another mesh.
+[[nodiscard]] std::string format_glb(const TriangleMesh<double>& mesh, const SceneLooks& looks);
 
 } // namespace skelgen::io::detail

@@ -67,7 +67,7 @@ SceneLooks read_gltf_looks(std::string_view bytes, const LoadCompanion& load) {
     GltfData data(file, bytes.size(), load);
     SceneLooks looks;
     for (const GltfPart& found : gltf_parts(data)) {
-        ScenePart part{found.first_vertex, found.vertices, found.first_face, found.faces, std::nullopt, {}};
+        ScenePart part{found.first_vertex, found.vertices, found.first_face, found.faces, std::nullopt, {}, {}};
         const GltfValue primitive = file.root().at("meshes")[found.mesh].at("primitives")[found.primitive];
         if (const auto material = primitive.find("material")) {
             static_cast<void>(file.referred("materials", *material)); // there it is
@@ -77,6 +77,9 @@ SceneLooks read_gltf_looks(std::string_view bytes, const LoadCompanion& load) {
         for (const auto& set : part.texture_coordinates)
             if (set.rows() != part.vertices)
                 primitive.fail("has another number of texture coordinates than of vertices");
+        part.colours = read_colours(data, primitive);
+        if (part.colours.rows() > 0 && part.colours.rows() != part.vertices)
+            primitive.fail("has another number of colours than of vertices");
         looks.parts.push_back(std::move(part));
     }
 

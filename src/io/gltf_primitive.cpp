@@ -1,5 +1,6 @@
 #include "gltf_primitive.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -15,8 +16,10 @@ constexpr const char* draco_extension = "KHR_draco_mesh_compression";
 /// The attributes of a primitive by name, be they accessors or within a Draco mesh.
 class Attributes {
 public:
-    Attributes(GltfData& data, const GltfValue& primitive)
-        : data_(&data), attributes_(primitive.at("attributes")), draco_(find_draco(primitive)) {
+    /// `with_colours`: of a Draco mesh they are decoded, too; a shape does not depend on them.
+    Attributes(GltfData& data, const GltfValue& primitive, bool with_colours = false)
+        : data_(&data), attributes_(primitive.at("attributes")), draco_(find_draco(primitive)),
+          with_colours_(with_colours) {
         if (draco_) decode();
     }
 
@@ -26,6 +29,11 @@ public:
         for (std::size_t i = 0; i < names_.size(); ++i)
             if (names_[i] == name) return GltfArray{mesh_.points, columns, mesh_.attributes[i]};
         return data_->accessor(*index, columns);
+    }
+
+    /// As `find`, with three or four columns.
+    [[nodiscard]] std::optional<GltfArray> find_colours() {
+        return attributes_.find(colours) ? find(colours, columns_of(colours)) : std::nullopt;
     }
 
     /// The triangles of a Draco mesh; none without one.
@@ -39,14 +47,18 @@ private:
         return extensions ? extensions->find(draco_extension) : std::nullopt;
     }
 
-    static std::size_t columns_of(const std::string& name) {
+    static constexpr const char* colours = "COLOR_0";
+
+    [[nodiscard]] std::size_t columns_of(const std::string& name) const {
+        if (name == colours)
+            return data_->file().referred("accessors", attributes_.at(colours)).at("type").text() == "VEC3" ? 3 : 4;
         return name == "POSITION" ? 3 : name.starts_with("TEXCOORD_") ? 2 : 4;
     }
 
-    static bool is_read(const std::string& name) {
+    [[nodiscard]] bool is_read(const std::string& name) const {
         for (const char* start : {"POSITION", "JOINTS_", "WEIGHTS_", "TEXCOORD_"})
             if (name.starts_with(start)) return true;
-        return false;
+        return with_colours_ && name == colours;
     }
 
     void decode() {
@@ -64,6 +76,7 @@ private:
     GltfData* data_;
     GltfValue attributes_;
     std::optional<GltfValue> draco_;
+    bool with_colours_;
     DracoMesh mesh_;
     std::vector<std::string> names_; ///< of the mesh's attributes
 };
@@ -191,6 +204,17 @@ std::vector<TextureCoordinates> read_texture_coordinates(GltfData& data, const G
         sets.push_back(std::move(set));
     }
     return sets;
+}
+
+VertexColours read_colours(GltfData& data, const GltfValue& primitive) {
+    const auto array = Attributes(data, primitive, true).find_colours();
+    if (!array) return {};
+    VertexColours colours = VertexColours::Ones(static_cast<Eigen::Index>(array->rows), 4);
+    for (Eigen::Index i = 0; i < colours.rows(); ++i)
+        for (std::size_t channel = 0; channel < array->columns; ++channel)
+            colours(i, static_cast<Eigen::Index>(channel)) =
+                static_cast<float>(std::clamp(array->row(static_cast<std::size_t>(i))[channel], 0.0, 1.0));
+    return colours;
 }
 
 GltfPrimitive read_primitive(GltfData& data, const GltfValue& primitive, const std::vector<double>& morph_weights) {

@@ -48,4 +48,11 @@ using TextureCoordinates = Eigen::Matrix<float, Eigen::Dynamic, 2, Eigen::RowMaj
 /// not hold together.
 [[nodiscard]] std::vector<TextureCoordinates> read_texture_coordinates(GltfData& data, const GltfValue& primitive);
 
+/// One row per vertex: red, green, blue and alpha.
+using VertexColours = Eigen::Matrix<float, Eigen::Dynamic, 4, Eigen::RowMajor>;
+
+/// The colours of a primitive's vertices, 0 to 1; no rows where it has none. \throws Error as
+/// `read_texture_coordinates`.
+[[nodiscard]] VertexColours read_colours(GltfData& data, const GltfValue& primitive);
+
 } // namespace skelgen::io::detail

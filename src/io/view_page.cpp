@@ -1,5 +1,6 @@
 #include <skelgen/io/view_page.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -105,6 +106,12 @@ Json sections_to_json(const ViewedBody& body, const ToRig& to_rig) {
     return sections;
 }
 
+bool has_looks(const SceneLooks& looks) {
+    return detail::parse_json(looks.json).contains("materials") ||
+           std::any_of(looks.parts.begin(), looks.parts.end(),
+                       [](const ScenePart& part) { return part.colours.rows() > 0; });
+}
+
 } // namespace
 
 std::string viewed_body_to_json(const ViewedBody& body) {
@@ -126,7 +133,7 @@ std::string viewed_body_to_json(const ViewedBody& body) {
           {"forward", to_rig.direction(frame.forward)}}},
         {"curve", curve_to_view(body, to_rig)},
         {"sections", sections_to_json(body, to_rig)},
-        {"has_looks", detail::parse_json(body.looks.json).contains("materials")},
+        {"has_looks", has_looks(body.looks)},
         {"glb", detail::encode_base64(rig_to_glb(body.rig, JointNames::skelgen, body.looks, body.animations))}};
     return json.dump();
 }

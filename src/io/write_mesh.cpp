@@ -123,6 +123,11 @@ std::string format_stl(const TriangleMesh<Scalar>& mesh) {
     return bytes;
 }
 
+/// As a file, compressed where its name says so.
+void write_bytes(const std::filesystem::path& path, const std::string& bytes) {
+    write_file_atomically(path, has_gzip_extension(path) ? detail::gzip(bytes) : bytes);
+}
+
 } // namespace
 
 template <typename Scalar>
@@ -153,8 +158,13 @@ void write_mesh(const std::filesystem::path& path, const TriangleMesh<Scalar>& m
     const std::optional<MeshFormat> format = mesh_format_of(path);
     if (!format || !is_written(*format))
         throw_unwritable("the file's name must end in " + written_mesh_extensions_text());
-    const std::string bytes = format_mesh(mesh, *format);
-    write_file_atomically(path, has_gzip_extension(path) ? detail::gzip(bytes) : bytes);
+    write_bytes(path, format_mesh(mesh, *format));
+}
+
+void write_mesh(const std::filesystem::path& path, const TriangleMesh<double>& mesh, const SceneLooks& looks) {
+    if (mesh_format_of(path) != MeshFormat::glb || looks.parts.empty()) return write_mesh(path, mesh);
+    check(mesh);
+    write_bytes(path, detail::format_glb(mesh, looks));
 }
 
 template std::string format_mesh<float>(const TriangleMesh<float>&, MeshFormat);

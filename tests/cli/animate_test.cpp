@@ -44,6 +44,19 @@ TEST_CASE("animate: a walk as the animation of a character, and one of its frame
     CHECK(shown.vertices.col(1).maxCoeff() > 1.6);
 }
 
+TEST_CASE("animate and rig: a body of no person's height is said to have an unknown unit", "[cli][animate][rig]") {
+    const TemporaryFolder folder;
+    auto giant = read_mesh(sample_body);
+    giant.vertices *= 20;
+    write_mesh(folder / "giant.off", giant);
+    for (const auto& arguments : {std::vector<std::string>{"rig", "giant.off", "-o", "giant.glb"},
+                                  std::vector<std::string>{"animate", "giant.off", "--bvh", walk, "-o", "giant.glb"}}) {
+        const CliResult result = run_cli(folder.path(), arguments);
+        CHECK(result.status == 0);
+        CHECK_THAT(result.err, Catch::Matchers::StartsWith("skelgen: warning: giant.off: its unit is unknown"));
+    }
+}
+
 TEST_CASE("animate and pose: what cannot be done is one line and no file", "[cli][animate]") {
     const TemporaryFolder folder;
     write_mesh(folder / "capsule.off", capsule(0.2, 2));

@@ -1,3 +1,4 @@
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -6,6 +7,7 @@
 #include <skelgen/io/write_mesh.hpp>
 
 #include "catch.hpp"
+#include "io/gltf_builder.hpp"
 #include "run_cli.hpp"
 #include "shapes.hpp"
 
@@ -35,6 +37,32 @@ TEST_CASE("rig: characters and skeletons, the input's vertices in their order", 
     REQUIRE(run_cli(folder.path(), {"rig", sample_body, "-o", "body.BVH", "--names", "mixamo", "--rest", "a-pose"})
                 .status == 0);
     CHECK(test::read_file(folder / "body.BVH").find("JOINT LeftForeArm") != std::string::npos);
+}
+
+TEST_CASE("rig and pose: a character without its pictures loses its looks alone, which is said", "[cli][rig][pose]") {
+    const auto mesh = read_mesh(sample_body);
+    const TriangleMesh<float> single{mesh.vertices.cast<float>(), mesh.faces};
+    GltfBuilder scene;
+    scene.add_tetrahedron();
+    scene.primitive()["attributes"]["POSITION"] =
+        scene.add<float>("VEC3", {single.vertices.data(), single.vertices.data() + single.vertices.size()});
+    scene.primitive()["indices"] =
+        scene.add<std::uint32_t>("SCALAR", {mesh.faces.data(), mesh.faces.data() + mesh.faces.size()});
+    scene.primitive()["material"] = 0;
+    scene.json["materials"] = {{{"name", "skin"}}};
+    scene.json["images"] = {{{"uri", "missing.png"}}};
+    const TemporaryFolder folder;
+    test::write_file(folder / "character.glb", scene.glb());
+    for (const auto& arguments :
+         {std::vector<std::string>{"rig", "character.glb", "-o", "out.glb"},
+          std::vector<std::string>{"pose", "character.glb", "--like", sample_body, "-o", "out.glb"}}) {
+        const CliResult result = run_cli(folder.path(), arguments);
+        INFO(result.err);
+        CHECK(result.status == 0);
+        CHECK(result.err.rfind("skelgen: warning: character.glb: its looks are left out: ", 0) == 0);
+        CHECK(result.err.find("missing.png") != std::string::npos);
+        CHECK(read_mesh(folder / "out.glb").faces == mesh.faces);
+    }
 }
 
 TEST_CASE("rig: what cannot be done is one line and no file", "[cli][rig]") {

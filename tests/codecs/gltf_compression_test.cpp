@@ -1,12 +1,15 @@
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include <skelgen/core/error.hpp>
 #include <skelgen/io/read_mesh.hpp>
+#include <skelgen/io/scene_looks.hpp>
 
 #include "catch.hpp"
 #include "io/gltf_builder.hpp"
 #include "io/mesh_expectations.hpp"
+#include "temporary_folder.hpp"
 
 #if SKELGEN_WITH_MESHOPTIMIZER
 #include <meshoptimizer.h>
@@ -161,7 +164,7 @@ TEST_CASE("meshopt: damaged and lying parts", "[codecs][meshopt]") {
 
 namespace {
 
-/// The tetrahedron compressed by Draco, with joints and weights.
+/// The tetrahedron compressed by Draco, with joints, weights and colours: each vertex that of its place.
 std::string draco_scene() {
     draco::TriangleSoupMeshBuilder builder;
     const auto mesh = tetrahedron();
@@ -169,6 +172,7 @@ std::string draco_scene() {
     const int positions = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
     const int joints = builder.AddAttribute(draco::GeometryAttribute::GENERIC, 4, draco::DT_UINT8);
     const int weights = builder.AddAttribute(draco::GeometryAttribute::GENERIC, 4, draco::DT_FLOAT32);
+    const int colours = builder.AddAttribute(draco::GeometryAttribute::COLOR, 3, draco::DT_FLOAT32);
     for (int face = 0; face < mesh.faces.rows(); ++face) {
         std::vector<std::array<float, 3>> corners;
         for (int k = 0; k < 3; ++k) {
@@ -176,6 +180,8 @@ std::string draco_scene() {
             corners.push_back({corner[0], corner[1], corner[2]});
         }
         builder.SetAttributeValuesForFace(positions, draco::FaceIndex(static_cast<std::uint32_t>(face)),
+                                          corners[0].data(), corners[1].data(), corners[2].data());
+        builder.SetAttributeValuesForFace(colours, draco::FaceIndex(static_cast<std::uint32_t>(face)),
                                           corners[0].data(), corners[1].data(), corners[2].data());
         const std::array<std::uint8_t, 4> joint{1, 0, 0, 0};
         const std::array<float, 4> weight{1, 0, 0, 0};
@@ -198,9 +204,10 @@ std::string draco_scene() {
     const auto view = scene.add_view(std::string(buffer.data(), buffer.size()));
     scene.primitive()["attributes"]["JOINTS_0"] = 0;
     scene.primitive()["attributes"]["WEIGHTS_0"] = 0;
+    scene.primitive()["attributes"]["COLOR_0"] = 0;
     scene.primitive()["extensions"] = {
         {"KHR_draco_mesh_compression",
-         {{"bufferView", view}, {"attributes", {{"POSITION", 0}, {"JOINTS_0", 1}, {"WEIGHTS_0", 2}}}}}};
+         {{"bufferView", view}, {"attributes", {{"POSITION", 0}, {"JOINTS_0", 1}, {"WEIGHTS_0", 2}, {"COLOR_0", 3}}}}}};
     scene.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
     scene.json["nodes"] = {{{"mesh", 0}, {"skin", 0}}, {{"translation", {0, 0, 0}}}, {{"translation", {0, 0, 10}}}};
     scene.json["skins"] = {{{"joints", {1, 2}}}};
@@ -219,6 +226,21 @@ TEST_CASE("Draco: positions, joints, weights and triangles", "[codecs][draco]") 
             CHECK((mesh.vertices.row(mesh.faces(face, k)) - expected.vertices.row(expected.faces(face, k)) -
                    Eigen::RowVector3d(0, 0, 10))
                       .norm() < 1e-6);
+}
+
+TEST_CASE("Draco: colours", "[codecs][draco]") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "scene.glb", std::ios::binary) << draco_scene();
+    const auto looks = read_looks(folder / "scene.glb");
+    REQUIRE(looks);
+    REQUIRE(looks->parts.size() == 1);
+    const auto mesh = read_mesh(folder / "scene.glb");
+    REQUIRE(looks->parts[0].colours.rows() == mesh.vertices.rows());
+    for (int v = 0; v < 4; ++v) {
+        const Eigen::RowVector3f place = (mesh.vertices.row(v) - Eigen::RowVector3d(0, 0, 10)).cast<float>();
+        CHECK((looks->parts[0].colours.row(v).head<3>() - place).norm() < 1e-6F);
+        CHECK(looks->parts[0].colours(v, 3) == 1);
+    }
 }
 
 TEST_CASE("Draco: damaged parts", "[codecs][draco]") { check_damaged(draco_scene()); }

@@ -30,8 +30,11 @@ class File:
             start = scene["bufferViews"][accessor["bufferView"]].get("byteOffset", 0)
             return np.frombuffer(data, kind, accessor["count"] * columns, start).reshape(-1, columns)
 
-        attributes = scene["meshes"][0]["primitives"][0]["attributes"]
-        self.positions, self.joints, self.weights = (rows(attributes[name]) for name in ("POSITION", "JOINTS_0", "WEIGHTS_0"))
+        # Primitives may have the same vertices: each counts once.
+        parts = {part["POSITION"]: part for part in (one["attributes"] for one in scene["meshes"][0]["primitives"])}.values()
+        self.positions, self.joints, self.weights = (
+            np.concatenate([rows(part[name]) for part in parts]) for name in ("POSITION", "JOINTS_0", "WEIGHTS_0")
+        )
         nodes = scene["skins"][0]["joints"]
         self.names = [scene["nodes"][node]["name"] for node in nodes]
         parent_of = {child: node for node in nodes for child in scene["nodes"][node].get("children", [])}

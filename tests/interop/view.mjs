@@ -1,11 +1,12 @@
-// node view.mjs PAGE LARGE: fails where a page of `skelgen view` does not show on the screen what it is to show. PAGE
+// node view.mjs PAGE LARGE MANY: fails where a page of `skelgen view` does not show on the screen what it is to show. PAGE
 // holds a body, one in the A-pose (both with the clip walk), something that is no body and something that cannot be read; LARGE a body of 100
-// thousand faces.
+// thousand faces; MANY two dozen bodies.
+import { readFile, writeFile } from "node:fs/promises";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { changed, Faults, launch, picture, pixel } from "./browser.mjs";
 
-const [path, large_path] = process.argv.slice(2);
+const [path, large_path, many_path] = process.argv.slice(2);
 const faults = new Faults();
 const expect = faults.expect.bind(faults);
 const browser = await launch();
@@ -161,6 +162,35 @@ const elbow = await place(phone, "left_elbow");
 await phone.touchscreen.tap(elbow.x, elbow.y);
 expect((await phone.locator("#tip").innerText()).includes("confidence"), "a tap on a joint tells nothing");
 await phone.close();
+
+// ---- one that the browser cannot show ----
+
+const torn_path = `${path}.torn.html`; // as the page, but for the first body's file
+await writeFile(torn_path, (await readFile(path, "utf8")).replace(/"glb":"[^"]{40}/, '"glb":"'));
+const torn = await open(torn_path, { viewport: { width: 1100, height: 700 } });
+const told = await torn.locator(".body").allInnerTexts();
+expect(told.length === 4 && told[0].includes("cannot be shown"), `where one cannot be shown the page has ${told}`);
+await press(torn, "n");
+expect((await torn.locator(".joint:visible").count()) === 21, "with the one that cannot be shown, others are not");
+await torn.close();
+
+// ---- many ----
+
+for (const viewport of [{ width: 1400, height: 800 }, { width: 390, height: 844 }]) {
+  const many = await open(many_path, { viewport });
+  const texts = await many.locator(".body").evaluateAll((all) => all.map((one) => {
+    const { left, right, top, bottom } = one.getBoundingClientRect();
+    return { left, right, top, bottom };
+  }));
+  const meet = texts.flatMap((a, i) => texts.slice(0, i).filter((b) =>
+    a.left < b.right - 2 && b.left < a.right - 2 && a.top < b.bottom - 2 && b.top < a.bottom - 2));
+  expect(texts.length === 24 && meet.length === 0, `${meet.length} pairs of ${texts.length} names lie on each other`);
+  await press(many, "n");
+  const head = await place(many, "head"), foot = await place(many, "left_foot");
+  const least = Math.min(viewport.width / 12, viewport.height / 6);
+  expect(distance(head, foot) > least, `of many bodies one has ${distance(head, foot)} pixels from head to foot`);
+  await many.close();
+}
 
 // ---- large ----
 

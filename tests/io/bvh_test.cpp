@@ -99,6 +99,26 @@ TEST_CASE("BVH: what is written reads back as the same", "[io][bvh]") {
     CHECK(io::read_bvh(SKELGEN_DATA "/sample/walk.bvh").frames == test::walking_clip().frames);
 }
 
+TEST_CASE("BVH: positions stand for offsets or come on top of them", "[io][bvh]") {
+    const auto clip_with = [](const std::string& shoulder, const std::string& elbow) {
+        return io::parse_bvh("HIERARCHY\nROOT Chest\n{\nOFFSET 0 90 0\nCHANNELS 3 Xposition Yposition Zposition\n"
+                             "JOINT Shoulder\n{\nOFFSET 20 0 0\nCHANNELS 3 Xposition Yposition Zposition\n"
+                             "JOINT Elbow\n{\nOFFSET 30 1 0\nCHANNELS 4 Zrotation Yposition Zposition Xposition\n"
+                             "JOINT Wrist\n{\nOFFSET 25 0 0\nCHANNELS 1 Zrotation\n}\n}\n}\n}\nMOTION\nFrames: 1\n"
+                             "Frame Time: 0.1\n0 0 0 " +
+                             shoulder + " 0 " + elbow + " 0\n");
+    };
+    const auto stands = [](const MotionClip& clip) {
+        const auto places = pose_in(clip, 0).positions;
+        CHECK(places[0] == Eigen::Vector3d(0, 0, 0)); // where the root is, the motion says
+        CHECK((places[1] - Eigen::Vector3d(21, 0, 0)).norm() < 1e-12);
+        CHECK((places[2] - Eigen::Vector3d(51, 1, 2)).norm() < 1e-12);
+        CHECK((places[3] - Eigen::Vector3d(76, 1, 2)).norm() < 1e-12);
+    };
+    stands(clip_with("21 0 0", "1 2 30"));
+    stands(clip_with("1 0 0", "0 2 0"));
+}
+
 TEST_CASE("BVH: joints in another order than the hierarchy's take their numbers with them", "[io][bvh]") {
     MotionClip clip = test::standing_clip();
     // Side by side: parents still come first.

@@ -11,6 +11,7 @@
 #include <skelgen/extract.hpp>
 #include <skelgen/io/read_mesh.hpp>
 #include <skelgen/io/rig_formats.hpp>
+#include <skelgen/io/write_mesh.hpp>
 
 #include "catch.hpp"
 #include "gltf_builder.hpp"
@@ -39,6 +40,7 @@ Rig<double> small_rig() {
     Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(rig.mesh.vertices.rows(), 21);
     weights.col(0).setConstant(1.0 / 3);
     weights.col(3).setConstant(2.0 / 3);
+    rig.joints[1].confidence = 0.25;
     rig.skin = applications::strongest_influences<double>(weights);
     return rig;
 }
@@ -58,6 +60,7 @@ TEST_CASE("GLB: read back the mesh is where it was, skinned by nodes at rest", "
     const auto json = json_of(glb);
     CHECK(json.at("skins").at(0).at("joints").size() == 21);
     CHECK(json.at("nodes").at(1).at("name") == "crotch");
+    CHECK(json.at("nodes").at(2).at("extras").at("confidence") == 0.25);
     CHECK(json.at("meshes").at(0).at("primitives").at(0).at("attributes").contains("NORMAL"));
     CHECK_FALSE(json.contains("extensionsUsed"));
 }
@@ -85,6 +88,7 @@ TEST_CASE("GLB: parts of a scene keep materials, texture coordinates and picture
     const auto coordinates = scene.add<float>("VEC2", {0, 0, 0.5F, 0.25F, 1, 0, 1, 1});
     auto& primitive = scene.json["meshes"][0]["primitives"][0];
     primitive["attributes"]["TEXCOORD_0"] = coordinates;
+    primitive["attributes"]["COLOR_0"] = scene.add<float>("VEC3", {1, 0, 0, 0, 1, 0, 0, 0, 1, 0.5F, 0.25F, 2});
     primitive["material"] = 0;
     scene.json["materials"] = {{{"name", "skin"},
                                 {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
@@ -99,6 +103,8 @@ TEST_CASE("GLB: parts of a scene keep materials, texture coordinates and picture
     REQUIRE(looks->parts.size() == 1);
     CHECK(looks->parts[0].vertices == 4);
     CHECK(looks->parts[0].faces == 4);
+    REQUIRE(looks->parts[0].colours.rows() == 4);
+    CHECK(looks->parts[0].colours.row(3) == Eigen::RowVector4f(0.5F, 0.25F, 1, 1)); // opaque, within 0 and 1
     CHECK(looks->pictures == std::vector<std::string>{"\x89PNG\r\n\x1A\n"});
 
     Rig<double> rig = small_rig();
@@ -110,10 +116,27 @@ TEST_CASE("GLB: parts of a scene keep materials, texture coordinates and picture
     const auto again = io::read_looks(folder / "rig.glb");
     REQUIRE(again);
     CHECK(again->parts[0].texture_coordinates == looks->parts[0].texture_coordinates);
+    CHECK(again->parts[0].colours == looks->parts[0].colours);
     CHECK(again->pictures == looks->pictures);
     CHECK(again->json == looks->json);
     CHECK(again->json.find("KHR_materials_unlit") != std::string::npos);
     CHECK(again->json.find("KHR_lights_punctual") == std::string::npos); // no material needs it
+
+    // The mesh alone, in another pose, keeps them, too.
+    TriangleMesh<double> held = rig.mesh;
+    held.vertices.array() += 1;
+    io::write_mesh(folder / "held.glb", held, *looks);
+    const auto of_held = io::read_looks(folder / "held.glb");
+    REQUIRE(of_held);
+    CHECK(of_held->parts[0].texture_coordinates == looks->parts[0].texture_coordinates);
+    CHECK(of_held->parts[0].colours == looks->parts[0].colours);
+    CHECK(of_held->pictures == looks->pictures);
+    CHECK(of_held->json == looks->json);
+    const auto held_again = io::read_mesh(folder / "held.glb");
+    CHECK(held_again.faces == held.faces);
+    CHECK((held_again.vertices - held.vertices).cwiseAbs().maxCoeff() < 1e-6);
+    CHECK_THROWS_WITH(io::write_mesh(folder / "x.glb", small_rig().mesh, *looks),
+                      Catch::Matchers::Contains("another mesh"));
     std::ofstream(folder / "mesh.off") << "OFF\n0 0 0\n";
     CHECK_FALSE(io::read_looks(folder / "mesh.off"));
 

@@ -28,9 +28,11 @@ struct ClipBody {
 
 /// Finds a body in a clip's skeleton by the names of its joints, as motion capture and animation programs commonly have
 /// them: those of skelgen, SMPL, Mixamo and MotionBuilder (LeftUpLeg), VRM (leftUpperLeg), Biovision (LeftHip,
-/// LeftKnee), Poser (lThigh, lShin), 3ds Max's Biped (L Thigh), Unreal (thigh_l) and Acclaim (lfemur), with
-/// prefixes, numbers and any case. What names leave open is seen in how the joints hang together: a LeftShoulder above
-/// a LeftArm is a collar bone. \returns a failure that names what is missing. O(joints). \throws Error as `validate`.
+/// LeftKnee), Poser (lThigh, lShin), Daz (lThighBend), 3ds Max's Biped (L Thigh), Unreal (thigh_l), Acclaim (lfemur),
+/// Motive (LUArm) and Blender's Rigify (thigh.L), with prefixes, numbers and any case. What names leave open is seen in
+/// how the joints hang together: a LeftShoulder above a LeftArm is a collar bone; the last of a neck or spine above the
+/// arms is the head where none is called so. \returns a failure that names what is missing. O(joints). \throws Error as
+/// `validate`.
 [[nodiscard]] Outcome<ClipBody> find_body(const MotionClip& clip);
 
 } // namespace skelgen::applications

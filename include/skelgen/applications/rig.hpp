@@ -25,6 +25,7 @@ struct RigJoint {
     Vector3<Scalar> end = Vector3<Scalar>::Zero(); ///< of its bone: the next joint, or the limb's end on the surface
     /// From x, y and z to the joint's axes: y along the bone, x about which it bends; mirrored from side to side.
     Eigen::Quaternion<Scalar> axes = Eigen::Quaternion<Scalar>::Identity();
+    double confidence = 1; ///< as the skeleton's joint has it
 };
 
 /// A mesh bound to joints, in its rest pose: +y up, facing +z, standing on y = 0 with its root above the origin.

@@ -17,6 +17,9 @@ struct ScenePart {
     std::optional<std::size_t> material; ///< index into the materials
     /// Sets of texture coordinates, vertices x 2 each.
     std::vector<Eigen::Matrix<float, Eigen::Dynamic, 2, Eigen::RowMajor>> texture_coordinates;
+    /// Vertices x 4: red, green, blue (linear) and alpha, 0 to 1, by which the material's colour is multiplied; no rows
+    /// where there are none.
+    Eigen::Matrix<float, Eigen::Dynamic, 4, Eigen::RowMajor> colours = {};
 };
 
 /// What a scene's mesh looks like, beside its shape: the part of a glTF file that other programs need to draw it alike.

@@ -5,6 +5,7 @@
 
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/io/mesh_format.hpp>
+#include <skelgen/io/scene_looks.hpp>
 
 namespace skelgen::io {
 
@@ -23,6 +24,10 @@ template <typename Scalar>
 ///         cannot be written.
 template <typename Scalar>
 void write_mesh(const std::filesystem::path& path, const TriangleMesh<Scalar>& mesh);
+
+/// The same with the looks of the scene whose vertices and faces these are, however they have moved: kept by GLB, by no
+/// other format. \throws Error usage also when the looks are those of another mesh.
+void write_mesh(const std::filesystem::path& path, const TriangleMesh<double>& mesh, const SceneLooks& looks);
 
 } // namespace skelgen::io
 

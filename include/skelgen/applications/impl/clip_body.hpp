@@ -19,33 +19,41 @@ namespace skelgen::applications {
 namespace detail {
 
 /// The joints that are known by their names.
-enum class NamedPart { head, upper_arm, elbow, wrist, knuckles, thigh, knee, ankle, toes };
+enum class NamedPart { head, upper_spine, upper_arm, elbow, wrist, knuckles, thigh, knee, ankle, toes };
 
 /// What a part is called, sides apart. A name that also stands for the joint before or after it counts where the
-/// skeleton has no clear one: a hip may be a stub above the thigh, a shoulder the collar bone, a hand the knuckles.
+/// skeleton has no clear one: a hip may be a stub above the thigh, a shoulder the collar bone, a hand the knuckles, a
+/// leg the thigh above a knee.
 struct PartName {
     std::string_view name;
     NamedPart part;
     bool is_clear = true;
 };
 
-inline constexpr std::array<PartName, 46> named_parts{{
+inline constexpr std::array<PartName, 56> named_parts{{
     {"head", NamedPart::head},
     {"skull", NamedPart::head},
+    {"neck", NamedPart::upper_spine},
+    {"spine", NamedPart::upper_spine},
     {"arm", NamedPart::upper_arm},
     {"upperarm", NamedPart::upper_arm},
+    {"armupper", NamedPart::upper_arm},
     {"uparm", NamedPart::upper_arm},
+    {"uarm", NamedPart::upper_arm},
     {"humerus", NamedPart::upper_arm},
     {"shldr", NamedPart::upper_arm},
     {"shoulder", NamedPart::upper_arm, false},
     {"forearm", NamedPart::elbow},
     {"lowerarm", NamedPart::elbow},
+    {"armlower", NamedPart::elbow},
     {"lowarm", NamedPart::elbow},
     {"loarm", NamedPart::elbow},
+    {"farm", NamedPart::elbow},
     {"elbow", NamedPart::elbow},
     {"radius", NamedPart::elbow},
     {"wrist", NamedPart::wrist},
     {"hand", NamedPart::wrist, false},
+    {"palm", NamedPart::wrist, false},
     {"handmiddle", NamedPart::knuckles},
     {"middleproximal", NamedPart::knuckles},
     {"middle", NamedPart::knuckles},
@@ -55,11 +63,13 @@ inline constexpr std::array<PartName, 46> named_parts{{
     {"hand", NamedPart::knuckles, false},
     {"upleg", NamedPart::thigh},
     {"upperleg", NamedPart::thigh},
+    {"legupper", NamedPart::thigh},
     {"thigh", NamedPart::thigh},
     {"femur", NamedPart::thigh},
     {"hip", NamedPart::thigh, false},
-    {"leg", NamedPart::knee},
+    {"leg", NamedPart::thigh, false},
     {"lowerleg", NamedPart::knee},
+    {"leglower", NamedPart::knee},
     {"lowleg", NamedPart::knee},
     {"loleg", NamedPart::knee},
     {"knee", NamedPart::knee},
@@ -67,6 +77,7 @@ inline constexpr std::array<PartName, 46> named_parts{{
     {"shin", NamedPart::knee},
     {"shank", NamedPart::knee},
     {"tibia", NamedPart::knee},
+    {"leg", NamedPart::knee, false},
     {"ankle", NamedPart::ankle},
     {"foot", NamedPart::ankle, false},
     {"toe", NamedPart::toes},
@@ -132,8 +143,9 @@ inline std::optional<ReadName> read_name(const std::string& name) {
         else
             words.push_back(word);
     }
-    while (!words.empty() && (words.back() == "joint" || words.back() == "jnt" || words.back() == "bone"))
-        words.pop_back();
+    // What a joint is for (the half of a limb that bends), or that it is none of a side's: m, c, x.
+    constexpr std::array<std::string_view, 8> fillers{"joint", "jnt", "bone", "bend", "stretch", "m", "c", "x"};
+    while (!words.empty() && std::find(fillers.begin(), fillers.end(), words.back()) != fillers.end()) words.pop_back();
     // What stands in front may be the character's name: the longest end that is a part's name.
     for (std::size_t first = 0; first < words.size(); ++first) {
         std::string joined;
@@ -203,6 +215,16 @@ public:
         return -1;
     }
 
+    /// The last joint below another that may be called so; -1 where there is none.
+    [[nodiscard]] int find_last(NamedPart part, const ClipTree& tree, int above) const {
+        for (auto j = static_cast<int>(names_.size()) - 1; j >= 0; --j) {
+            const auto& name = names_[static_cast<std::size_t>(j)];
+            if (name && name->side == Side::none && is_called(name->part, part, true) && tree.is_below(j, above))
+                return j;
+        }
+        return -1;
+    }
+
     /// Whether two joints are called the same, sides apart.
     [[nodiscard]] bool are_alike(int a, int b) const {
         return names_[static_cast<std::size_t>(a)]->part == names_[static_cast<std::size_t>(b)]->part;
@@ -262,13 +284,15 @@ inline std::string fault_of(const std::array<ClipLimb, 2>& limbs, const PartFind
     return "";
 }
 
-/// Whether legs hang on the pelvis, and chest and head above it, arms on the chest.
+/// Whether legs hang on the pelvis, arms on the chest, and pelvis, chest and head on each other or on a joint below
+/// all.
 inline bool hangs_together(const ClipBody& body, const ClipTree& tree) {
     bool limbs_hang = true;
     for (const ClipLimb& leg : body.legs) limbs_hang = limbs_hang && tree.is_below(leg.upper, body.pelvis);
     for (const ClipLimb& arm : body.arms) limbs_hang = limbs_hang && tree.is_below(arm.upper, body.chest);
-    return limbs_hang && (body.chest == body.pelvis || tree.is_below(body.chest, body.pelvis)) &&
-           tree.is_below(body.head, body.pelvis) && body.head != body.chest && !tree.is_below(body.chest, body.head);
+    const int trunk = tree.fork(body.pelvis, body.chest);
+    return limbs_hang && trunk >= 0 && !tree.is_below(body.pelvis, body.chest) && tree.is_below(body.head, trunk) &&
+           body.head != body.chest && !tree.is_below(body.chest, body.head);
 }
 
 } // namespace detail
@@ -283,8 +307,6 @@ SKELGEN_INLINE Outcome<ClipBody> find_body(const MotionClip& clip) {
     const detail::PartFinder parts(clip);
     const detail::ClipTree tree(clip);
     ClipBody body;
-    body.head = parts.find(detail::NamedPart::head, Side::none);
-    if (body.head < 0) return failed("no joint is named as a head");
     for (const std::size_t i : {0U, 1U}) {
         const Side side = i == 0 ? Side::left : Side::right;
         body.legs[i] = detail::find_limb(parts, tree, side, detail::leg_names);
@@ -295,8 +317,13 @@ SKELGEN_INLINE Outcome<ClipBody> find_body(const MotionClip& clip) {
         if (!fault.empty()) return failed(fault);
     body.pelvis = tree.fork(body.legs[0].upper, body.legs[1].upper);
     body.chest = tree.fork(body.arms[0].upper, body.arms[1].upper);
+    body.head = parts.find(detail::NamedPart::head, Side::none);
+    if (body.head < 0) // Rigify counts the spine through to the head
+        body.head = parts.find_last(detail::NamedPart::upper_spine, tree, body.chest);
+    if (body.head < 0) return failed("no joint is named as a head");
     if (!detail::hangs_together(body, tree)) return failed("trunk, head and limbs do not hang together as a body's do");
-    body.spine = tree.between(body.pelvis, body.chest);
+    // The chest may hang beside the pelvis, both on the hip, as Daz has it.
+    body.spine = tree.between(tree.fork(body.pelvis, body.chest), body.chest);
     // A head may hang below the chest, on the pelvis' side of it: its neck begins where the two part.
     body.neck = tree.between(tree.fork(body.head, body.chest), body.head);
     return body;

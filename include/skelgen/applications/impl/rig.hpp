@@ -80,7 +80,8 @@ Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
         const TemplateJoint& joint = skeleton_template.joints[j];
         const Vector3<Scalar> end = bone_end(skeleton, skeleton_template, static_cast<int>(j));
         rig.joints.push_back({joint.name, joint.parent, joint.role, joint.side, motion[j](skeleton.joints[j].position),
-                              motion[j](end), (motion[j].rotation * now[j] * axes[j]).normalized()});
+                              motion[j](end), (motion[j].rotation * now[j] * axes[j]).normalized(),
+                              skeleton.joints[j].confidence});
     }
     return detail::put_in_place(std::move(rig), height_by_bones(skeleton, skeleton_template));
 }
