@@ -27,6 +27,7 @@ set(skelgen_core_headers
     include/skelgen/applications/joint_weights.hpp
     include/skelgen/applications/laplace_basis.hpp
     include/skelgen/applications/limb_regions.hpp
+    include/skelgen/applications/loose_pieces.hpp
     include/skelgen/applications/measurement.hpp
     include/skelgen/applications/mirror_plane.hpp
     include/skelgen/applications/motion_clip.hpp
@@ -186,6 +187,7 @@ set(skelgen_core_definitions
     include/skelgen/applications/impl/heat_weights.hpp
     include/skelgen/applications/impl/laplace_basis.hpp
     include/skelgen/applications/impl/limb_regions.hpp
+    include/skelgen/applications/impl/loose_pieces.hpp
     include/skelgen/applications/impl/measurement.hpp
     include/skelgen/applications/impl/mirror_plane.hpp
     include/skelgen/applications/impl/motion_clip.hpp

@@ -10,6 +10,7 @@
 #include <skelgen/applications/impl/deep_shoulders.hpp>
 #include <skelgen/applications/impl/heat_weights.hpp>
 #include <skelgen/applications/impl/limb_regions.hpp>
+#include <skelgen/applications/impl/loose_pieces.hpp>
 #include <skelgen/applications/impl/pose_transfer.hpp>
 #include <skelgen/applications/impl/posing.hpp>
 #include <skelgen/applications/impl/resting_surface.hpp>
@@ -50,6 +51,9 @@ namespace skelgen::applications {
     template Points<Scalar> at_rest(const RestingSurface<Scalar>&, const JointWeights&);                               \
     template JointWeights with_bounded_stretch(JointWeights, const RestingSurface<Scalar>&, const Triangles&,          \
                                                const SkeletonTemplate&, const std::vector<int>&);                      \
+    template JointWeights with_loose_pieces(JointWeights, const TriangleMesh<Scalar>&, const Body<Scalar>&,            \
+                                            const std::vector<Scalar>&, const KinematicSkeleton<Scalar>&,              \
+                                            const SkeletonTemplate&);                                                  \
     template JointWeights with_deep_shoulders(JointWeights, const Points<Scalar>&, const KinematicSkeleton<Scalar>&,   \
                                               const SkeletonTemplate&);                                                \
     template JointWeights with_balanced_bends(JointWeights, const RestingSurface<Scalar>&, const Triangles&,           \

@@ -55,8 +55,10 @@ template <typename Scalar>
 /// The weights with no vertex that follows two limbs: of the limbs that move a vertex the strongest does, by as much as
 /// it is stronger than the next; what the others lose goes to the trunk where both limbs begin, as in the crotch and at
 /// the neck, and to the strongest where surfaces of limbs have grown together. As smooth as they were but for the
-/// latter. O(n joints).
-[[nodiscard]] JointWeights following_one_limb(JointWeights weights, const SkeletonTemplate& skeleton_template);
+/// latter. `least_to_trunk`: the part of it that goes to the trunk everywhere, 1 where a surface spans limbs, as a
+/// skirt does. O(n joints).
+[[nodiscard]] JointWeights following_one_limb(JointWeights weights, const SkeletonTemplate& skeleton_template,
+                                              core::Accumulator least_to_trunk = 0);
 
 /// The weights with no vertex that follows most a joint which none of its neighbours follows most, as may be left where
 /// the realms of several bones meet: it gets the mean of those of its neighbours that follow most what most of them do.

@@ -16,6 +16,7 @@
 #include <skelgen/applications/deep_shoulders.hpp>
 #include <skelgen/applications/heat_weights.hpp>
 #include <skelgen/applications/limb_regions.hpp>
+#include <skelgen/applications/loose_pieces.hpp>
 #include <skelgen/applications/posing.hpp>
 #include <skelgen/applications/resting_surface.hpp>
 #include <skelgen/core/error.hpp>
@@ -194,12 +195,18 @@ Skin<Scalar> bind(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body, co
     const JointWeights weights = detail::body_weights(body, of_body, skeleton_template, regions);
 
     JointWeights carried = JointWeights::Zero(mesh.vertices.rows(), weights.cols());
+    std::vector<Scalar> gaps;
     const std::vector<SurfacePlace<Scalar>> places = places_on(body, mesh);
     for (Eigen::Index v = 0; v < carried.rows(); ++v) {
         const auto& [face, share] = places[static_cast<std::size_t>(v)];
-        for (int k = 0; k < 3; ++k)
+        Vector3<Scalar> place = Vector3<Scalar>::Zero();
+        for (int k = 0; k < 3; ++k) {
             carried.row(v) += static_cast<core::Accumulator>(share[k]) * weights.row(body.mesh.faces(face, k));
+            place += share[k] * core::point(body.mesh.vertices, body.mesh.faces(face, k));
+        }
+        gaps.push_back((body.similarity.to_canonical(core::point(mesh.vertices, v)) - place).norm());
     }
+    carried = with_loose_pieces(std::move(carried), mesh, body, gaps, of_body, skeleton_template);
     carried = following_one_limb(std::move(carried), skeleton_template);
     carried = detail::fitted_to_edges(std::move(carried), mesh, skeleton, skeleton_template, regions);
     return strongest_influences<Scalar>(carried.cast<Scalar>());

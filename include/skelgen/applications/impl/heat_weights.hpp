@@ -170,7 +170,8 @@ SKELGEN_INLINE JointWeights with_narrow_hinges(JointWeights weights, const Skele
     return weights;
 }
 
-SKELGEN_INLINE JointWeights following_one_limb(JointWeights weights, const SkeletonTemplate& skeleton_template) {
+SKELGEN_INLINE JointWeights following_one_limb(JointWeights weights, const SkeletonTemplate& skeleton_template,
+                                               core::Accumulator least_to_trunk) {
     using core::Accumulator;
     using PerLimb = Eigen::Array<Accumulator, detail::Limbs::count, 1>;
     constexpr Accumulator clear_share = 4; // a quarter of the trunk is enough to give to it
@@ -192,7 +193,7 @@ SKELGEN_INLINE JointWeights following_one_limb(JointWeights weights, const Skele
         };
         const Accumulator freed = all - (most - second);
         const Accumulator near_trunk = std::min({first_share(strongest), first_share(next), clear_share * (1 - all)});
-        const Accumulator to_trunk = freed * std::clamp(near_trunk, Accumulator(0), Accumulator(1));
+        const Accumulator to_trunk = freed * std::clamp(near_trunk, least_to_trunk, Accumulator(1));
         const Accumulator kept = (most - second + freed - to_trunk) / most;
         for (Eigen::Index j = 0; j < weights.cols(); ++j)
             if (limb_at(j) >= 0) weights(v, j) *= limb_at(j) == strongest ? kept : 0;
