@@ -129,13 +129,13 @@ Outcome<Fit<Scalar>> fit_opened(const Body<Scalar>& given, const SkeletonTemplat
     core::Stopwatch stage;
     const std::optional<Body<Scalar>> closed = surface::close_pockets(given);
     const Body<Scalar>& body = closed ? *closed : given;
-    const std::optional<Body<Scalar>> opened = surface::open_handles(body);
+    const std::optional<surface::OpenedBody<Scalar>> opened = surface::open_handles(body);
     const double opening = stage.lap();
-    Outcome<Fit<Scalar>> found = fit_whole(opened ? *opened : body, wanted, options, attempts);
+    Outcome<Fit<Scalar>> found = fit_whole(opened ? opened->body : body, wanted, options, attempts);
     if (found && opened) found->skeleton = less_certain(std::move(found->skeleton), trust_in_grown_together);
-    if (!found && opened && is_envelope && !is_refused(found)) {
+    if (!found && opened && !opened->is_short_alone && is_envelope && !is_refused(found)) {
         if (const auto less_opened = surface::open_handles(body, surface::Contacts::short_alone))
-            found = fit_whole(*less_opened, wanted, options, 1);
+            found = fit_whole(less_opened->body, wanted, options, 1);
         if (found) found->skeleton = less_certain(std::move(found->skeleton), trust_in_grown_together);
     }
     const bool may_fit_as_given = closed || (opened && !is_envelope && !is_refused(found));
