@@ -81,7 +81,7 @@ namespace skelgen::surface {
     template CreaseGraph<Scalar> crease_graph(const TriangleMesh<Scalar>&, const Triangles&);                          \
     template std::vector<HandleLoop<Scalar>> handle_loops(const CreaseGraph<Scalar>&, int, Scalar);                    \
     template Body<Scalar> without_faces(const Body<Scalar>&, const std::vector<bool>&);                                \
-    template std::optional<Body<Scalar>> open_handles(const Body<Scalar>&, Contacts);                                  \
+    template std::optional<OpenedBody<Scalar>> open_handles(const Body<Scalar>&, Contacts);                            \
     template std::optional<Body<Scalar>> close_pockets(const Body<Scalar>&);                                           \
     template Body<Scalar> make_body(TriangleMesh<Scalar>, const Similarity<Scalar>&, std::vector<int>, int);           \
     template bool is_inside(const Body<Scalar>&, const Vector3<Scalar>&);                                              \

@@ -107,12 +107,13 @@ TEST_CASE("a thin ring is opened, a thick one is not") {
     const Body<double> ring = prepare(torus(1, 0.005));
     const auto opened = open_handles(ring);
     REQUIRE(opened);
-    CHECK(genus(opened->mesh) == 0);
-    CHECK(is_closed(opened->mesh.faces));
-    REQUIRE(opened->repairs.size() == 1);
-    CHECK(opened->repairs.front() == "the body has grown together with itself in 1 place: it was opened there");
-    REQUIRE(opened->source.size() == static_cast<std::size_t>(opened->mesh.vertices.rows()));
-    for (std::size_t v = 0; v < ring.source.size(); ++v) CHECK(opened->source[v] == ring.source[v]);
+    const Body<double>& body = opened->body;
+    CHECK(genus(body.mesh) == 0);
+    CHECK(is_closed(body.mesh.faces));
+    REQUIRE(body.repairs.size() == 1);
+    CHECK(body.repairs.front() == "the body has grown together with itself in 1 place: it was opened there");
+    REQUIRE(body.source.size() == static_cast<std::size_t>(body.mesh.vertices.rows()));
+    for (std::size_t v = 0; v < ring.source.size(); ++v) CHECK(body.source[v] == ring.source[v]);
 
     CHECK_FALSE(open_handles(prepare(torus(1, 0.2))));
 }
@@ -124,12 +125,24 @@ TEST_CASE("a notch around a ring is a crease to open it along, where short loops
         notched.vertices.row(k) = 0.5 * (notched.vertices.row(k) + Eigen::RowVector3d(1, 0, 0));
     const Body<double> ring = prepare(notched);
     REQUIRE(ring.mesh.vertices.rows() == notched.vertices.rows());
-    CHECK(open_handles(ring));
+    const auto along_notch = open_handles(ring);
+    REQUIRE(along_notch);
+    CHECK_FALSE(along_notch->is_short_alone);
     CHECK_FALSE(open_handles(ring, Contacts::short_alone));
     CHECK_FALSE(open_handles(prepare(torus(1, 0.05, around, tube)))); // a girth of 0.22
     const auto thin = open_handles(prepare(torus(1, 0.005)), Contacts::short_alone);
     REQUIRE(thin);
-    CHECK(genus(thin->mesh) == 0);
+    CHECK(genus(thin->body.mesh) == 0);
+}
+
+TEST_CASE("what is opened at short loops only is opened alike where only these count") {
+    const Body<double> ring = prepare(torus(1, 0.005));
+    const auto opened = open_handles(ring), short_alone = open_handles(ring, Contacts::short_alone);
+    REQUIRE(opened);
+    REQUIRE(short_alone);
+    CHECK(opened->is_short_alone);
+    CHECK(opened->body.mesh.vertices == short_alone->body.mesh.vertices);
+    CHECK(opened->body.mesh.faces == short_alone->body.mesh.faces);
 }
 
 TEST_CASE("a body without handles has nothing to open") { CHECK_FALSE(open_handles(prepare(sphere(1)))); }

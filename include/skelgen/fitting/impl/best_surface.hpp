@@ -14,6 +14,7 @@
 #include <skelgen/core/parallel.hpp>
 #include <skelgen/core/precision.hpp>
 #include <skelgen/core/stopwatch.hpp>
+#include <skelgen/embedding/loop_cuts.hpp>
 #include <skelgen/fitting/fit.hpp>
 #include <skelgen/fitting/held_things.hpp>
 #include <skelgen/fitting/partial_body.hpp>
@@ -90,13 +91,27 @@ FitToCurve<Scalar> fit_to_own_curve(const Body<Scalar>& body, const SkeletonTemp
     return {std::move(curve), std::move(found)};
 }
 
+/// The template in the draft of a body's curve. That of an envelope, whose pieces grow together where they lie close,
+/// is not cut open: made whole and cut in all ways it takes as long as the curve itself, and hardly ever spares that.
+template <typename Scalar>
+FitToCurve<Scalar> fit_to_draft(const Body<Scalar>& body, const SkeletonTemplate& wanted, const ExtractOptions& options,
+                                bool is_envelope) {
+    core::Stopwatch stage;
+    curve::CurveResult<Scalar> draft = find_curve(body, options.curve);
+    const double curve_time = stage.lap();
+    if (is_envelope && embedding::contact_count(draft.curve) > 0)
+        return {std::move(draft), Failure{FailureReason::no_match, "the body touches itself"}};
+    Outcome<Fit<Scalar>> found = with_curve_time(fit(body, draft, wanted, options, 1), curve_time);
+    return {std::move(draft), std::move(found)};
+}
+
 /// The template in a curve of a body that is found quickly, or, where it is not found there or hardly, in its curve;
 /// and where not there either, without what the body holds in its hands, if that is much surer.
 template <typename Scalar>
 Outcome<Fit<Scalar>> fit_whole(const Body<Scalar>& body, const SkeletonTemplate& wanted, const ExtractOptions& options,
-                               int attempts) {
+                               int attempts, bool is_envelope) {
     core::Stopwatch stage;
-    if (auto first = fit_to_own_curve(body, wanted, for_first_try(options), 1);
+    if (auto first = fit_to_draft(body, wanted, for_first_try(options), is_envelope);
         first.curve.is_point || is_sure(first.fit))
         return std::move(first.fit);
     const double first_time = stage.lap();
@@ -129,17 +144,17 @@ Outcome<Fit<Scalar>> fit_opened(const Body<Scalar>& given, const SkeletonTemplat
     core::Stopwatch stage;
     const std::optional<Body<Scalar>> closed = surface::close_pockets(given);
     const Body<Scalar>& body = closed ? *closed : given;
-    const std::optional<Body<Scalar>> opened = surface::open_handles(body);
+    const std::optional<surface::OpenedBody<Scalar>> opened = surface::open_handles(body);
     const double opening = stage.lap();
-    Outcome<Fit<Scalar>> found = fit_whole(opened ? *opened : body, wanted, options, attempts);
+    Outcome<Fit<Scalar>> found = fit_whole(opened ? opened->body : body, wanted, options, attempts, is_envelope);
     if (found && opened) found->skeleton = less_certain(std::move(found->skeleton), trust_in_grown_together);
-    if (!found && opened && is_envelope && !is_refused(found)) {
+    if (!found && opened && !opened->is_short_alone && is_envelope && !is_refused(found)) {
         if (const auto less_opened = surface::open_handles(body, surface::Contacts::short_alone))
-            found = fit_whole(*less_opened, wanted, options, 1);
+            found = fit_whole(less_opened->body, wanted, options, 1, is_envelope);
         if (found) found->skeleton = less_certain(std::move(found->skeleton), trust_in_grown_together);
     }
     const bool may_fit_as_given = closed || (opened && !is_envelope && !is_refused(found));
-    if (!found && may_fit_as_given) found = fit_whole(given, wanted, options, closed ? attempts : 1);
+    if (!found && may_fit_as_given) found = fit_whole(given, wanted, options, closed ? attempts : 1, is_envelope);
     if (found) found->timings.surface += opening;
     return found;
 }

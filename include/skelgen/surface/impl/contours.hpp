@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <unordered_set>
 #include <utility>
 
 #include <skelgen/core/geometry.hpp>
@@ -111,55 +110,74 @@ private:
     Corner above_, below_; ///< of the edge through which the contour comes into the face
 };
 
-/// The contour through a face that is cut, from the next face on or, where it is broken by a hole, from the hole on.
-template <typename Scalar, typename Height>
-Contour<Scalar> contour_through(const FaceCutter<Scalar, Height>& cutter, const Triangles& adjacency, int start) {
-    int first = start;
-    ContourWalk<Scalar, Height> back(cutter, adjacency, start, true);
-    for (back.go_on(); back.face() >= 0 && back.face() != start; back.go_on()) first = back.face();
+/// A contour as far as it was followed.
+template <typename Scalar>
+struct FollowedContour {
     Contour<Scalar> contour;
-    ContourWalk<Scalar, Height> walk(cutter, adjacency, first, false);
-    contour.points.push_back(walk.entry());
-    do {
-        contour.faces.push_back(walk.face());
-        walk.go_on();
-        contour.points.push_back(walk.entry());
-    } while (walk.face() >= 0 && walk.face() != first);
-    if (walk.face() >= 0)
-        contour.points.pop_back(); // back at the first point
-    else
-        contour.faces.push_back(contour.faces.back()); // the straight closure borrows its neighbour's normal
-    return contour;
-}
+    bool is_closed = false;
+};
 
-/// All contours that cut these faces, which are all that are cut, in ascending order.
+/// The contour from a face that is cut on, around to it again or, with a point more than faces, to a hole.
 template <typename Scalar, typename Height>
-std::vector<Contour<Scalar>> all_contours(const FaceCutter<Scalar, Height>& cutter, const Triangles& adjacency,
-                                          const std::vector<int>& cut) {
-    std::vector<Contour<Scalar>> out;
-    std::vector<bool> visited(cut.size(), false);
-    for (std::size_t i = 0; i < cut.size(); ++i) {
-        if (visited[i]) continue;
-        out.push_back(contour_through(cutter, adjacency, cut[i]));
-        for (const int f : out.back().faces)
-            visited[static_cast<std::size_t>(std::lower_bound(cut.begin(), cut.end(), f) - cut.begin())] = true;
-    }
+FollowedContour<Scalar> followed_from(const FaceCutter<Scalar, Height>& cutter, const Triangles& adjacency, int start) {
+    constexpr std::size_t usual = 64; // points of a limb's section
+    FollowedContour<Scalar> out;
+    auto& [points, faces] = out.contour;
+    faces.reserve(usual);
+    points.reserve(usual);
+    ContourWalk<Scalar, Height> walk(cutter, adjacency, start, false);
+    do {
+        faces.push_back(walk.face());
+        points.push_back(walk.entry());
+        walk.go_on();
+    } while (walk.face() >= 0 && walk.face() != start);
+    out.is_closed = walk.face() >= 0;
+    if (!out.is_closed) points.push_back(walk.entry());
     return out;
 }
 
-/// Those of all contours that cut one of these faces, in the order they have among all.
+/// All of the contour through a face that is cut, from there on or, where it is broken by a hole, from the hole on.
+template <typename Scalar, typename Height>
+FollowedContour<Scalar> contour_through(const FaceCutter<Scalar, Height>& cutter, const Triangles& adjacency,
+                                        int start) {
+    FollowedContour<Scalar> out = followed_from(cutter, adjacency, start);
+    if (out.is_closed) return out;
+    int first = start;
+    ContourWalk<Scalar, Height> back(cutter, adjacency, start, true);
+    for (back.go_on(); back.face() >= 0; back.go_on()) first = back.face();
+    if (first != start) out = followed_from(cutter, adjacency, first);
+    std::vector<int>& faces = out.contour.faces;
+    faces.push_back(faces.back()); // the straight closure borrows its neighbour's normal
+    return out;
+}
+
+/// The contour, if closed, from the face on that follows after this one.
+template <typename Scalar>
+Contour<Scalar> from_behind(int face, FollowedContour<Scalar> given) {
+    auto& [points, faces] = given.contour;
+    if (given.is_closed) {
+        const auto next = std::find(faces.begin(), faces.end(), face) - faces.begin() + 1;
+        std::rotate(faces.begin(), faces.begin() + next, faces.end());
+        std::rotate(points.begin(), points.begin() + next, points.end());
+    }
+    return std::move(given.contour);
+}
+
+/// Those of all contours that cut one of these faces, which are cut, in ascending order; by their lowest face.
 template <typename Scalar, typename Height>
 std::vector<Contour<Scalar>> contours_through(const FaceCutter<Scalar, Height>& cutter, const Triangles& adjacency,
-                                              const std::vector<int>& faces) {
+                                              const std::vector<int>& cut) {
     std::vector<std::pair<int, Contour<Scalar>>> found; // by the lowest face
-    std::unordered_set<int> visited;
-    for (const int f : faces) {
-        if (!cutter.is_cut(f) || visited.contains(f)) continue;
-        Contour<Scalar> contour = contour_through(cutter, adjacency, f);
-        const int lowest = *std::min_element(contour.faces.begin(), contour.faces.end());
-        if (lowest != f) contour = contour_through(cutter, adjacency, lowest);
-        visited.insert(contour.faces.begin(), contour.faces.end());
-        found.emplace_back(lowest, std::move(contour));
+    std::vector<bool> visited(cut.size(), false);
+    for (std::size_t i = 0; i < cut.size(); ++i) {
+        if (visited[i]) continue;
+        FollowedContour<Scalar> whole = contour_through(cutter, adjacency, cut[i]);
+        const std::vector<int>& faces = whole.contour.faces;
+        for (const int f : faces)
+            if (const auto place = std::lower_bound(cut.begin(), cut.end(), f); place != cut.end() && *place == f)
+                visited[static_cast<std::size_t>(place - cut.begin())] = true;
+        const int lowest = *std::min_element(faces.begin(), faces.end());
+        found.emplace_back(lowest, from_behind(lowest, std::move(whole)));
     }
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Contour<Scalar>> out;
@@ -167,22 +185,13 @@ std::vector<Contour<Scalar>> contours_through(const FaceCutter<Scalar, Height>& 
     return out;
 }
 
-/// The contour through one face; none when it is not closed.
+/// Those of some faces that are cut, in ascending order, each once.
 template <typename Scalar, typename Height>
-std::optional<Contour<Scalar>> closed_contour(const FaceCutter<Scalar, Height>& cutter, const Triangles& adjacency,
-                                              int start) {
-    constexpr std::size_t usual = 64; // points of a limb's section
-    Contour<Scalar> contour;
-    contour.faces.reserve(usual);
-    contour.points.reserve(usual);
-    ContourWalk<Scalar, Height> walk(cutter, adjacency, start, false);
-    do {
-        contour.faces.push_back(walk.face());
-        contour.points.push_back(walk.entry());
-        walk.go_on();
-    } while (walk.face() >= 0 && walk.face() != start);
-    if (walk.face() < 0) return std::nullopt;
-    return contour;
+std::vector<int> cut_faces(const FaceCutter<Scalar, Height>& cutter, std::vector<int> faces) {
+    std::erase_if(faces, [&](int f) { return !cutter.is_cut(f); });
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return faces;
 }
 
 /// Whether the segment from a to b crosses the positive first axis: upwards 1, downwards -1.
@@ -203,7 +212,7 @@ std::vector<Contour<Scalar>> plane_contours(const TriangleMesh<Scalar>& mesh, co
                                             Scalar offset) {
     const auto height = [&](int v) { return normal.dot(core::point(mesh.vertices, v)) - offset; };
     const detail::FaceCutter<Scalar, decltype(height)> cutter(mesh, height);
-    return detail::all_contours(cutter, adjacency, tree.faces_across(mesh, normal, offset));
+    return detail::contours_through(cutter, adjacency, tree.faces_across(mesh, normal, offset));
 }
 
 template <typename Scalar>
@@ -246,7 +255,7 @@ std::vector<Contour<Scalar>> LevelSets<Scalar>::contours(Scalar level) const {
     for (std::size_t i = begin_[end > bins ? end - bins : 0]; i < begin_[end]; ++i)
         if (cutter.is_cut(faces_[i])) cut.push_back(faces_[i]);
     std::sort(cut.begin(), cut.end());
-    return detail::all_contours(cutter, adjacency_, cut);
+    return detail::contours_through(cutter, adjacency_, cut);
 }
 
 template <typename Scalar>
@@ -285,9 +294,10 @@ std::optional<ContourAround<Scalar>> contour_around(const TriangleMesh<Scalar>& 
     const Vector3<Scalar> direction = normal.unitOrthogonal();
     const int seen = tree.first_along(mesh, point, direction).face;
     if (seen >= 0 && cutter.is_cut(seen))
-        if (auto contour = detail::closed_contour(cutter, adjacency, seen); contour && contour->points.size() >= 3)
-            if (const auto relation = relate(*contour, point, normal); relation.encloses)
-                return ContourAround<Scalar>{*std::move(contour), relation};
+        if (auto found = detail::followed_from(cutter, adjacency, seen);
+            found.is_closed && found.contour.points.size() >= 3)
+            if (const auto relation = relate(found.contour, point, normal); relation.encloses)
+                return ContourAround<Scalar>{std::move(found.contour), relation};
 
     std::optional<ContourAround<Scalar>> chosen;
     Scalar least = std::numeric_limits<Scalar>::infinity();
@@ -301,13 +311,14 @@ std::optional<ContourAround<Scalar>> contour_around(const TriangleMesh<Scalar>& 
     std::vector<int> around = tree.faces_along(mesh, point, direction);
     const std::vector<int> behind = tree.faces_along(mesh, point, -direction);
     around.insert(around.end(), behind.begin(), behind.end());
-    for (Contour<Scalar>& contour : detail::contours_through(cutter, adjacency, around))
+    for (Contour<Scalar>& contour :
+         detail::contours_through(cutter, adjacency, detail::cut_faces(cutter, std::move(around))))
         if (contour.points.size() >= 3)
             if (const auto relation = relate(contour, point, normal); relation.encloses)
                 choose(contour, relation, std::abs(relation.area));
     if (chosen) return chosen;
-    for (Contour<Scalar>& contour :
-         detail::contours_through(cutter, adjacency, tree.faces_across(mesh, normal, offset, point, reach)))
+    for (Contour<Scalar>& contour : detail::contours_through(
+             cutter, adjacency, detail::cut_faces(cutter, tree.faces_across(mesh, normal, offset, point, reach))))
         if (contour.points.size() >= 3)
             if (const auto relation = relate(contour, point, normal); relation.distance <= reach)
                 choose(contour, relation, relation.distance);

@@ -41,15 +41,39 @@ public:
     }
 
 private:
-    /// Edges that have lost their neighbour, as their faces have them, by first vertex.
+    /// Edges that have lost their neighbour, as their faces have them, by first vertex: at vertices that have copies.
     [[nodiscard]] std::multimap<int, int> open_edges() const {
-        const Triangles before = core::face_adjacency(mesh_.faces), now = core::face_adjacency(as_matrix(faces_));
+        const std::vector<std::size_t> around = around_copies();
+        std::vector<std::array<int, 3>> faces;
+        faces.reserve(around.size());
+        for (const std::size_t f : around) faces.push_back(faces_[f]);
+        const Triangles now = core::face_adjacency(as_matrix(faces));
+        for (std::array<int, 3>& face : faces)
+            for (int& v : face) v = original(v);
+        const Triangles before = core::face_adjacency(as_matrix(faces));
         std::multimap<int, int> out;
-        for (std::size_t f = 0; f < faces_.size(); ++f)
+        for (std::size_t f = 0; f < around.size(); ++f)
             for (std::size_t k = 0; k < 3; ++k) {
                 const auto row = static_cast<Eigen::Index>(f), column = static_cast<Eigen::Index>(k);
-                if (before(row, column) >= 0 && now(row, column) < 0) out.emplace(faces_[f][k], faces_[f][(k + 1) % 3]);
+                const std::array<int, 3>& face = faces_[around[f]];
+                if (before(row, column) >= 0 && now(row, column) < 0) out.emplace(face[k], face[(k + 1) % 3]);
             }
+        return out;
+    }
+
+    /// The vertex of the mesh in the place of one of its vertices, or of a copy.
+    [[nodiscard]] int original(int vertex) const { return source_[static_cast<std::size_t>(vertex)]; }
+
+    /// The faces around vertices that have copies, ascending.
+    [[nodiscard]] std::vector<std::size_t> around_copies() const {
+        const auto vertices = static_cast<std::size_t>(mesh_.vertices.rows());
+        std::vector<bool> has_copy(vertices, false);
+        for (std::size_t v = vertices; v < source_.size(); ++v) has_copy[static_cast<std::size_t>(source_[v])] = true;
+        std::vector<std::size_t> out;
+        for (std::size_t f = 0; f < faces_.size(); ++f)
+            if (std::any_of(faces_[f].begin(), faces_[f].end(),
+                            [&](int v) { return has_copy[static_cast<std::size_t>(original(v))]; }))
+                out.push_back(f);
         return out;
     }
 

@@ -45,8 +45,13 @@ Scalar girth(const TriangleMesh<Scalar>& mesh, const std::vector<int>& loop) {
 }
 
 template <typename Scalar>
+bool is_short(const TriangleMesh<Scalar>& mesh, const HandleLoop<Scalar>& loop) {
+    return girth(mesh, loop.vertices) < static_cast<Scalar>(short_loop);
+}
+
+template <typename Scalar>
 bool is_contact(const TriangleMesh<Scalar>& mesh, const HandleLoop<Scalar>& loop, Contacts contacts) {
-    if (contacts == Contacts::short_alone) return girth(mesh, loop.vertices) < static_cast<Scalar>(short_loop);
+    if (contacts == Contacts::short_alone) return is_short(mesh, loop);
     if (loop.length < static_cast<Scalar>(short_loop)) return true;
     return loop.length < static_cast<Scalar>(short_seam) &&
            loop.length < static_cast<Scalar>(crease_share) * girth(mesh, loop.vertices);
@@ -98,16 +103,19 @@ std::optional<HandleLoop<Scalar>> find_contact(const TriangleMesh<Scalar>& mesh,
 } // namespace detail
 
 template <typename Scalar>
-std::optional<Body<Scalar>> open_handles(const Body<Scalar>& body, Contacts contacts) {
+std::optional<OpenedBody<Scalar>> open_handles(const Body<Scalar>& body, Contacts contacts) {
     const int handles = detail::genus(body.mesh);
     if (handles < 1 || handles > detail::most_handles || !body.is_closed) return std::nullopt;
     TriangleMesh<Scalar> mesh = body.mesh;
     Triangles adjacency = body.adjacency;
     std::vector<int> source; // per vertex that of the body
     int opened = 0;
+    // No edge counts more than its length: the short loops are contacts in any case, and come in the same order.
+    bool is_short_alone = true;
     for (; opened < handles; ++opened) {
         const auto loop = detail::find_contact(mesh, adjacency, contacts);
         if (!loop) break;
+        is_short_alone = is_short_alone && detail::is_short(mesh, *loop);
         CutSurface<Scalar> cut = cut_along(mesh, adjacency, {loop->vertices});
         mesh = std::move(cut.mesh);
         adjacency = core::face_adjacency(mesh.faces);
@@ -117,7 +125,7 @@ std::optional<Body<Scalar>> open_handles(const Body<Scalar>& body, Contacts cont
     Body<Scalar> out = resurfaced(body, std::move(mesh), std::move(source));
     out.repairs.push_back("the body has grown together with itself in " + std::to_string(opened) +
                           (opened == 1 ? " place" : " places") + ": it was opened there");
-    return out;
+    return OpenedBody<Scalar>{std::move(out), is_short_alone};
 }
 
 } // namespace skelgen::surface
