@@ -29,7 +29,7 @@ struct GirdleOptions {
 
 /// \throws Error usage when an option is out of its range.
 inline void validate(const NeckOptions& options) {
-    core::require_in_range("refinement.neck.below_throat", options.below_throat, -1.0, 0.9);
+    core::require_in_range("refinement.neck.below_throat", options.below_throat, -1.0, 1.0);
     core::require_in_range("refinement.neck.throat_weight", options.throat_weight, 0.0, 1.0);
 }
 
@@ -49,9 +49,8 @@ inline void validate(const GirdleOptions& options) {
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_by_ratio(Placement<Scalar> placement, const Limb<Scalar>& limb);
 
-/// Neck: brought nearer to its height below the throat; with an adapted template, which tells no lengths, put there,
-/// and the head's joint above it. Where the limb does not begin with a neck, or the head shows no throat, nothing
-/// moves.
+/// Neck: brought nearer to its height below the throat. Where the limb does not begin with a neck, or the head shows no
+/// throat, nothing moves.
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_neck(Placement<Scalar> placement, const Limb<Scalar>& limb,
                                            const HeadShape<Scalar>& head, const NeckOptions& options = {});
@@ -70,8 +69,7 @@ template <typename Scalar>
 
 /// Shoulder, hip: the limb's own sections end short of them; the line of the bone goes on to its length. Where the bone
 /// shows too little of itself, in a deep crouch or behind crossed arms, that line points anywhere: then of all the ways
-/// to go on the one that keeps the rest-pose distance from the neck best, which must have been placed. A bone that is
-/// plainly seen is believed.
+/// to go on the one that keeps the rest-pose distance from the neck best, which must have been placed.
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_girdle(Placement<Scalar> placement, const Limb<Scalar>& limb,
                                              const GirdleOptions& options = {}, const BoneLineOptions& bone_line = {});

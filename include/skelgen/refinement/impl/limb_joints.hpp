@@ -17,10 +17,6 @@ namespace detail {
 template <typename Scalar>
 inline constexpr Scalar least_visible_bone = Scalar(0.3);
 
-/// A bone that shows this much of itself tells its direction, wherever the neck is. A working value.
-template <typename Scalar>
-inline constexpr Scalar plainly_visible_bone = Scalar(0.7);
-
 } // namespace detail
 
 template <typename Scalar>
@@ -29,35 +25,11 @@ Placement<Scalar> place_by_ratio(Placement<Scalar> placement, const Limb<Scalar>
     return placement;
 }
 
-namespace detail {
-
-/// Where the skull sits on the spine, as a part of the way from the neck's joint to the top: as the human template has
-/// it.
-template <typename Scalar>
-inline constexpr Scalar skull_on_spine = Scalar(0.256);
-
-/// Neck and head of a figure, whose template tells no lengths: its head's limb, drawn as long as that, may end in the
-/// head.
-template <typename Scalar>
-Placement<Scalar> place_figures_neck(Placement<Scalar> placement, const Limb<Scalar>& limb,
-                                     const HeadShape<Scalar>& head, const NeckOptions& options) {
-    const auto below = static_cast<Scalar>(options.below_throat);
-    const Scalar height = (tip_of(limb) - *head.throat).dot(head.up) / (1 - below); // from the neck's joint to the top
-    const Vector3<Scalar> neck = *head.throat - below * height * head.up;
-    placement.put(limb.joints.front(), neck);
-    if (placement.role(limb.joints.back()) == JointRole::head)
-        placement.put(limb.joints.back(), neck + skull_on_spine<Scalar> * height * head.up);
-    return placement;
-}
-
-} // namespace detail
-
 template <typename Scalar>
 Placement<Scalar> place_neck(Placement<Scalar> placement, const Limb<Scalar>& limb, const HeadShape<Scalar>& head,
                              const NeckOptions& options) {
     const int neck = limb.joints.front();
     if (placement.role(neck) != JointRole::neck || !head.throat) return placement;
-    if (placement.skeleton_template().is_adapted) return detail::place_figures_neck(placement, limb, head, options);
     const Vector3<Scalar> place = placement.at(neck);
     const Scalar height = (tip_of(limb) - place).norm();
     const Scalar higher = (*head.throat - place).dot(head.up) - static_cast<Scalar>(options.below_throat) * height;
@@ -129,8 +101,6 @@ Placement<Scalar> place_girdle(Placement<Scalar> placement, const Limb<Scalar>& 
     placement.put(top, ways.front());
 
     const int anchor = role == JointRole::shoulder ? placement.find(JointRole::neck) : -1;
-    const Scalar visible = outer - std::max(limb.attachment, inner);
-    if (line && visible > detail::plainly_visible_bone<Scalar> * (outer - inner)) return placement;
     if (anchor < 0 || is_bare(placement.skeleton_template(), anchor)) return placement;
     const Scalar rest = placement.rest_distance(top, anchor);
     const auto misfit = [&](const Vector3<Scalar>& p) { return std::abs((p - placement.at(anchor)).norm() - rest); };
