@@ -80,8 +80,8 @@ TEMPLATE_TEST_CASE("the joints of a limb that is the profile are found where the
 TEST_CASE("the ankle of a figure with large feet is found by the heel and the profile, not by a person's lengths") {
     const Stretch<double> rest{0.2, 0.6, 1.1}, own{0.32, 0.58, 0.9};
     const std::optional<Heel<double>> heel = Heel<double>{0.32 * std::exp(-0.13), 1};
-    const auto ankle_of = [&](std::optional<Heel<double>> seen, bool is_figures) {
-        return best_stretches<double>({{samples_of(leg_profile, own, -3), rest, std::nullopt, seen, is_figures}},
+    const auto ankle_of = [&](std::optional<Heel<double>> seen, bool is_adapted) {
+        return best_stretches<double>({{samples_of(leg_profile, own, -3), rest, std::nullopt, seen, is_adapted}},
                                       leg_profile, {})[0]
             .outer;
     };

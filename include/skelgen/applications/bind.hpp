@@ -13,6 +13,7 @@ template <typename Scalar = double>
 struct SurfacePlace {
     int face = -1;
     Vector3<Scalar> share = Vector3<Scalar>::Zero(); ///< of each of the face's corners; they sum to 1
+    Scalar distance = 0;                             ///< from the vertex, in the body's coordinates
 };
 
 /// The place on the body that stands for each vertex of the mesh that it was made of: the nearest one on the faces

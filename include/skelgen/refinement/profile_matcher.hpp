@@ -119,7 +119,7 @@ struct MatchedLimb {
     Stretch<Scalar> rest; ///< the template's own
     std::optional<Top<Scalar>> top;
     std::optional<Heel<Scalar>> heel = {};
-    bool is_figures = false; ///< its proportions are its own: `rest` has them roughly
+    bool is_adapted = false; ///< its proportions are its own: `rest` has them roughly
 };
 
 /// The stretch of the profile for each of the limbs, both arms or both legs, that fit their samples, the template's

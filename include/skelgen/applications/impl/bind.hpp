@@ -179,7 +179,7 @@ std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>& body, const Tria
                 (share[0] * corners[0] + share[1] * corners[1] + share[2] * corners[2] - place).norm();
             if (!(distance < least)) return;
             least = distance;
-            out[v] = {f, share};
+            out[v] = {f, share, distance};
         });
     }
     return out;
@@ -198,13 +198,10 @@ Skin<Scalar> bind(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body, co
     std::vector<Scalar> gaps;
     const std::vector<SurfacePlace<Scalar>> places = places_on(body, mesh);
     for (Eigen::Index v = 0; v < carried.rows(); ++v) {
-        const auto& [face, share] = places[static_cast<std::size_t>(v)];
-        Vector3<Scalar> place = Vector3<Scalar>::Zero();
-        for (int k = 0; k < 3; ++k) {
+        const auto& [face, share, distance] = places[static_cast<std::size_t>(v)];
+        for (int k = 0; k < 3; ++k)
             carried.row(v) += static_cast<core::Accumulator>(share[k]) * weights.row(body.mesh.faces(face, k));
-            place += share[k] * core::point(body.mesh.vertices, body.mesh.faces(face, k));
-        }
-        gaps.push_back((body.similarity.to_canonical(core::point(mesh.vertices, v)) - place).norm());
+        gaps.push_back(distance);
     }
     carried = with_loose_pieces(std::move(carried), mesh, body, gaps, of_body, skeleton_template);
     carried = following_one_limb(std::move(carried), skeleton_template);

@@ -108,6 +108,38 @@ std::vector<Scalar> gaps_of(const LoosePieces<Scalar>& loose, const Body<Scalar>
     return out;
 }
 
+/// What a search in a tree of vertices is to find, as nanoflann's result sets are: the nearest vertex of another piece,
+/// nearer than the reach.
+template <typename Scalar>
+class NearestOfOthers {
+public:
+    NearestOfOthers(const std::vector<std::size_t>& piece_of, std::size_t own, Scalar reach)
+        : piece_of_(piece_of), own_(own), squared_(reach * reach) {}
+
+    bool addPoint(Scalar squared, Eigen::Index vertex) {
+        if (squared < squared_ && piece_of_[static_cast<std::size_t>(vertex)] != own_) {
+            squared_ = squared;
+            vertex_ = static_cast<int>(vertex);
+        }
+        return true; // go on
+    }
+    [[nodiscard]] Scalar worstDist() const { return squared_; }
+    [[nodiscard]] bool full() const { return true; }
+
+    [[nodiscard]] int vertex() const { return vertex_; } ///< -1: none
+    [[nodiscard]] Scalar distance() const { return std::sqrt(squared_); }
+
+private:
+    const std::vector<std::size_t>& piece_of_;
+    std::size_t own_;
+    Scalar squared_;
+    int vertex_ = -1;
+};
+
+/// Of a piece that touches nothing so many vertices, evenly, look for another one: all of them would come upon each
+/// other all the way there.
+inline constexpr std::size_t most_looks = 256;
+
 /// Pairs of vertices of different loose pieces that touch: each vertex with the nearest of another piece; and of each
 /// piece that touches nothing that which lies nearest to another one, where the body is farther.
 template <typename Scalar>
@@ -115,28 +147,36 @@ std::vector<std::pair<int, int>> touching_pairs(const LoosePieces<Scalar>& loose
     const Points<Scalar>& places = loose.mesh.vertices;
     const nanoflann::KDTreeEigenMatrixAdaptor<Points<Scalar>, 3, nanoflann::metric_L2_Simple> tree(3, places);
     core::DisjointSets pieces = loose.pieces;
+    std::vector<std::size_t> piece_of(gaps.size()), size(gaps.size(), 0); // the latter per piece, by representative
     std::vector<Scalar> reach = gaps; // per piece, by its representative: to the body, then to another piece, too
-    for (std::size_t v = 0; v < gaps.size(); ++v) reach[pieces.find(v)] = std::min(reach[pieces.find(v)], gaps[v]);
+    for (std::size_t v = 0; v < gaps.size(); ++v) {
+        piece_of[v] = pieces.find(v);
+        ++size[piece_of[v]];
+        reach[piece_of[v]] = std::min(reach[piece_of[v]], gaps[v]);
+    }
+    const auto nearest_to = [&](std::size_t v, Scalar within) {
+        NearestOfOthers<Scalar> found(piece_of, piece_of[v], within);
+        const auto row = static_cast<Eigen::Index>(v);
+        const std::array<Scalar, 3> place{places(row, 0), places(row, 1), places(row, 2)};
+        tree.index->findNeighbors(found, place.data(), nanoflann::SearchParams());
+        return found;
+    };
     std::vector<std::pair<int, int>> out;
-    std::map<std::size_t, std::pair<int, int>> nearest; // of a piece that touches nothing
-    for (int v = 0; v < static_cast<int>(gaps.size()); ++v) {
-        const std::size_t piece = pieces.find(static_cast<std::size_t>(v));
-        const std::array<Scalar, 3> place{places(v, 0), places(v, 1), places(v, 2)};
-        std::vector<std::pair<Eigen::Index, Scalar>> near;
-        tree.index->radiusSearch(place.data(), reach[piece] * reach[piece], near, nanoflann::SearchParams());
-        for (const auto& [other, squared] : near) { // in the order of their distances
-            if (piece == pieces.find(static_cast<std::size_t>(other))) continue;
-            const std::pair<int, int> pair(v, static_cast<int>(other));
-            if (squared > touching<Scalar> * touching<Scalar>) {
-                nearest[piece] = pair;
-                reach[piece] = std::sqrt(squared);
-            } else {
-                nearest.erase(piece);
-                reach[piece] = touching<Scalar>;
-                out.push_back(pair);
-            }
-            break;
+    for (std::size_t v = 0; v < gaps.size(); ++v)
+        if (const auto found = nearest_to(v, touching<Scalar>); found.vertex() >= 0) {
+            reach[piece_of[v]] = touching<Scalar>;
+            out.emplace_back(static_cast<int>(v), found.vertex());
         }
+
+    std::map<std::size_t, std::pair<int, int>> nearest; // of a piece that touches nothing
+    std::vector<std::size_t> seen(gaps.size(), 0);      // of a piece's vertices
+    for (std::size_t v = 0; v < gaps.size(); ++v) {
+        const std::size_t piece = piece_of[v], step = (size[piece] + most_looks - 1) / most_looks;
+        if (seen[piece]++ % step != 0 || !(reach[piece] > touching<Scalar>)) continue;
+        const auto found = nearest_to(v, reach[piece]);
+        if (found.vertex() < 0) continue;
+        nearest[piece] = {static_cast<int>(v), found.vertex()};
+        reach[piece] = found.distance();
     }
     for (const auto& [piece, pair] : nearest) out.push_back(pair);
     return out;

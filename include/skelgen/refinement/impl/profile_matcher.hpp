@@ -111,10 +111,7 @@ public:
 
     /// What the lengths alone cost, for any thickness.
     [[nodiscard]] Scalar of_lengths(Scalar outer_ratio, Scalar bone_ratio) const {
-        const Stretch<Scalar> s = stretch(outer_ratio, bone_ratio);
-        return off_rest(outer_ratio, options_.end_deviation) +
-               off_rest(std::log(s.middle / limb_.rest.middle), options_.limb_deviation) +
-               off_rest(bone_ratio, options_.bone_deviation);
+        return off_template(stretch(outer_ratio, bone_ratio), outer_ratio, bone_ratio);
     }
 
     [[nodiscard]] Scalar operator()(Scalar outer_ratio, Scalar bone_ratio) const {
@@ -123,19 +120,24 @@ public:
             fit_profile(limb_.samples, profile_, s, static_cast<Scalar>(options_.thickness_deviation));
         return static_cast<Scalar>(options_.independent_samples) * far_misfit<Scalar> *
                    std::log1p(fit.misfit / far_misfit<Scalar>) +
-               off_rest(outer_ratio, options_.end_deviation) +
-               off_rest(std::log(s.middle / limb_.rest.middle), options_.limb_deviation) +
-               off_rest(bone_ratio, options_.bone_deviation) + disproportion(s, fit.stoutness) + off_heel(s);
+               off_template(s, outer_ratio, bone_ratio) + disproportion(s, fit.stoutness) + off_heel(s);
     }
 
 private:
     [[nodiscard]] Scalar lower_bone() const { return limb_.rest.middle - limb_.rest.outer; }
     [[nodiscard]] Scalar upper_bone() const { return limb_.rest.inner - limb_.rest.middle; }
 
+    /// Of all lengths from the template's.
+    [[nodiscard]] Scalar off_template(const Stretch<Scalar>& s, Scalar outer_ratio, Scalar bone_ratio) const {
+        return off_rest(outer_ratio, options_.end_deviation) +
+               off_rest(std::log(s.middle / limb_.rest.middle), options_.limb_deviation) +
+               off_rest(bone_ratio, options_.bone_deviation);
+    }
+
     /// Of a length from the template's. A figure's proportions are its own: far off they say little.
     [[nodiscard]] Scalar off_rest(Scalar ratio, double deviation) const {
         const Scalar squares = squared(ratio / static_cast<Scalar>(deviation));
-        return limb_.is_figures ? softened(squares) : squares;
+        return limb_.is_adapted ? softened(squares) : squares;
     }
 
     /// Of the ankle from where the heel has it. Shoes may turn the line elsewhere: far off it says little.
@@ -231,8 +233,8 @@ StretchRatios<Scalar> cheapest_ratios(const std::vector<MatchedLimb<Scalar>>& li
     std::vector<StretchCost<Scalar>> costs;
     for (const MatchedLimb<Scalar>& limb : limbs) costs.emplace_back(limb, profile, options);
     StretchRatios<Scalar> best{0, std::vector<Scalar>(limbs.size(), Scalar(0))};
-    const bool are_figures = std::any_of(limbs.begin(), limbs.end(), [](const auto& limb) { return limb.is_figures; });
-    Scalar reach = are_figures ? widest_search_of_figures<Scalar> : widest_search<Scalar>;
+    const bool are_adapted = std::any_of(limbs.begin(), limbs.end(), [](const auto& limb) { return limb.is_adapted; });
+    Scalar reach = are_adapted ? widest_search_of_figures<Scalar> : widest_search<Scalar>;
     for (const double step : steps) {
         best = search_ratios(costs, best, reach, static_cast<Scalar>(step));
         reach = static_cast<Scalar>(step);

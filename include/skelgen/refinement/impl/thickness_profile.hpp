@@ -53,7 +53,7 @@ struct ProfiledLimb {
     BodyPart part;
     std::size_t inner, middle, outer;
     Stretch<Scalar> rest;
-    bool is_figures;  ///< whose proportions are its own
+    bool is_adapted;  ///< whose proportions are its own
     Scalar scale = 1; ///< `rest` is the template's, times that
     Scalar bone_ratio = 1;
     ProfileFit<Scalar> fit = {};
@@ -109,7 +109,7 @@ std::optional<Top<Scalar>> top_of(const ProfiledLimb<Scalar>& p, const Fold<Scal
 /// The heel of a figure, whose foot may be of any size; a person's own lengths know the ankle as well.
 template <typename Scalar>
 std::optional<Heel<Scalar>> heel_of(const ProfiledLimb<Scalar>& p, const BendOptions& bend) {
-    if (p.part != BodyPart::leg || !p.is_figures || p.limb->missing > 0) return std::nullopt;
+    if (p.part != BodyPart::leg || !p.is_adapted || p.limb->missing > 0) return std::nullopt;
     return find_heel(*p.limb, p.rest, bend);
 }
 
@@ -144,7 +144,7 @@ std::vector<ProfiledLimb<Scalar>> with_outer_joints(std::vector<ProfiledLimb<Sca
     for (ProfiledLimb<Scalar>& p : limbs)
         if (p.part == part) {
             pair.push_back(&p);
-            matched.push_back({thickness_samples(*p.limb), p.rest, top_of(p), heel_of(p, bend), p.is_figures});
+            matched.push_back({thickness_samples(*p.limb), p.rest, top_of(p), heel_of(p, bend), p.is_adapted});
         }
     if (pair.empty()) return limbs;
     const std::vector<Stretch<Scalar>> found = best_stretches(matched, profile, options);
@@ -314,7 +314,7 @@ Limb<Scalar> ending_at(Limb<Scalar> limb, std::size_t outer) {
 template <typename Scalar>
 Scalar cost_of(Limb<Scalar> limb, const SkeletonTemplate& skeleton_template, const ThicknessProfileOptions& options) {
     const auto p = as_profiled(limb, skeleton_template);
-    return least_cost<Scalar>({thickness_samples(limb), p->rest, std::nullopt, std::nullopt},
+    return least_cost<Scalar>({thickness_samples(limb), p->rest, std::nullopt},
                               p->part == BodyPart::leg ? leg_profile : arm_profile, options);
 }
 
