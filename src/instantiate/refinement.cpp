@@ -102,6 +102,7 @@ namespace skelgen::refinement {
                                           const BoneLineOptions&);                                                     \
     template Placement<Scalar> place_girdle(Placement<Scalar>, const Limb<Scalar>&, const GirdleOptions&,              \
                                             const BoneLineOptions&);                                                   \
+    template Placement<Scalar> place_shoulder_by_height(Placement<Scalar>, const Limb<Scalar>&, const GirdleOptions&); \
     template Placement<Scalar> place_shoulder_by_trunk(Placement<Scalar>, const Limb<Scalar>&, const Vector3<Scalar>&, \
                                                        const BendOptions&, const BoneLineOptions&);                    \
     template Placement<Scalar> place_bare_joints(Placement<Scalar>, const CurveSkeleton<Scalar>&,                      \

@@ -240,6 +240,53 @@ TEMPLATE_TEST_CASE("a shoulder too far from the neck for a trunk that is longer 
     CHECK(moved(arm_at(1.5, raised), longer) == Approx(-raised).margin(1e-4)); // at its nearest place
 }
 
+TEMPLATE_TEST_CASE("shoulders come nearer to the height at which people hold them, whichever way the body lies", "",
+                   float, double) {
+    using V = Vector3<TestType>;
+    const SkeletonTemplate& human = builtin_template("human21");
+    const int top = joint_of(shoulder, Side::left);
+    const auto limb = limb_along<TestType>({Vec3::Zero(), Vec3::UnitX()}, arm_joints(), {0.8, 0.5, 0.2, 0.1});
+    const Eigen::Quaternion<TestType> turn(Eigen::AngleAxis<TestType>(TestType(0.7), V(1, 2, -1).normalized()));
+    // A trunk of length 1 up to the neck at the origin, the head leant by so much, the shoulder so high, and the arm.
+    const auto height = [&](double leant, double high, const Vec3& arm, double weight, bool turned) {
+        Placement<TestType> before(human, TestType(1));
+        const auto put = [&](int joint, const Vec3& place) {
+            const V at = place.cast<TestType>();
+            before.put(joint, turned ? V(turn * at) : at);
+        };
+        put(joint_of(head), Vec3(std::sin(leant), std::cos(leant), 0));
+        for (const Side side : {Side::left, Side::right}) put(joint_of(hip, side), Vec3(0, -1, 0));
+        put(top, Vec3(0.3, high, 0));
+        put(joint_of(elbow, Side::left), Vec3(0.3, high, 0) + arm);
+        const auto after = place_shoulder_by_height(before, limb, {0.4, weight});
+        for (int j = 0; j < 21; ++j) CHECK((j == top || after.at(j) == before.at(j)));
+        const V way = after.at(top);
+        return static_cast<double>((turned ? V(turn.conjugate() * way) : way).y());
+    };
+    const Vec3 level = 0.5 * Vec3::UnitX(), hanging = -0.5 * Vec3::UnitY(), raised = 0.5 * Vec3::UnitY();
+    const double usual = height(0, -0.1, level, 1, false);
+    CHECK(usual < 0);
+    CHECK(height(0, 0.1, level, 1, false) == Approx(usual).margin(1e-5)); // wherever it was
+    CHECK(height(0, 0.1, level, 0.5, false) == Approx((0.1 + usual) / 2).margin(1e-5));
+    CHECK(height(0, 0.1, level, 0, false) == Approx(0.1).margin(1e-5));
+    CHECK(height(0, 0.1, level, 1, true) == Approx(usual).margin(1e-5));
+    const double lower = height(0, -0.1, hanging, 1, false), higher = height(0, -0.1, raised, 1, false);
+    CHECK(lower < usual - 0.05);
+    CHECK(higher - usual == Approx(usual - lower).margin(1e-5));
+    CHECK(height(0.3, -0.1, level, 1, false) < usual - 0.01); // beneath the head
+    CHECK(height(-0.3, -0.1, level, 1, false) > usual + 0.01);
+
+    SkeletonTemplate figure = human;
+    figure.is_adapted = true;
+    Placement<TestType> drawn(figure, TestType(1));
+    drawn.put(top, V(TestType(0.3), 0, 0));
+    CHECK(place_shoulder_by_height(drawn, limb).positions() == drawn.positions());
+    const auto leg = limb_along<TestType>({Vec3::Zero(), Vec3::UnitX()}, leg_joints(), {0.8, 0.5, 0.2, 0.1});
+    Placement<TestType> standing(human, TestType(1));
+    standing.put(joint_of(hip, Side::left), V(0, TestType(-1), 0));
+    CHECK(place_shoulder_by_height(standing, leg).positions() == standing.positions());
+}
+
 TEST_CASE("limbs without shoulder or hip, or of one joint, are left as they are") {
     const auto neck_and_head =
         limb_along<double>({Vec3::Zero(), Vec3::UnitY()}, {joint_of(neck), joint_of(head)}, {0.5, 0.2});
@@ -258,6 +305,8 @@ TEST_CASE("options of the limbs' joints that make no sense are refused") {
     CHECK_NOTHROW(validate(WristOptions{}));
     CHECK_THROWS_AS(validate(WristOptions{-0.1}), Error);
     CHECK_THROWS_AS(validate(WristOptions{0.1, -1}), Error);
+    CHECK_NOTHROW(validate(GirdleOptions{}));
+    CHECK_THROWS_AS(validate(GirdleOptions{0.4, 1.1}), Error);
     CHECK_NOTHROW(validate(GirdleOptions{}));
     CHECK_THROWS_AS(validate(GirdleOptions{std::nan("")}), Error);
     CHECK_THROWS_AS(validate(BoneLineOptions{-0.1}), Error);

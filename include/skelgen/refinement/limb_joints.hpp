@@ -22,9 +22,10 @@ struct WristOptions {
                            ///< a tenth of the forearm off it must be thinner by 14 %. Calibrated on registered bodies
 };
 
-/// When the line of an upper arm is not believed.
+/// When the line of an upper arm is not believed, and how much.
 struct GirdleOptions {
-    double tolerance = 0.4; ///< of the rest-pose distance between shoulder and neck: how far a shoulder may be off
+    double tolerance = 0.4;     ///< of the rest-pose distance between shoulder and neck: how far a shoulder may be off
+    double height_weight = 0.4; ///< of the height at which people hold their shoulders, against that by the arm's line
 };
 
 /// \throws Error usage when an option is out of its range.
@@ -42,6 +43,7 @@ inline void validate(const WristOptions& options) {
 /// \throws Error usage when an option is out of its range.
 inline void validate(const GirdleOptions& options) {
     core::require_in_range("refinement.girdle.tolerance", options.tolerance, 0.0, 100.0);
+    core::require_in_range("refinement.girdle.height_weight", options.height_weight, 0.0, 1.0);
 }
 
 /// Joints at the template's length ratios (LF20 section 3.1), counted from the limb's end, which the mesh shows, not
@@ -73,6 +75,13 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_girdle(Placement<Scalar> placement, const Limb<Scalar>& limb,
                                              const GirdleOptions& options = {}, const BoneLineOptions& bone_line = {});
+
+/// Shoulder: brought along the trunk nearer to the height below the neck at which people hold it, which rises with the
+/// arm (ISA44) and sinks on the side to which the head is leant; the sections of an upper arm lean towards the armpit.
+/// Neck, head, hips, elbow and shoulder must have been placed. Other limbs, and those of an adapted template, stay.
+template <typename Scalar>
+[[nodiscard]] Placement<Scalar> place_shoulder_by_height(Placement<Scalar> placement, const Limb<Scalar>& limb,
+                                                         const GirdleOptions& options = {});
 
 /// Shoulder of an adapted template, which tells no lengths, or one that lies far from the neck where the trunk is
 /// longer than the limbs say, as those of a body that folds up look shorter than they are: on the upper arm's line, as

@@ -218,6 +218,17 @@ std::optional<TrunkShape<Scalar>> trunk_of(const Placement<Scalar>& placement, c
                          Vector3<Scalar>(placement.at(hips[0]) - placement.at(hips[1])));
 }
 
+/// Shoulders by their height, where they are then inside of the body: a drawn figure's may be thin as a stick.
+template <typename Scalar>
+Placement<Scalar> place_shoulders_by_height(Placement<Scalar> placement, const std::vector<Limb<Scalar>>& limbs,
+                                            const Body<Scalar>& body, const GirdleOptions& options) {
+    for (const Limb<Scalar>& limb : limbs) {
+        const auto placed = place_shoulder_by_height(placement, limb, options);
+        if (surface::is_inside(body, placed.at(limb.joints.front()))) placement = placed;
+    }
+    return placement;
+}
+
 /// Shoulders by the trunk, where these and their elbows are then inside of the body: where the head shows no throat the
 /// neck may be far off.
 template <typename Scalar>
@@ -260,6 +271,7 @@ RefinedJoints<Scalar> refine(const Body<Scalar>& body, const std::vector<EndPoin
     const auto with_pelvis =
         axis ? place_pelvis(placement, limbs, *axis, options.pelvis) : std::optional<Placement<Scalar>>();
     if (with_pelvis) placement = *with_pelvis;
+    placement = detail::place_shoulders_by_height(std::move(placement), limbs, body, options.girdle);
     const int junction = embedding.node_of_joint[static_cast<std::size_t>(placement.find(JointRole::chest))];
     placement = place_trunk(std::move(placement), limbs, slicer, core::point(curve.nodes, junction),
                             with_pelvis ? axis : std::nullopt, options.trunk);
