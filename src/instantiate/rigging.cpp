@@ -56,6 +56,8 @@ namespace skelgen::applications {
                                             const SkeletonTemplate&);                                                  \
     template JointWeights with_deep_shoulders(JointWeights, const Points<Scalar>&, const KinematicSkeleton<Scalar>&,   \
                                               const SkeletonTemplate&);                                                \
+    template core::Accumulator largest_bend_change(const JointWeights&, const RestingSurface<Scalar>&,                 \
+                                                   const Triangles&, const SkeletonTemplate&);                         \
     template JointWeights with_balanced_bends(JointWeights, const RestingSurface<Scalar>&, const Triangles&,           \
                                               const SkeletonTemplate&, core::Accumulator);                             \
     template LimbRegions limb_regions(const Body<Scalar>&, const KinematicSkeleton<Scalar>&, const SkeletonTemplate&); \

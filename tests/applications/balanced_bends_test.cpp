@@ -120,6 +120,11 @@ TEST_CASE("balanced bends: borders stay where several pieces bend, and where lit
         return (after - weights).cwiseAbs().maxCoeff() > 0;
     };
     CHECK(moves(tube, before, 0));
+    const RestingSurface<double> surface{tube.vertices, none, rest};
+    const auto change = [&](const JointWeights& weights) {
+        return largest_bend_change<double>(weights, surface, tube.faces, human());
+    };
+    CHECK(change(with_balanced_bends<double>(before, surface, tube.faces, human())) < change(before));
     CHECK_FALSE(moves(tube, before, 1));
     const TriangleMesh<double> twice = test::side_by_side(tube, tube);
     JointWeights of_both(twice.vertices.rows(), before.cols());

@@ -23,6 +23,12 @@ template <typename Scalar>
                                                const Triangles& faces, const SkeletonTemplate& skeleton_template,
                                                core::Accumulator tolerated = 0);
 
+/// How much a bend by 90 degrees from rest changes the volumes of what is above and below an elbow or a knee together,
+/// as shares, at the one where it is most. As `with_balanced_bends`. O(n joints).
+template <typename Scalar>
+[[nodiscard]] core::Accumulator largest_bend_change(const JointWeights& weights, const RestingSurface<Scalar>& surface,
+                                                    const Triangles& faces, const SkeletonTemplate& skeleton_template);
+
 } // namespace skelgen::applications
 
 #ifdef SKELGEN_HEADER_ONLY

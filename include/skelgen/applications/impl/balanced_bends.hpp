@@ -66,11 +66,14 @@ public:
         });
     }
 
+    /// How much a bend changes the volumes of what is below and above together, as shares.
+    [[nodiscard]] Accumulator change() { return changes(0).norm(); }
+
     /// The weights with the border where it changes the volumes least; as they are where it does so little enough.
     [[nodiscard]] JointWeights balanced(JointWeights weights, Accumulator tolerated) {
         constexpr Accumulator farthest = 5; // half a radius away: heat falls by e for each, odds are its sixth power
         constexpr int steps = 10;           // to either side
-        if (changes(0).norm() < tolerated) return weights;
+        if (change() < tolerated) return weights;
         const auto log_odds_at = [&](int step) { return farthest * (step - steps - 1) / steps; };
         std::vector<Eigen::Vector2<Accumulator>> found; // also one step beyond
         for (int i = 0; i <= 2 * steps + 2; ++i) found.push_back(changes(log_odds_at(i)));
@@ -208,6 +211,19 @@ JointWeights with_balanced_bends(JointWeights weights, const RestingSurface<Scal
         if (bend.is_one_piece(pieces)) weights = bend.balanced(std::move(weights), tolerated);
     }
     return weights;
+}
+
+template <typename Scalar>
+core::Accumulator largest_bend_change(const JointWeights& weights, const RestingSurface<Scalar>& surface,
+                                      const Triangles& faces, const SkeletonTemplate& skeleton_template) {
+    core::Accumulator largest = 0;
+    for (int j = 0; j < static_cast<int>(skeleton_template.joints.size()); ++j) {
+        const JointRole role = skeleton_template.joint(j).role;
+        if (role != JointRole::elbow && role != JointRole::knee) continue;
+        const auto change = detail::HingeBend<Scalar>(weights, surface, faces, skeleton_template, j).change();
+        if (change > largest) largest = change; // none where nothing is below
+    }
+    return largest;
 }
 
 } // namespace skelgen::applications

@@ -178,8 +178,15 @@ JointWeights fitted_to_edges(JointWeights weights, const TriangleMesh<Scalar>& m
     const std::vector<RigidMotion<Scalar>> motions = to_t_pose(skeleton, skeleton_template);
     const KinematicSkeleton<Scalar> at_rest = moved(skeleton, skeleton_template, motions);
     const RestingSurface<Scalar> surface{welded.mesh.vertices, motions, at_rest};
-    joined = with_balanced_bends(std::move(joined), surface, faces, skeleton_template, tolerated);
-    joined = with_bounded_stretch(std::move(joined), surface, faces, skeleton_template, regions.of_joint);
+    const auto bounded = [&](JointWeights of) {
+        return with_bounded_stretch(std::move(of), surface, faces, skeleton_template, regions.of_joint);
+    };
+    const auto change = [&](const JointWeights& of) {
+        return largest_bend_change(of, surface, faces, skeleton_template);
+    };
+    JointWeights balanced = bounded(with_balanced_bends(joined, surface, faces, skeleton_template, tolerated));
+    joined = bounded(std::move(joined)); // which may undo what was balanced
+    if (change(balanced) < change(joined)) joined = std::move(balanced);
     joined = without_islands(std::move(joined), faces);
     for (std::size_t v = 0; v < welded.placed.size(); ++v)
         if (welded.placed[v] >= 0) weights.row(static_cast<Eigen::Index>(v)) = joined.row(welded.placed[v]);
