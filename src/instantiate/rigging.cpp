@@ -56,8 +56,10 @@ namespace skelgen::applications {
                                             const SkeletonTemplate&);                                                  \
     template JointWeights with_deep_shoulders(JointWeights, const Points<Scalar>&, const KinematicSkeleton<Scalar>&,   \
                                               const SkeletonTemplate&);                                                \
+    template core::Accumulator largest_bend_change(const JointWeights&, const RestingSurface<Scalar>&,                 \
+                                                   const Triangles&, const SkeletonTemplate&);                         \
     template JointWeights with_balanced_bends(JointWeights, const RestingSurface<Scalar>&, const Triangles&,           \
-                                              const SkeletonTemplate&);                                                \
+                                              const SkeletonTemplate&, core::Accumulator);                             \
     template LimbRegions limb_regions(const Body<Scalar>&, const KinematicSkeleton<Scalar>&, const SkeletonTemplate&); \
     template std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>&, const TriangleMesh<Scalar>&);            \
     template Skin<Scalar> bind(const TriangleMesh<Scalar>&, const Body<Scalar>&, const KinematicSkeleton<Scalar>&,     \

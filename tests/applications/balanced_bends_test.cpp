@@ -9,6 +9,7 @@
 
 #include "catch.hpp"
 #include "human.hpp"
+#include "mesh_changes.hpp"
 #include "sleeve.hpp"
 
 namespace {
@@ -105,6 +106,30 @@ TEST_CASE("balanced bends: each border of a limb that comes bent is seen on the 
             CHECK(changes(sleeve, after, rest) < 0.0005); // seen on the surface that the weights led to before: 0.0007
         }
     }
+}
+
+TEST_CASE("balanced bends: borders stay where several pieces bend, and where little is lost",
+          "[applications][weights]") {
+    const auto rest = rest_skeleton<double>(human());
+    const TriangleMesh<double> tube = test::sleeve(rest);
+    const std::vector<RigidMotion<double>> none(rest.joints.size());
+    const JointWeights before = weights_with_border(tube.vertices, rest, 0.3 * sleeve_radius);
+    const auto moves = [&](const TriangleMesh<double>& mesh, const JointWeights& weights, double tolerated) {
+        const auto after =
+            with_balanced_bends<double>(weights, {mesh.vertices, none, rest}, mesh.faces, human(), tolerated);
+        return (after - weights).cwiseAbs().maxCoeff() > 0;
+    };
+    CHECK(moves(tube, before, 0));
+    const RestingSurface<double> surface{tube.vertices, none, rest};
+    const auto change = [&](const JointWeights& weights) {
+        return largest_bend_change<double>(weights, surface, tube.faces, human());
+    };
+    CHECK(change(with_balanced_bends<double>(before, surface, tube.faces, human())) < change(before));
+    CHECK_FALSE(moves(tube, before, 1));
+    const TriangleMesh<double> twice = test::side_by_side(tube, tube);
+    JointWeights of_both(twice.vertices.rows(), before.cols());
+    of_both << before, before;
+    CHECK_FALSE(moves(twice, of_both, 0));
 }
 
 TEST_CASE("balanced bends: what follows one joint alone stays", "[applications][weights]") {

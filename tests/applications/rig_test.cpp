@@ -126,6 +126,29 @@ TEST_CASE("pieces and seams are bound like what they lie on", "[applications][ri
         CHECK(part_of(human().joint(skin.joints(v, 0)).role) == BodyPart::trunk);
 }
 
+TEST_CASE("heels follow feet", "[applications][rig]") {
+    const test::SampleBody& sample = test::sample_body();
+    const Skin<double> skin = bind(sample.mesh, sample.body, sample.skeleton, human());
+    for (const Side side : {Side::left, Side::right}) {
+        const int ankle = find_joint(human(), JointRole::ankle, side),
+                  knee = find_joint(human(), JointRole::knee, side);
+        const auto place = [&](int j) { return sample.skeleton.joints[static_cast<std::size_t>(j)].position; };
+        const Eigen::Vector3d calf = (place(ankle) - place(knee)).normalized();
+        const double sole = (bone_end(sample.skeleton, human(), ankle) - place(ankle)).dot(calf);
+        REQUIRE(sole > 0.01);
+        int heel = 0;
+        for (Eigen::Index v = 0; v < sample.mesh.vertices.rows(); ++v) {
+            const TemplateJoint& joint = human().joint(skin.joints(v, 0));
+            const Eigen::Vector3d from_ankle = sample.mesh.vertices.row(v).transpose() - place(ankle);
+            if (joint.side != side || part_of(joint.role) != BodyPart::leg || from_ankle.dot(calf) < sole / 2) continue;
+            INFO(joint.name << ", vertex " << v);
+            CHECK((joint.role == JointRole::ankle || joint.role == JointRole::foot));
+            ++heel;
+        }
+        CHECK(heel > 20);
+    }
+}
+
 /// An open tube of fine rings around a limb's joint.
 TriangleMesh<double> tube_around(const Eigen::Vector3d& joint, const Eigen::Vector3d& along, double radius) {
     constexpr int rings = 41, around = 24;

@@ -3,7 +3,8 @@
 artists.py SKELGEN FOLDER: for each GLB, glTF and VRM in the folder that has a skin, the share of its vertices whose
 largest weight falls to the bone that the artist's does. Bones are told by their names, as Mixamo, Unreal, VRM and
 Rigify have them; artists divide trunk, hands and feet in many ways, so these count as one bone each. Vertices that the
-artist gave to nothing of a body's (a weapon, a prop) do not count.
+artist gave to nothing of a body's (a weapon, a prop) do not count. Clavicles are of the trunk; skelgen's skeleton has
+none, and what they move has to follow the chest or the upper arm: the second share counts either as the artist's.
 """
 
 import base64
@@ -46,6 +47,15 @@ def artists_bone(name):
         if re.search(pattern, word):
             return ("" if part in ("trunk", "neck", "head") else side, part)
     return None
+
+
+def is_alike(ours, name):
+    """Is that the artist's bone, or a neighbour of a clavicle, which ours do not have?"""
+    theirs = artists_bone(name)
+    if ours == theirs or not re.search(r"(?i)clavicle|collar|shoulder", name):
+        return ours == theirs
+    side = "left" if re.search(r"(?i)left|[._ ]l$", name) else "right"
+    return theirs == ("", "trunk") and ours == (side, "upper_arm")
 
 
 def our_bone(name):
@@ -112,7 +122,8 @@ def compare(skelgen, path, folder):
     if not source.tree.get("skins"):
         return None
     try:
-        theirs = [artists_bone(name) for name in source.names_of_strongest()]
+        names = source.names_of_strongest()
+        theirs = [artists_bone(name) for name in names]
     except FileNotFoundError as error:
         return "%s is missing" % error.filename
     known = sum(bone is not None for bone in theirs)
@@ -126,7 +137,8 @@ def compare(skelgen, path, folder):
     if len(ours) != len(theirs):
         return "its vertices are %d, the rig's %d" % (len(theirs), len(ours))
     same = sum(mine == bone for mine, bone in zip(ours, theirs) if bone is not None)
-    return 100.0 * same / known
+    alike = sum(is_alike(mine, name) for mine, name, bone in zip(ours, names, theirs) if bone is not None)
+    return 100.0 * same / known, 100.0 * alike / known
 
 
 def main():
@@ -140,7 +152,7 @@ def main():
             if result is None:
                 continue
             seen += 1
-            print("%-28s %s" % (path.stem, "%.1f %%" % result if isinstance(result, float) else result))
+            print("%-28s %s" % (path.stem, "%.1f %%, %.1f %%" % result if isinstance(result, tuple) else result))
     if seen == 0:
         sys.exit("no GLB, glTF or VRM with a skin in " + str(source))
 

@@ -13,8 +13,11 @@ struct Quality {
     int islands = 0;          ///< vertices that follow most a joint that none of their neighbours follows most
     double stretch = 0;       ///< largest ratio of an edge's length to that before, elbows and knees bent by 90 degrees
     double overstretched = 0; ///< share of the edges that are stretched more than 3 times
-    double volume = 0;        ///< largest relative change of the volume of a forearm or a calf then
-    double gap = 0;           ///< largest growth of the gap between vertices of pieces that touch, of the height
+    /// Largest relative change then of the volume of a forearm or a calf: of the piece of surface around its bone.
+    double volume = 0;
+    /// Largest growth of the gap between vertices of pieces that touch, of the height: not of two limbs, as feet that
+    /// stand side by side part rightly.
+    double gap = 0;
 };
 
 /// Bends as viewers of glTF do: linearly. Edges and gaps shorter than a thousandth of the height count as that long.

@@ -12,6 +12,7 @@
 
 #include <skelgen/applications/bone_orientations.hpp>
 #include <skelgen/applications/bones.hpp>
+#include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/precision.hpp>
 
@@ -58,10 +59,21 @@ public:
         above_ = volume_following(weights, faces, skeleton_template.joint(hinge).parent);
     }
 
-    /// The weights with the border where it changes the volumes least.
-    [[nodiscard]] JointWeights balanced(JointWeights weights) {
+    /// Is what bends of one piece? Others that lie on it, as a skirt on a knee, would come apart from it.
+    [[nodiscard]] bool is_one_piece(core::DisjointSets& pieces) const {
+        return std::all_of(between_.begin(), between_.end(), [&](int v) {
+            return pieces.find(static_cast<std::size_t>(v)) == pieces.find(static_cast<std::size_t>(between_.front()));
+        });
+    }
+
+    /// How much a bend changes the volumes of what is below and above together, as shares.
+    [[nodiscard]] Accumulator change() { return changes(0).norm(); }
+
+    /// The weights with the border where it changes the volumes least; as they are where it does so little enough.
+    [[nodiscard]] JointWeights balanced(JointWeights weights, Accumulator tolerated) {
         constexpr Accumulator farthest = 5; // half a radius away: heat falls by e for each, odds are its sixth power
         constexpr int steps = 10;           // to either side
+        if (change() < tolerated) return weights;
         const auto log_odds_at = [&](int step) { return farthest * (step - steps - 1) / steps; };
         std::vector<Eigen::Vector2<Accumulator>> found; // also one step beyond
         for (int i = 0; i <= 2 * steps + 2; ++i) found.push_back(changes(log_odds_at(i)));
@@ -187,14 +199,31 @@ private:
 
 template <typename Scalar>
 JointWeights with_balanced_bends(JointWeights weights, const RestingSurface<Scalar>& surface, const Triangles& faces,
-                                 const SkeletonTemplate& skeleton_template) {
+                                 const SkeletonTemplate& skeleton_template, core::Accumulator tolerated) {
+    core::DisjointSets pieces(static_cast<std::size_t>(weights.rows()));
+    for (Eigen::Index f = 0; f < faces.rows(); ++f)
+        for (int k = 0; k < 2; ++k)
+            pieces.unite(static_cast<std::size_t>(faces(f, k)), static_cast<std::size_t>(faces(f, k + 1)));
     for (int j = 0; j < static_cast<int>(skeleton_template.joints.size()); ++j) {
         const JointRole role = skeleton_template.joint(j).role;
         if (role != JointRole::elbow && role != JointRole::knee) continue;
         detail::HingeBend<Scalar> bend(weights, surface, faces, skeleton_template, j);
-        weights = bend.balanced(std::move(weights));
+        if (bend.is_one_piece(pieces)) weights = bend.balanced(std::move(weights), tolerated);
     }
     return weights;
+}
+
+template <typename Scalar>
+core::Accumulator largest_bend_change(const JointWeights& weights, const RestingSurface<Scalar>& surface,
+                                      const Triangles& faces, const SkeletonTemplate& skeleton_template) {
+    core::Accumulator largest = 0;
+    for (int j = 0; j < static_cast<int>(skeleton_template.joints.size()); ++j) {
+        const JointRole role = skeleton_template.joint(j).role;
+        if (role != JointRole::elbow && role != JointRole::knee) continue;
+        const auto change = detail::HingeBend<Scalar>(weights, surface, faces, skeleton_template, j).change();
+        if (change > largest) largest = change; // none where nothing is below
+    }
+    return largest;
 }
 
 } // namespace skelgen::applications

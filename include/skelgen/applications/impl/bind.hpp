@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -84,15 +85,37 @@ private:
     std::vector<int> faces_;
 };
 
-/// The bones as what heats a body, in its coordinates: those that end on its surface somewhat shorter, since a place on
-/// the surface sees nothing of the body, or all, as rounding has it.
+/// How much of a bone that ends on the surface heats: a place there sees nothing of the body, or all, as rounding has
+/// it.
+template <typename Scalar>
+inline constexpr Scalar heating_part = Scalar(0.9);
+
+/// The heel's bone, which no joint ends: straight on from the calf, in the lower half of the foot. Without it what is
+/// behind the ankle is as near to the calf as to the foot, which leads forward, and a heel would stay behind its sole.
+/// None where the foot is no lower than the ankle.
+template <typename Scalar>
+std::optional<Bone<Scalar>> heel_of(const KinematicSkeleton<Scalar>& skeleton,
+                                    const SkeletonTemplate& skeleton_template, int ankle) {
+    const Joint<Scalar>& joint = skeleton.joints[static_cast<std::size_t>(ankle)];
+    const Vector3<Scalar> foot = bone_end(skeleton, skeleton_template, ankle) - joint.position;
+    const Vector3<Scalar> calf = joint.position - skeleton.joints[static_cast<std::size_t>(joint.parent)].position;
+    if (!(foot.dot(calf) > 0)) return std::nullopt;
+    const Vector3<Scalar> down = foot.dot(calf) / calf.squaredNorm() * calf;
+    return Bone<Scalar>{ankle, joint.position + down / 2, joint.position + heating_part<Scalar> * down, joint.radius,
+                        joint.radius};
+}
+
+/// The bones as what heats a body, in its coordinates: those that end on its surface somewhat shorter, and the heels'.
 template <typename Scalar>
 std::vector<Bone<Scalar>> heating_bones(const KinematicSkeleton<Scalar>& skeleton,
                                         const SkeletonTemplate& skeleton_template) {
-    constexpr Scalar kept = Scalar(0.9);
     std::vector<Bone<Scalar>> bones = bones_of(skeleton, skeleton_template);
     for (Bone<Scalar>& bone : bones)
-        if (ends_limb(skeleton_template.joint(bone.joint).role)) bone.to = bone.from + kept * (bone.to - bone.from);
+        if (ends_limb(skeleton_template.joint(bone.joint).role))
+            bone.to = bone.from + heating_part<Scalar> * (bone.to - bone.from);
+    for (int j = 0; j < static_cast<int>(skeleton.joints.size()); ++j)
+        if (skeleton_template.joint(j).role == JointRole::ankle)
+            if (const auto heel = heel_of(skeleton, skeleton_template, j)) bones.push_back(*heel);
     return bones;
 }
 
@@ -140,11 +163,13 @@ JointWeights body_weights(const Body<Scalar>& body, const KinematicSkeleton<Scal
 }
 
 /// The weights that were carried to a mesh, whose vertices may be split along seams, as its own edges want them: they
-/// are others than those of the body, and so are the neighbours of each vertex.
+/// are others than those of the body, and so are the neighbours of each vertex. Where few rings of vertices make a
+/// limb, as characters for games have them, those beside a bend say how much of it is lost.
 template <typename Scalar>
 JointWeights fitted_to_edges(JointWeights weights, const TriangleMesh<Scalar>& mesh,
                              const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
                              const LimbRegions& regions) {
+    constexpr core::Accumulator tolerated = 0.03; // what nobody sees; few and large faces would make others of it
     const auto welded = surface::weld(mesh, Scalar(0));
     JointWeights joined = JointWeights::Zero(welded.mesh.vertices.rows(), weights.cols());
     for (std::size_t v = 0; v < welded.placed.size(); ++v)
@@ -152,8 +177,16 @@ JointWeights fitted_to_edges(JointWeights weights, const TriangleMesh<Scalar>& m
     const Triangles& faces = welded.mesh.faces;
     const std::vector<RigidMotion<Scalar>> motions = to_t_pose(skeleton, skeleton_template);
     const KinematicSkeleton<Scalar> at_rest = moved(skeleton, skeleton_template, motions);
-    joined = with_bounded_stretch<Scalar>(std::move(joined), {welded.mesh.vertices, motions, at_rest}, faces,
-                                          skeleton_template, regions.of_joint);
+    const RestingSurface<Scalar> surface{welded.mesh.vertices, motions, at_rest};
+    const auto bounded = [&](JointWeights of) {
+        return with_bounded_stretch(std::move(of), surface, faces, skeleton_template, regions.of_joint);
+    };
+    const auto change = [&](const JointWeights& of) {
+        return largest_bend_change(of, surface, faces, skeleton_template);
+    };
+    JointWeights balanced = bounded(with_balanced_bends(joined, surface, faces, skeleton_template, tolerated));
+    joined = bounded(std::move(joined)); // which may undo what was balanced
+    if (change(balanced) < change(joined)) joined = std::move(balanced);
     joined = without_islands(std::move(joined), faces);
     for (std::size_t v = 0; v < welded.placed.size(); ++v)
         if (welded.placed[v] >= 0) weights.row(static_cast<Eigen::Index>(v)) = joined.row(welded.placed[v]);
