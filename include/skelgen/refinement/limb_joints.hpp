@@ -24,8 +24,8 @@ struct WristOptions {
 
 /// When the line of an upper arm is not believed, and how much.
 struct GirdleOptions {
-    double tolerance = 0.4;     ///< of the rest-pose distance between shoulder and neck: how far a shoulder may be off
-    double height_weight = 0.4; ///< of the height at which people hold their shoulders, against that by the arm's line
+    double tolerance = 0.6;     ///< of the rest-pose distance between shoulder and neck: how far a shoulder may be off
+    double height_weight = 0.35; ///< of the height at which people hold their shoulders, against that by the arm's line
 };
 
 /// \throws Error usage when an option is out of its range.

@@ -4,9 +4,11 @@
 
 #include <cstddef>
 #include <numbers>
+#include <optional>
 
 #include <skelgen/applications/bones.hpp>
 #include <skelgen/core/error.hpp>
+#include <skelgen/core/shoulder_height.hpp>
 
 namespace skelgen::applications {
 namespace detail {
@@ -22,6 +24,40 @@ std::vector<Vector3<Scalar>> lines_from_parents(const KinematicSkeleton<Scalar>&
                           : Vector3<Scalar>(joint.position - skeleton.joints[static_cast<std::size_t>(from)].position));
     }
     return out;
+}
+
+/// How much higher the shoulders of a body at rest, with +y up, are to be: of the way to where people hold them with
+/// arms so `raised`, the part that is left when the template's rest pose has its say.
+template <typename Scalar>
+Scalar way_to_usual_height(const KinematicSkeleton<Scalar>& rest, const SkeletonTemplate& skeleton_template,
+                           Scalar raised) {
+    constexpr Scalar part = Scalar(0.6); // a working value: un-posed arms are then found level
+    const auto mean_height = [&](JointRole role) {
+        Scalar sum = 0, count = 0;
+        for (std::size_t j = 0; j < rest.joints.size(); ++j) {
+            if (skeleton_template.joints[j].role != role || !rest.joints[j].is_present) continue;
+            sum += rest.joints[j].position[1];
+            count += 1;
+        }
+        return count > 0 ? std::optional<Scalar>(sum / count) : std::nullopt;
+    };
+    const auto neck = mean_height(JointRole::neck), hips = mean_height(JointRole::hip),
+               shoulders = mean_height(JointRole::shoulder);
+    if (!neck || !hips || !shoulders) return 0;
+    return part * (*neck + (*neck - *hips) * core::usual_shoulder_height(raised, Scalar(0)) - *shoulders);
+}
+
+/// Ways from parents, as of girdle_lines, with the shoulders so much higher where the joints move by `motions`.
+template <typename Scalar>
+std::vector<Vector3<Scalar>> with_shoulders_higher(std::vector<Vector3<Scalar>> lines, Scalar higher,
+                                                   const std::vector<RigidMotion<Scalar>>& motions,
+                                                   const SkeletonTemplate& skeleton_template) {
+    for (std::size_t j = 0; j < lines.size(); ++j) {
+        const TemplateJoint& joint = skeleton_template.joints[j];
+        if (joint.role != JointRole::shoulder) continue;
+        lines[j] += motions[static_cast<std::size_t>(joint.parent)].rotation.conjugate() * Vector3<Scalar>(0, higher, 0);
+    }
+    return lines;
 }
 
 } // namespace detail
@@ -104,9 +140,13 @@ rest_motions(RestPose pose, const KinematicSkeleton<Scalar>& skeleton, const Ske
     const Vector3<Scalar> origin = Vector3<Scalar>::Zero();
     if (pose == RestPose::as_is) return motions<Scalar>(skeleton, now, wanted, origin);
     const Orientations<Scalar> upright(now.size(), Eigen::Quaternion<Scalar>::Identity());
-    return motions<Scalar>(
-        skeleton, now, wanted, origin,
-        girdle_lines(skeleton, now, rest_skeleton<Scalar>(skeleton_template), upright, skeleton_template));
+    const auto lines =
+        girdle_lines(skeleton, now, rest_skeleton<Scalar>(skeleton_template), upright, skeleton_template);
+    const auto level = motions<Scalar>(skeleton, now, wanted, origin, lines);
+    const Scalar raised = pose == RestPose::a_pose ? -std::numbers::sqrt2_v<Scalar> / 2 : Scalar(0);
+    const Scalar higher = detail::way_to_usual_height(moved(skeleton, skeleton_template, level), skeleton_template, raised);
+    return motions<Scalar>(skeleton, now, wanted, origin,
+                           detail::with_shoulders_higher(lines, higher, level, skeleton_template));
 }
 
 template <typename Scalar>

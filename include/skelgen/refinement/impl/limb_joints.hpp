@@ -1,6 +1,7 @@
 #pragma once
 
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/shoulder_height.hpp>
 #include <skelgen/refinement/limb_joints.hpp>
 
 #include <algorithm>
@@ -110,22 +111,6 @@ Placement<Scalar> place_girdle(Placement<Scalar> placement, const Limb<Scalar>& 
     return placement;
 }
 
-namespace detail {
-
-/// How high people hold a shoulder above the neck along a trunk of length 1, from hips to neck: below it when the arm
-/// is held at right angles to the trunk, higher as the arm is raised, and lower beneath a head that is leant to that
-/// side. `raised`: cosine between upper arm and trunk, 1 overhead; `leant`: between head and the way outwards from the
-/// neck. Calibrated on 86 skeletons as found in registered and landmarked bodies, of which either set alone says the
-/// same of the last two within a twentieth; the first lies between theirs, .092, and the template's, .109. True
-/// shoulders are off it by .015 to .03.
-template <typename Scalar>
-Scalar usual_shoulder_height(Scalar raised, Scalar leant) {
-    constexpr Scalar below_neck = Scalar(0.098), higher_when_raised = Scalar(0.1), lower_beneath_head = Scalar(0.085);
-    return higher_when_raised * raised - lower_beneath_head * leant - below_neck;
-}
-
-} // namespace detail
-
 template <typename Scalar>
 Placement<Scalar> place_shoulder_by_height(Placement<Scalar> placement, const Limb<Scalar>& limb,
                                            const GirdleOptions& options) {
@@ -139,7 +124,7 @@ Placement<Scalar> place_shoulder_by_height(Placement<Scalar> placement, const Li
     const Vector3<Scalar> outwards = (from_neck - from_neck.dot(up) * up).stableNormalized();
     const Scalar raised = (elbow - shoulder).stableNormalized().dot(up);
     const Scalar leant = (placement.at(head) - placement.at(neck)).stableNormalized().dot(outwards);
-    const Scalar usual = trunk.norm() * detail::usual_shoulder_height(raised, leant);
+    const Scalar usual = trunk.norm() * core::usual_shoulder_height(raised, leant);
     const auto weight = static_cast<Scalar>(options.height_weight);
     placement.put(limb.joints[0], shoulder + weight * (usual - from_neck.dot(up)) * up);
     return placement;
