@@ -31,6 +31,7 @@ set(skelgen_core_headers
     include/skelgen/applications/measurement.hpp
     include/skelgen/applications/mirror_plane.hpp
     include/skelgen/applications/motion_clip.hpp
+    include/skelgen/applications/outward_faces.hpp
     include/skelgen/applications/part_axes.hpp
     include/skelgen/applications/part_shares.hpp
     include/skelgen/applications/pose_transfer.hpp
@@ -191,6 +192,7 @@ set(skelgen_core_definitions
     include/skelgen/applications/impl/measurement.hpp
     include/skelgen/applications/impl/mirror_plane.hpp
     include/skelgen/applications/impl/motion_clip.hpp
+    include/skelgen/applications/impl/outward_faces.hpp
     include/skelgen/applications/impl/part_axes.hpp
     include/skelgen/applications/impl/part_shares.hpp
     include/skelgen/applications/impl/pose_transfer.hpp

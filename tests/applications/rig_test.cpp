@@ -6,6 +6,8 @@
 
 #include <skelgen/applications/bind.hpp>
 #include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/outward_faces.hpp>
+#include <skelgen/applications/pose_transfer.hpp>
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/applications/skinning.hpp>
 #include <skelgen/core/error.hpp>
@@ -48,6 +50,20 @@ KinematicSkeleton<double> moved_by(KinematicSkeleton<double> skeleton, const tes
     for (auto* direction : {&skeleton.frame.left, &skeleton.frame.forward, &skeleton.frame.up})
         *direction = motion.rotation * *direction;
     return skeleton;
+}
+
+TEST_CASE("characters and posed bodies look outwards, also those of a mesh that is inside out", "[applications][rig]") {
+    const test::SampleBody& sample = test::sample_body();
+    TriangleMesh<double> turned = sample.mesh;
+    turned.faces.col(1).swap(turned.faces.col(2));
+    const Rig<double> rig = make_rig(turned, sample.body, sample.skeleton, human());
+    CHECK(rig.mesh.faces == sample.mesh.faces);
+    CHECK(pose_like(turned, sample.body, sample.skeleton, sample.skeleton, human()).mesh.faces == sample.mesh.faces);
+
+    // The same surface a little larger and inside out around it, as games draw outlines: that is how it is to be.
+    TriangleMesh<double> outlined = test::side_by_side(sample.mesh, turned);
+    outlined.vertices.bottomRows(turned.vertices.rows()) *= 1.02;
+    CHECK(outward_faces(outlined, sample.body) == outlined.faces);
 }
 
 TEST_CASE("a rig in the T-pose: arms level, feet on the floor, metres, weights in order", "[applications][rig]") {

@@ -10,6 +10,7 @@
 #include <skelgen/applications/bind.hpp>
 #include <skelgen/applications/bone_orientations.hpp>
 #include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/outward_faces.hpp>
 #include <skelgen/applications/posing.hpp>
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/applications/skinning.hpp>
@@ -70,7 +71,8 @@ PosedBody<Scalar> pose_like(const TriangleMesh<Scalar>& mesh, const Body<Scalar>
                                   girdle_lines(skeleton, from, model, to, skeleton_template));
     const Vector3<Scalar> way = detail::median_way(moved(skeleton, skeleton_template, motion), model);
     for (RigidMotion<Scalar>& of_joint : motion) of_joint.translation += way;
-    return {{skinned(mesh.vertices, skin, motion), mesh.faces}, moved(skeleton, skeleton_template, motion)};
+    return {{skinned(mesh.vertices, skin, motion), outward_faces(mesh, body)},
+            moved(skeleton, skeleton_template, motion)};
 }
 
 template <typename Scalar>

@@ -10,6 +10,7 @@
 #include <skelgen/applications/bind.hpp>
 #include <skelgen/applications/bone_orientations.hpp>
 #include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/outward_faces.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 
@@ -73,7 +74,7 @@ Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
 
     const Orientations<Scalar> now = bone_orientations(skeleton, skeleton_template);
     const auto motion = rest_motions(rest, skeleton, skeleton_template, now, rotation_to_canonical(skeleton.frame));
-    rig.mesh = {skinned(mesh.vertices, rig.skin, motion), mesh.faces};
+    rig.mesh = {skinned(mesh.vertices, rig.skin, motion), outward_faces(mesh, body)};
 
     const Orientations<Scalar> axes = rest_axes<Scalar>(skeleton_template);
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
