@@ -405,6 +405,7 @@ set(skelgen_sources
     src/io/joint_names.cpp
     src/io/json_values.cpp
     src/io/leftovers.cpp
+    src/io/lost_pictures.cpp
     src/io/measurements_text.cpp
     src/io/mesh_format.cpp
     src/io/mesh_primitives.cpp

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <skelgen/io/read_mesh.hpp>
+#include <skelgen/io/scene_looks.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
 #include "catch.hpp"
@@ -39,7 +40,7 @@ TEST_CASE("rig: characters and skeletons, the input's vertices in their order", 
     CHECK(test::read_file(folder / "body.BVH").find("JOINT LeftForeArm") != std::string::npos);
 }
 
-TEST_CASE("rig and pose: a character without its pictures loses its looks alone, which is said", "[cli][rig][pose]") {
+TEST_CASE("rig and pose: a character without its pictures loses these alone, which is said", "[cli][rig][pose]") {
     const auto mesh = read_mesh(sample_body);
     const TriangleMesh<float> single{mesh.vertices.cast<float>(), mesh.faces};
     GltfBuilder scene;
@@ -59,10 +60,19 @@ TEST_CASE("rig and pose: a character without its pictures loses its looks alone,
         const CliResult result = run_cli(folder.path(), arguments);
         INFO(result.err);
         CHECK(result.status == 0);
-        CHECK(result.err.rfind("skelgen: warning: character.glb: its looks are left out: ", 0) == 0);
+        CHECK(result.err.rfind("skelgen: warning: character.glb: 1 picture is left out: ", 0) == 0);
         CHECK(result.err.find("missing.png") != std::string::npos);
         CHECK(read_mesh(folder / "out.glb").faces == mesh.faces);
+        CHECK(io::read_looks(folder / "out.glb")->json.find("skin") != std::string::npos);
     }
+    const CliResult piped = run_shell(folder.path(), "$skelgen rig - -o out.glb < character.glb");
+    CHECK(piped.status == 0);
+    CHECK(piped.err.rfind("skelgen: warning: -: 1 picture is left out: ", 0) == 0);
+    CHECK(io::read_looks(folder / "out.glb")->json.find("skin") != std::string::npos);
+    const CliResult batch = run_cli(folder.path(), {"batch", "character.glb", "-o", "batch", "--also", "rig", "-q"});
+    INFO(batch.err);
+    CHECK(batch.status == 0);
+    CHECK(test::read_file(folder / "batch/summary.jsonl").find("1 picture is left out: ") != std::string::npos);
 }
 
 TEST_CASE("rig: what cannot be done is one line and no file", "[cli][rig]") {
