@@ -528,6 +528,7 @@ set(skelgen_cli_sources
     merge.cpp
     merge_shards.cpp
     mesh_input.cpp
+    own_part.cpp
     parts.cpp
     pose.cpp
     progress_bar.cpp

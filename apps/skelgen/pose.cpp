@@ -15,6 +15,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "fitted_file.hpp"
+#include "own_part.hpp"
 #include "waiting_line.hpp"
 
 namespace skelgen::cli {
@@ -122,11 +123,12 @@ void run(const PoseCommand& command) {
         clip = load_posing_clip(command);
     ExtractOptions options;
     options.prepare.component = command.component;
-    const FittedFile body = in_file(command.mesh.file, [&] { return fit_file(command.mesh, options); });
+    FittedFile body = in_file(command.mesh.file, [&] { return fit_file(command.mesh, options); });
+    const OwnPart part = command.component > 0 ? keep_own_part(body) : OwnPart{};
     const TriangleMesh<double> held =
         model ? held_like_model(command, body, *model) : held_as_in_clip(command, body, *clip);
     const KeptLooks kept = format == io::MeshFormat::glb ? keep_looks(command.mesh) : KeptLooks{};
-    in_file(command.output, [&] { io::write_mesh(command.output, held, kept.looks); });
+    in_file(command.output, [&] { io::write_mesh(command.output, held, looks_of(kept.looks, part)); });
     waiting.end();
     if (command.quiet) return;
     if (model) print_warnings(command.like.empty() ? command.pose : command.like, model->skeleton);
