@@ -28,6 +28,7 @@ set(skelgen_core_headers
     include/skelgen/applications/laplace_basis.hpp
     include/skelgen/applications/limb_regions.hpp
     include/skelgen/applications/loose_pieces.hpp
+    include/skelgen/applications/lowest_place.hpp
     include/skelgen/applications/measurement.hpp
     include/skelgen/applications/mirror_plane.hpp
     include/skelgen/applications/motion_clip.hpp

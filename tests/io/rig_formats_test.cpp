@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -203,6 +204,19 @@ TEST_CASE("glTF: looks in a file's content, also behind a byte order mark", "[io
     const auto with_mark = io::parse_looks("\xEF\xBB\xBF" + scene.json.dump());
     REQUIRE(with_mark);
     CHECK(with_mark->parts.size() == 1);
+}
+
+TEST_CASE("glTF: texture coordinates and colours that are no numbers are read as 0", "[io][rig]") {
+    test::GltfBuilder scene;
+    scene.add_tetrahedron();
+    const float none = std::numeric_limits<float>::quiet_NaN(), much = std::numeric_limits<float>::infinity();
+    auto& attributes = scene.primitive()["attributes"];
+    attributes["TEXCOORD_0"] = scene.add<float>("VEC2", {0.5F, none, much, 1, 1, 1, 1, 1});
+    attributes["COLOR_0"] = scene.add<float>("VEC3", {0.5F, none, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1});
+    const auto looks = io::parse_looks(scene.glb());
+    REQUIRE(looks);
+    CHECK(looks->parts[0].texture_coordinates[0].topRows<2>() == Eigen::Matrix2f{{0.5F, 0}, {0, 1}});
+    CHECK(looks->parts[0].colours.row(0) == Eigen::RowVector4f(0.5F, 0, 1, 1));
 }
 
 TEST_CASE("GLB and VRM: names that are no UTF-8 are written as such", "[io][rig]") {
