@@ -28,9 +28,11 @@ set(skelgen_core_headers
     include/skelgen/applications/laplace_basis.hpp
     include/skelgen/applications/limb_regions.hpp
     include/skelgen/applications/loose_pieces.hpp
+    include/skelgen/applications/lowest_place.hpp
     include/skelgen/applications/measurement.hpp
     include/skelgen/applications/mirror_plane.hpp
     include/skelgen/applications/motion_clip.hpp
+    include/skelgen/applications/outward_faces.hpp
     include/skelgen/applications/part_axes.hpp
     include/skelgen/applications/part_shares.hpp
     include/skelgen/applications/pose_transfer.hpp
@@ -191,6 +193,7 @@ set(skelgen_core_definitions
     include/skelgen/applications/impl/measurement.hpp
     include/skelgen/applications/impl/mirror_plane.hpp
     include/skelgen/applications/impl/motion_clip.hpp
+    include/skelgen/applications/impl/outward_faces.hpp
     include/skelgen/applications/impl/part_axes.hpp
     include/skelgen/applications/impl/part_shares.hpp
     include/skelgen/applications/impl/pose_transfer.hpp
@@ -403,6 +406,7 @@ set(skelgen_sources
     src/io/joint_names.cpp
     src/io/json_values.cpp
     src/io/leftovers.cpp
+    src/io/lost_pictures.cpp
     src/io/measurements_text.cpp
     src/io/mesh_format.cpp
     src/io/mesh_primitives.cpp
@@ -525,6 +529,7 @@ set(skelgen_cli_sources
     merge.cpp
     merge_shards.cpp
     mesh_input.cpp
+    own_part.cpp
     parts.cpp
     pose.cpp
     progress_bar.cpp

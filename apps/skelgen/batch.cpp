@@ -79,20 +79,19 @@ FileExtraction extract_within_memory(const BatchItem& item, const ExtractOptions
     }
 }
 
-/// Writes the further results; what fails costs itself alone. Returns the reasons, empty where there is none.
-std::map<std::string, std::string> write_parts(const BatchItem& item, const FileExtraction& found,
-                                               const SkeletonTemplate& skeleton_template,
-                                               const std::vector<std::string>& parts) {
-    std::map<std::string, std::string> faults;
+/// Writes the further results; what fails costs itself alone. The reasons, empty where there is none, and what else is
+/// to be said of them goes into the line.
+void write_parts(const BatchItem& item, const FileExtraction& found, const SkeletonTemplate& skeleton_template,
+                 const std::vector<std::string>& parts, SummaryLine& line) {
     for (const std::string& part : parts) {
-        std::string& fault = faults[part];
+        std::string& fault = line.also[part];
         try {
-            write_part(part, item, found, skeleton_template);
+            std::string warning = write_part(part, item, found, skeleton_template);
+            if (!warning.empty()) line.warnings.push_back(std::move(warning));
         } catch (const Error& error) {
             fault = error.what() + (" (--also " + part + ")");
         }
     }
-    return faults;
 }
 
 /// Draws a refused mesh where pictures are wanted; what cannot be drawn has its reason for that in the summary already.
@@ -134,7 +133,7 @@ SummaryLine process(const BatchItem& item, const ExtractOptions& options, std::s
         line.least_confidence = least_confidence(skeleton);
         line.input = input;
         line.output = result_fingerprint(skeleton, result.provenance.mesh);
-        line.also = write_parts(item, result, options.skeleton_template, parts);
+        write_parts(item, result, options.skeleton_template, parts, line);
     } catch (const Error& error) {
         if (line.status.empty()) line.status = to_status(error.code());
         line.error = error.what();

@@ -30,32 +30,38 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a part's file holds, as bytes.
-using Format = std::string (*)(const BatchItem&, const FittedFile&, const SkeletonTemplate&);
+/// What a part's file holds, as bytes, and what is to be said of it.
+struct PartContent {
+    std::string bytes;
+    std::string warning = {}; ///< empty: none
+};
 
-std::string rig_text(const BatchItem& item, const FittedFile& body, const SkeletonTemplate& skeleton_template) {
+using Format = PartContent (*)(const BatchItem&, const FittedFile&, const SkeletonTemplate&);
+
+PartContent rig_content(const BatchItem& item, const FittedFile& body, const SkeletonTemplate& skeleton_template) {
     const auto rig = applications::make_rig(body.mesh, body.found.body, body.skeleton(), skeleton_template);
-    return io::rig_to_glb(rig, io::JointNames::skelgen, load_looks({item.mesh, {}}));
+    KeptLooks kept = keep_looks({item.mesh, {}});
+    return {io::rig_to_glb(rig, io::JointNames::skelgen, kept.looks), std::move(kept.warning)};
 }
 
-std::string segmentation_text(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
-    return io::segmentation_to_json(parts_of(body.mesh, body.found, "bones"), body.source, body.skeleton().quality);
+PartContent segmentation_content(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
+    return {io::segmentation_to_json(parts_of(body.mesh, body.found, "bones"), body.source, body.skeleton().quality)};
 }
 
-std::string measurements_text(const BatchItem& item, const FittedFile& body, const SkeletonTemplate&) {
+PartContent measurements_content(const BatchItem& item, const FittedFile& body, const SkeletonTemplate&) {
     io::SourceMesh source = body.source;
     source.file = item.file;
     const auto parts = applications::segment(body.found.body, body.skeleton());
-    return io::measurements_to_json(
-        {{source, body.skeleton().quality, applications::measure(body.found.body, body.skeleton(), parts)}});
+    return {io::measurements_to_json(
+        {{source, body.skeleton().quality, applications::measure(body.found.body, body.skeleton(), parts)}})};
 }
 
-std::string transform_text(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
-    return io::transform_to_json(applications::alignment(body.found.body, body.skeleton(), body.mesh.vertices));
+PartContent transform_content(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
+    return {io::transform_to_json(applications::alignment(body.found.body, body.skeleton(), body.mesh.vertices))};
 }
 
-std::string curve_text(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
-    return io::curve_to_json(body.found.extraction.curve);
+PartContent curve_content(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
+    return {io::curve_to_json(body.found.extraction.curve)};
 }
 
 #if SKELGEN_WITH_RENDER
@@ -65,12 +71,12 @@ std::string picture(const render::Scene& scene) {
     return render::encode_png(render::render_scene(scene, options));
 }
 
-std::string picture_text(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
+PartContent picture_content(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
     render::Scene scene;
     scene.mesh = body.mesh;
     scene.skeleton = body.skeleton();
     scene.curve = body.found.extraction.curve;
-    return picture(scene);
+    return {picture(scene)};
 }
 #endif
 
@@ -83,13 +89,13 @@ struct Part {
 };
 
 constexpr std::array parts {
-    Part{"rig", ".glb", "the character", rig_text},
-        Part{"segment", ".segmentation.json", "a part for each vertex and face", segmentation_text},
-        Part{"measure", ".measurements.json", "height, bones, girths, volume", measurements_text},
-        Part{"align", ".transform.json", "the 4x4 that has it face +Z", transform_text},
-        Part{"curve", ".curve.json", "the curve skeleton", curve_text, true},
+    Part{"rig", ".glb", "the character", rig_content},
+        Part{"segment", ".segmentation.json", "a part for each vertex and face", segmentation_content},
+        Part{"measure", ".measurements.json", "height, bones, girths, volume", measurements_content},
+        Part{"align", ".transform.json", "the 4x4 that has it face +Z", transform_content},
+        Part{"curve", ".curve.json", "the curve skeleton", curve_content, true},
 #if SKELGEN_WITH_RENDER
-        Part{"render", ".png", "a picture", picture_text, true},
+        Part{"render", ".png", "a picture", picture_content, true},
 #endif
 };
 
@@ -161,11 +167,12 @@ void require_own_files(const std::vector<BatchItem>& items, const std::vector<st
             throw Error(ErrorCode::usage, file.string() + ": is a result of the batch; choose another file");
 }
 
-void write_part(std::string_view part, const BatchItem& item, const FittedFile& body,
-                const SkeletonTemplate& skeleton_template) {
-    const std::string text = in_file(item.mesh, [&] { return find_part(part).format(item, body, skeleton_template); });
+std::string write_part(std::string_view part, const BatchItem& item, const FittedFile& body,
+                       const SkeletonTemplate& skeleton_template) {
+    PartContent content = in_file(item.mesh, [&] { return find_part(part).format(item, body, skeleton_template); });
     const fs::path file = part_file(item, part);
-    in_file(file, [&] { io::write_file_atomically(file, text); });
+    in_file(file, [&] { io::write_file_atomically(file, content.bytes); });
+    return std::move(content.warning);
 }
 
 #if SKELGEN_WITH_RENDER

@@ -33,9 +33,10 @@ namespace skelgen::cli {
 void require_own_files(const std::vector<BatchItem>& items, const std::vector<std::string>& parts,
                        const std::vector<std::filesystem::path>& others);
 
-/// Writes a part to its file. \throws Error as the command of its name, with the file's name in front.
-void write_part(std::string_view part, const BatchItem& item, const FittedFile& body,
-                const SkeletonTemplate& skeleton_template);
+/// Writes a part to its file. Returns what is to be said of it, empty where that is nothing. \throws Error as the
+/// command of its name, with the file's name in front.
+[[nodiscard]] std::string write_part(std::string_view part, const BatchItem& item, const FittedFile& body,
+                                     const SkeletonTemplate& skeleton_template);
 
 /// Draws a mesh in which no skeleton was found, as the part render, with the reason below. \throws Error as
 /// `read_mesh`, and as `write_part`.

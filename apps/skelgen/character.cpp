@@ -1,17 +1,23 @@
 #include "character.hpp"
 
+#include <utility>
+
 #include "console.hpp"
 #include "fitted_file.hpp"
+#include "own_part.hpp"
 
 namespace skelgen::cli {
 
 Character make_character(const MeshInput& input, const CharacterOptions& options) {
     ExtractOptions extraction;
     extraction.prepare.component = options.component;
-    const FittedFile body = fit_file(input, extraction);
+    FittedFile body = fit_file(input, extraction);
+    const OwnPart part = options.component > 0 ? keep_own_part(body) : OwnPart{};
+    KeptLooks kept = keep_looks(input);
+    kept.looks = looks_of(kept.looks, part);
     const SkeletonTemplate& skeleton_template = builtin_template(body.skeleton().template_name);
     return {applications::make_rig(body.mesh, body.found.body, body.skeleton(), skeleton_template, options.rest),
-            keep_looks(input), body.skeleton()};
+            std::move(kept), body.skeleton()};
 }
 
 void print_warnings(const std::filesystem::path& file, const Character& character) {

@@ -26,7 +26,8 @@ struct CharacterOptions {
     applications::RestPose rest = applications::RestPose::as_is;
 };
 
-/// Reads a mesh, finds the body in it and binds it. \throws Error as `fit_file`, without the file's name.
+/// Reads a mesh, finds the body in it and binds it; where one of several is chosen, without the others. \throws Error
+/// as `fit_file`, without the file's name.
 [[nodiscard]] Character make_character(const MeshInput& input, const CharacterOptions& options);
 
 /// Prints what is to be known of a character, beside what is of its skeleton.

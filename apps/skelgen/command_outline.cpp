@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 namespace skelgen::cli {
 namespace {
@@ -44,12 +45,18 @@ OptionOutline outline_of(const CLI::Option& option) {
     return out;
 }
 
-/// Options in groups, too: CLI11 has those as nameless commands.
+/// Options in groups, too: CLI11 has those as nameless commands, each with a --help that is the command's.
 void append_options(const CLI::App& app, CommandOutline& out) {
     for (const CLI::Option* option : app.get_options())
         (option->get_positional() ? out.positionals : out.options).push_back(outline_of(*option));
-    for (const CLI::App* group : app.get_subcommands([](const CLI::App* sub) { return sub->get_name().empty(); }))
-        append_options(*group, out);
+    for (const CLI::App* group : app.get_subcommands([](const CLI::App* sub) { return sub->get_name().empty(); })) {
+        std::vector<OptionOutline> options;
+        for (const CLI::Option* option : group->get_options())
+            if (option != group->get_help_ptr()) options.push_back(outline_of(*option));
+        out.options.insert(out.options.end(), options.begin(), options.end());
+        if (group->get_require_option_min() == 1 && group->get_require_option_max() == 1)
+            out.alternatives.push_back(std::move(options));
+    }
 }
 
 std::vector<std::vector<std::string>> paragraphs_of(const std::string& text) {

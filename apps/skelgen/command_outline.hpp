@@ -25,6 +25,7 @@ struct CommandOutline {
     std::string name;
     std::string description;
     std::vector<OptionOutline> options, positionals;
+    std::vector<std::vector<OptionOutline>> alternatives; ///< options of each of which exactly one must be given
     /// What --help has below the options, by paragraphs with their lines: examples, exit status, notes.
     std::vector<std::vector<std::string>> notes;
     std::vector<CommandOutline> commands;

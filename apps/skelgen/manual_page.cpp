@@ -51,6 +51,12 @@ std::string synopsis(const CommandOutline& program, const CommandOutline& comman
         out += " " + italic(positional.name) + (positional.takes_many ? "..." : "");
     for (const OptionOutline& option : command.options)
         if (option.is_required) out += " " + bold(option.flags.front()) + " " + value_of(option);
+    for (const std::vector<OptionOutline>& options : command.alternatives) {
+        std::string any;
+        for (const OptionOutline& option : options)
+            any += (any.empty() ? "" : " | ") + bold(option.flags.front()) + " " + value_of(option);
+        out += " {" + any + "}";
+    }
     return out + " [" + italic("OPTIONS") + "]";
 }
 

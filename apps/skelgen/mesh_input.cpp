@@ -1,6 +1,7 @@
 #include "mesh_input.hpp"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <skelgen/io/mesh_format.hpp>
@@ -10,6 +11,12 @@ namespace skelgen::cli {
 namespace {
 
 constexpr const char* standard_input = "-";
+
+/// Read once: the mesh and its looks are both in it.
+const std::string& standard_input_content() {
+    static const std::string content = io::read_file("/dev/stdin");
+    return content;
+}
 
 std::vector<std::string> format_names() {
     std::vector<std::string> names;
@@ -45,17 +52,22 @@ void add_component_option(CLI::App& command, int& component) {
 
 TriangleMesh<double> load_mesh(const MeshInput& input) {
     if (input.file != standard_input) return read_mesh<double>(input.file, input.options);
-    return io::parse_mesh<double>(io::read_file("/dev/stdin"), input.options);
+    return io::parse_mesh<double>(standard_input_content(), input.options);
 }
 
 io::SceneLooks load_looks(const MeshInput& input) {
-    if (input.file == standard_input) return {};
-    return io::read_looks(input.file).value_or(io::SceneLooks{});
+    auto looks = input.file == standard_input ? io::parse_looks(standard_input_content()) : io::read_looks(input.file);
+    return std::move(looks).value_or(io::SceneLooks{});
 }
 
 KeptLooks keep_looks(const MeshInput& input) {
     try {
-        return {load_looks(input), ""};
+        KeptLooks kept{load_looks(input), ""};
+        const std::vector<std::string>& lost = kept.looks.lost_pictures;
+        if (!lost.empty())
+            kept.warning = std::to_string(lost.size()) + (lost.size() == 1 ? " picture is" : " pictures are") +
+                           " left out: " + lost.front() + (lost.size() == 1 ? "" : "; and others");
+        return kept;
     } catch (const Error& error) {
         if (error.code() != ErrorCode::bad_input) throw;
         return {{}, std::string("its looks are left out: ") + error.what()};

@@ -26,18 +26,17 @@ void add_component_option(CLI::App& command, int& component);
 /// \throws Error as `io::read_mesh`, without the file's name.
 [[nodiscard]] TriangleMesh<double> load_mesh(const MeshInput& input);
 
-/// What the mesh looks like: nothing of its own where it is no scene, or came through standard input. \throws Error as
-/// `io::read_looks`, without the file's name.
+/// What the mesh looks like: nothing of its own where it is no scene. \throws Error as `io::read_looks`, without the
+/// file's name.
 [[nodiscard]] io::SceneLooks load_looks(const MeshInput& input);
 
-/// How a mesh looks, or what is to be said where that cannot be read, as its pictures are missing: a body is one
-/// without.
+/// How a mesh looks, and what is to be said where that, or one of its pictures, cannot be read: a body is one without.
 struct KeptLooks {
     io::SceneLooks looks;
     std::string warning; ///< empty: none
 };
 
-/// As `load_looks`, but for what it throws of bad input.
+/// As `load_looks`, but bad input costs no more than the looks.
 [[nodiscard]] KeptLooks keep_looks(const MeshInput& input);
 
 } // namespace skelgen::cli

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "fitted_file.hpp"
+#include "own_part.hpp"
 #include "waiting_line.hpp"
 
 namespace skelgen::cli {
@@ -40,13 +42,30 @@ struct Model {
 
 const SkeletonTemplate& human() { return builtin_template("human21"); }
 
+/// Whether a file's skeleton says how someone is held. \throws Error bad_input when it does not.
+void require_pose(const KinematicSkeleton<double>& skeleton) {
+    if (skeleton.template_name != human().name)
+        throw Error(ErrorCode::bad_input,
+                    "is a skeleton of the template " + skeleton.template_name + "; extract it with human21");
+    const auto is_same = [](const Joint<double>& joint, const TemplateJoint& wanted) {
+        return joint.name == wanted.name && joint.parent == wanted.parent;
+    };
+    if (!std::equal(skeleton.joints.begin(), skeleton.joints.end(), human().joints.begin(), human().joints.end(),
+                    is_same))
+        throw Error(ErrorCode::bad_input,
+                    "its joints are not those of the template " + human().name + "; write it with `skelgen extract`");
+    const auto has_length = [&](const Joint<double>& joint) {
+        return joint.parent >= 0 && joint.position != skeleton.joints[static_cast<std::size_t>(joint.parent)].position;
+    };
+    if (std::none_of(skeleton.joints.begin(), skeleton.joints.end(), has_length))
+        throw Error(ErrorCode::bad_input, "its bones have no length; write it with `skelgen extract`");
+}
+
 Model load_model(const PoseCommand& command) {
     if (command.like.empty()) {
         return in_file(command.pose, [&] {
             Model model{read_skeleton(command.pose), std::nullopt};
-            if (model.skeleton.template_name != human().name)
-                throw Error(ErrorCode::bad_input, "is a skeleton of the template " + model.skeleton.template_name +
-                                                      "; extract it with human21");
+            require_pose(model.skeleton);
             return model;
         });
     }
@@ -104,11 +123,12 @@ void run(const PoseCommand& command) {
         clip = load_posing_clip(command);
     ExtractOptions options;
     options.prepare.component = command.component;
-    const FittedFile body = in_file(command.mesh.file, [&] { return fit_file(command.mesh, options); });
+    FittedFile body = in_file(command.mesh.file, [&] { return fit_file(command.mesh, options); });
+    const OwnPart part = command.component > 0 ? keep_own_part(body) : OwnPart{};
     const TriangleMesh<double> held =
         model ? held_like_model(command, body, *model) : held_as_in_clip(command, body, *clip);
     const KeptLooks kept = format == io::MeshFormat::glb ? keep_looks(command.mesh) : KeptLooks{};
-    in_file(command.output, [&] { io::write_mesh(command.output, held, kept.looks); });
+    in_file(command.output, [&] { io::write_mesh(command.output, held, looks_of(kept.looks, part)); });
     waiting.end();
     if (command.quiet) return;
     if (model) print_warnings(command.like.empty() ? command.pose : command.like, model->skeleton);

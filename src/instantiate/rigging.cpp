@@ -11,6 +11,7 @@
 #include <skelgen/applications/impl/heat_weights.hpp>
 #include <skelgen/applications/impl/limb_regions.hpp>
 #include <skelgen/applications/impl/loose_pieces.hpp>
+#include <skelgen/applications/impl/outward_faces.hpp>
 #include <skelgen/applications/impl/pose_transfer.hpp>
 #include <skelgen/applications/impl/posing.hpp>
 #include <skelgen/applications/impl/resting_surface.hpp>
@@ -64,6 +65,7 @@ namespace skelgen::applications {
     template std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>&, const TriangleMesh<Scalar>&);            \
     template Skin<Scalar> bind(const TriangleMesh<Scalar>&, const Body<Scalar>&, const KinematicSkeleton<Scalar>&,     \
                                const SkeletonTemplate&);                                                               \
+    template Triangles outward_faces(const TriangleMesh<Scalar>&, const Body<Scalar>&);                                \
     template Scalar height_by_bones(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&);                        \
     template Rig<Scalar> make_rig(const TriangleMesh<Scalar>&, const Body<Scalar>&, const KinematicSkeleton<Scalar>&,  \
                                   const SkeletonTemplate&, RestPose);                                                  \

@@ -35,4 +35,10 @@ std::string read_companion(const fs::path& folder, const std::string& reference)
     }
 }
 
+std::string refuse_companion(const std::string& reference) {
+    throw Error(ErrorCode::bad_input,
+                "the scene refers to a file beside it, '" + reference +
+                    "', which cannot be looked for here; name the scene's own file, or export it as GLB");
+}
+
 } // namespace skelgen::io::detail

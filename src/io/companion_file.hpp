@@ -10,4 +10,7 @@ namespace skelgen::io::detail {
 /// bad_input naming the reference when it leads elsewhere or cannot be read.
 [[nodiscard]] std::string read_companion(const std::filesystem::path& folder, const std::string& reference);
 
+/// In place of `read_companion` where only a scene's content is known. \throws Error bad_input, always, saying so.
+[[noreturn]] std::string refuse_companion(const std::string& reference);
+
 } // namespace skelgen::io::detail

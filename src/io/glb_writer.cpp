@@ -5,19 +5,15 @@
 #include <utility>
 #include <vector>
 
-#include <skelgen/core/error.hpp>
 #include <skelgen/version.hpp>
 
 #include "glb_container.hpp"
 #include "gltf_buffer.hpp"
 #include "mesh_primitives.hpp"
+#include "unwritable_mesh.hpp"
 
 namespace skelgen::io::detail {
 namespace {
-
-[[noreturn]] void refuse(const std::string& message) {
-    throw Error(ErrorCode::usage, "the mesh cannot be written: " + message);
-}
 
 /// One mesh of these primitives, as it lies.
 Json scene_of(Json primitives) {
@@ -33,9 +29,9 @@ Json scene_of(Json primitives) {
 } // namespace
 
 std::string format_glb(const Points<double>& vertices, const Triangles& faces) {
-    if (vertices.rows() == 0 || faces.rows() == 0) refuse("GLB has no way to write a mesh without faces");
+    if (vertices.rows() == 0 || faces.rows() == 0) refuse_to_write_mesh("GLB has no way to write a mesh without faces");
     const FloatRows positions = vertices.cast<float>();
-    if (!positions.allFinite()) refuse("a coordinate is too large for GLB; write OFF, OBJ or PLY");
+    if (!positions.allFinite()) refuse_to_write_mesh("a coordinate is too large for GLB; write OFF, OBJ or PLY");
 
     GltfBuffer buffer;
     const std::size_t position = buffer.add_floats(positions, GltfTarget::vertices, true);

@@ -11,8 +11,9 @@
 #include "companion_file.hpp"
 #include "data_uri.hpp"
 #include "gltf_primitive.hpp"
-#include "gzip.hpp"
 #include "json_values.hpp"
+#include "lost_pictures.hpp"
+#include "plain_content.hpp"
 
 namespace skelgen::io {
 namespace detail {
@@ -86,11 +87,21 @@ SceneLooks read_gltf_looks(std::string_view bytes, const LoadCompanion& load) {
     GltfValue::Json json = GltfValue::Json::object();
     for (const char* list : {"materials", "textures", "samplers"})
         if (file.count(list) > 0) json[list] = file.json.at(list);
+    std::set<std::size_t> lost;
     for (std::size_t i = 0; i < file.count("images"); ++i) {
         const GltfValue image = file.root().at("images")[i];
-        looks.pictures.push_back(load_picture(data, image, load));
-        json["images"].push_back({{"mimeType", mime_type(looks.pictures.back(), image)}});
+        json["images"].push_back(GltfValue::Json::object());
+        try {
+            std::string picture = load_picture(data, image, load);
+            json["images"].back()["mimeType"] = mime_type(picture, image);
+            looks.pictures.push_back(std::move(picture));
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::bad_input) throw;
+            looks.lost_pictures.push_back(valid_utf8(error.what()));
+            lost.insert(i);
+        }
     }
+    json = without_pictures(std::move(json), lost);
     std::set<std::string> extensions;
     collect_extensions(json, extensions);
     for (const char* list : {"extensionsUsed", "extensionsRequired"})
@@ -101,17 +112,27 @@ SceneLooks read_gltf_looks(std::string_view bytes, const LoadCompanion& load) {
 
 } // namespace detail
 
-std::optional<SceneLooks> read_looks(const std::filesystem::path& path) {
-    std::string bytes = read_file(path);
-    if (detail::is_gzip(bytes)) bytes = detail::gunzip(bytes, max_file_bytes);
+namespace {
+
+std::optional<SceneLooks> looks_in(std::string_view bytes, const detail::LoadCompanion& load) {
+    std::string decompressed;
+    bytes = detail::plain_content(bytes, decompressed);
     if (!detail::is_glb(bytes) && !detail::is_gltf_json(bytes)) return std::nullopt;
     try {
-        return detail::read_gltf_looks(bytes, [folder = path.parent_path()](const std::string& reference) {
-            return detail::read_companion(folder, reference);
-        });
+        return detail::read_gltf_looks(bytes, load);
     } catch (const Error& error) {
         throw Error(error.code(), detail::valid_utf8(error.what()));
     }
+}
+
+} // namespace
+
+std::optional<SceneLooks> parse_looks(std::string_view content) { return looks_in(content, detail::refuse_companion); }
+
+std::optional<SceneLooks> read_looks(const std::filesystem::path& path) {
+    return looks_in(read_file(path), [folder = path.parent_path()](const std::string& reference) {
+        return detail::read_companion(folder, reference);
+    });
 }
 
 } // namespace skelgen::io

@@ -1,6 +1,7 @@
 #include "gltf_primitive.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -177,6 +178,9 @@ std::vector<std::array<std::size_t, 3>> make_triangles(const std::vector<std::si
     return triangles;
 }
 
+/// Programs write no numbers where they have nothing to say of a vertex, and refuse to read them: nothing is lost by 0.
+float finite_float(double value) { return std::isfinite(value) ? static_cast<float>(value) : 0.0F; }
+
 } // namespace
 
 bool has_triangles(const GltfValue& primitive) { return mode_of(primitive) >= Mode::triangles; }
@@ -200,7 +204,7 @@ std::vector<TextureCoordinates> read_texture_coordinates(GltfData& data, const G
     while (const auto array = attributes.find("TEXCOORD_" + std::to_string(sets.size()), 2)) {
         TextureCoordinates set(static_cast<Eigen::Index>(array->rows), 2);
         for (Eigen::Index i = 0; i < set.size(); ++i)
-            set.data()[i] = static_cast<float>(array->values[static_cast<std::size_t>(i)]);
+            set.data()[i] = finite_float(array->values[static_cast<std::size_t>(i)]);
         sets.push_back(std::move(set));
     }
     return sets;
@@ -213,7 +217,7 @@ VertexColours read_colours(GltfData& data, const GltfValue& primitive) {
     for (Eigen::Index i = 0; i < colours.rows(); ++i)
         for (std::size_t channel = 0; channel < array->columns; ++channel)
             colours(i, static_cast<Eigen::Index>(channel)) =
-                static_cast<float>(std::clamp(array->row(static_cast<std::size_t>(i))[channel], 0.0, 1.0));
+                std::clamp(finite_float(array->row(static_cast<std::size_t>(i))[channel]), 0.0F, 1.0F);
     return colours;
 }
 

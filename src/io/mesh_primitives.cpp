@@ -8,19 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include <skelgen/core/error.hpp>
-
 #include "shading_normals.hpp"
 #include "tangents.hpp"
+#include "unwritable_mesh.hpp"
 
 namespace skelgen::io::detail {
 namespace {
 
 using applications::Skin;
-
-[[noreturn]] void refuse(const std::string& message) {
-    throw Error(ErrorCode::usage, "the mesh cannot be written: " + message);
-}
 
 /// Weights that sum to 1 as floats, too.
 FloatRows float_weights(const Skin<double>& skin) {
@@ -41,7 +36,7 @@ struct VertexRows {
             weights = float_weights(*skin);
             joints = skin->joints.cast<std::uint16_t>();
         }
-        if (!positions.allFinite()) refuse("a coordinate is too large for a float; scale the mesh down");
+        if (!positions.allFinite()) refuse_to_write_mesh("a coordinate is too large for a float; scale the mesh down");
     }
 };
 
@@ -76,10 +71,10 @@ std::vector<ScenePart> checked(std::vector<ScenePart> parts, const TriangleMesh<
                                              corners.maxCoeff() < part.first_vertex + part.vertices);
         if (part.first_face != faces || corners.rows() != part.faces || !own ||
             part.first_vertex + part.vertices > mesh.vertices.rows())
-            refuse("its looks are those of another mesh");
+            refuse_to_write_mesh("its looks are those of another mesh");
         faces += part.faces;
     }
-    if (faces != mesh.faces.rows()) refuse("its looks are those of another mesh");
+    if (faces != mesh.faces.rows()) refuse_to_write_mesh("its looks are those of another mesh");
     return parts;
 }
 
@@ -87,7 +82,7 @@ std::vector<ScenePart> checked(std::vector<ScenePart> parts, const TriangleMesh<
 
 Json describe_primitives(GltfBuffer& buffer, const TriangleMesh<double>& mesh, const Skin<double>* skin,
                          const SceneLooks& looks) {
-    if (mesh.faces.rows() == 0) refuse("it has no faces");
+    if (mesh.faces.rows() == 0) refuse_to_write_mesh("it has no faces");
     const std::vector<ScenePart> parts = checked(looks.parts, mesh);
     const Json materials = parse_json(looks.json).value("materials", Json::array());
     const VertexRows rows(mesh, skin);

@@ -10,9 +10,9 @@
 #include "companion_file.hpp"
 #include "gltf_file.hpp"
 #include "gltf_parser.hpp"
-#include "gzip.hpp"
 #include "json_values.hpp"
 #include "mesh_parsers.hpp"
+#include "plain_content.hpp"
 #include "text_scanner.hpp"
 
 namespace skelgen::io {
@@ -108,12 +108,7 @@ std::string with_line_feeds(std::string_view content) {
 /// Reads a file's content. `load` gives the files that it refers to.
 PolygonMesh read_polygons(std::string_view content, const ReadMeshOptions& options, const detail::LoadCompanion& load) {
     std::string decompressed;
-    if (detail::is_gzip(content)) {
-        decompressed = detail::gunzip(content, max_file_bytes);
-        content = decompressed;
-    }
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // of UTF-8
-    if (content.starts_with(byte_order_mark)) content.remove_prefix(byte_order_mark.size());
+    content = detail::plain_content(content, decompressed);
     if (content.empty()) throw_unreadable("the file is empty; write it again");
     const std::string converted = with_line_feeds(content);
     if (!converted.empty()) content = converted;
@@ -135,16 +130,11 @@ PolygonMesh read_telling_errors(std::string_view content, const ReadMeshOptions&
     }
 }
 
-std::string refuse_companion(const std::string& reference) {
-    throw_unreadable("the scene refers to a file beside it, '" + reference +
-                     "', which cannot be looked for here; name the scene's own file, or export it as GLB");
-}
-
 } // namespace
 
 template <typename Scalar>
 TriangleMesh<Scalar> parse_mesh(std::string_view content, const ReadMeshOptions& options) {
-    return triangulate<Scalar>(read_telling_errors(content, options, refuse_companion));
+    return triangulate<Scalar>(read_telling_errors(content, options, detail::refuse_companion));
 }
 
 template <typename Scalar>

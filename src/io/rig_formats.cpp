@@ -80,7 +80,9 @@ std::string rig_to_vrm(const Rig<double>& rig, const std::string& name, const Sc
     scene.json["extensions"]["VRMC_vrm"] = {
         {"specVersion", "1.0"},
         {"meta",
-         {{"name", name}, {"authors", Json::array({"unknown"})}, {"licenseUrl", "https://vrm.dev/licenses/1.0/"}}},
+         {{"name", detail::valid_utf8(name)},
+          {"authors", Json::array({"unknown"})},
+          {"licenseUrl", "https://vrm.dev/licenses/1.0/"}}},
         {"humanoid", {{"humanBones", describe_humanoid(names, scene.joint_nodes, rig.joints)}}}};
     return detail::format_scene(std::move(scene));
 }

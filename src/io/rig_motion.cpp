@@ -66,7 +66,7 @@ Json describe_animation(RigScene& scene, const Rig<double>& rig, const Animation
         if (rig.joints[j].parent < 0) add(j, "translation", places_of(animation));
         add(j, "rotation", turns_of(animation, j, rig.joints[j].parent));
     }
-    return {{"name", animation.name}, {"samplers", std::move(samplers)}, {"channels", std::move(channels)}};
+    return {{"name", valid_utf8(animation.name)}, {"samplers", std::move(samplers)}, {"channels", std::move(channels)}};
 }
 
 } // namespace

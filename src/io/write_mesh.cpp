@@ -5,13 +5,13 @@
 #include <string>
 #include <type_traits>
 
-#include <skelgen/core/error.hpp>
 #include <skelgen/io/atomic_file.hpp>
 
 #include "glb_writer.hpp"
 #include "gzip.hpp"
 #include "little_endian.hpp"
 #include "number_text.hpp"
+#include "unwritable_mesh.hpp"
 
 namespace skelgen::io {
 namespace {
@@ -19,16 +19,13 @@ namespace {
 using detail::append_little_endian;
 using detail::append_number;
 using detail::append_point;
-
-[[noreturn]] void throw_unwritable(const std::string& message) {
-    throw Error(ErrorCode::usage, "the mesh cannot be written: " + message);
-}
+using detail::refuse_to_write_mesh;
 
 template <typename Scalar>
 void check(const TriangleMesh<Scalar>& mesh) {
-    if (!mesh.vertices.allFinite()) throw_unwritable("a coordinate is not a number or infinite; repair the mesh");
+    if (!mesh.vertices.allFinite()) refuse_to_write_mesh("a coordinate is not a number or infinite; repair the mesh");
     if (mesh.faces.size() > 0 && (mesh.faces.minCoeff() < 0 || mesh.faces.maxCoeff() >= mesh.vertices.rows()))
-        throw_unwritable("a face names a vertex that does not exist; repair the mesh");
+        refuse_to_write_mesh("a face names a vertex that does not exist; repair the mesh");
 }
 
 /// Vertices and faces as text, one a line behind the given starts.
@@ -107,7 +104,7 @@ Eigen::Vector3f unit_normal(const TriangleMesh<Scalar>& mesh, Eigen::Index face)
 template <typename Scalar>
 std::string format_stl(const TriangleMesh<Scalar>& mesh) {
     const Points<float> vertices = mesh.vertices.template cast<float>();
-    if (!vertices.allFinite()) throw_unwritable("a coordinate is too large for STL; write OFF, OBJ or PLY");
+    if (!vertices.allFinite()) refuse_to_write_mesh("a coordinate is too large for STL; write OFF, OBJ or PLY");
 
     constexpr std::size_t header_bytes = 80;
     std::string bytes = "binary STL"; // a header that begins with "solid" would be taken for text
@@ -150,14 +147,14 @@ std::string format_mesh(const TriangleMesh<Scalar>& mesh, MeshFormat format) {
     case MeshFormat::dae:
         break;
     }
-    throw_unwritable("this format is only read; write " + written_mesh_extensions_text());
+    refuse_to_write_mesh("this format is only read; write " + written_mesh_extensions_text());
 }
 
 template <typename Scalar>
 void write_mesh(const std::filesystem::path& path, const TriangleMesh<Scalar>& mesh) {
     const std::optional<MeshFormat> format = mesh_format_of(path);
     if (!format || !is_written(*format))
-        throw_unwritable("the file's name must end in " + written_mesh_extensions_text());
+        refuse_to_write_mesh("the file's name must end in " + written_mesh_extensions_text());
     write_bytes(path, format_mesh(mesh, *format));
 }
 

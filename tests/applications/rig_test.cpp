@@ -4,8 +4,12 @@
 #include <string>
 #include <vector>
 
+#include <skelgen/applications/animation.hpp>
 #include <skelgen/applications/bind.hpp>
 #include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/lowest_place.hpp>
+#include <skelgen/applications/outward_faces.hpp>
+#include <skelgen/applications/pose_transfer.hpp>
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/applications/skinning.hpp>
 #include <skelgen/core/error.hpp>
@@ -48,6 +52,55 @@ KinematicSkeleton<double> moved_by(KinematicSkeleton<double> skeleton, const tes
     for (auto* direction : {&skeleton.frame.left, &skeleton.frame.forward, &skeleton.frame.up})
         *direction = motion.rotation * *direction;
     return skeleton;
+}
+
+TEST_CASE("characters and posed bodies look outwards, also those of a mesh that is inside out", "[applications][rig]") {
+    const test::SampleBody& sample = test::sample_body();
+    TriangleMesh<double> turned = sample.mesh;
+    turned.faces.col(1).swap(turned.faces.col(2));
+    const Rig<double> rig = make_rig(turned, sample.body, sample.skeleton, human());
+    CHECK(rig.mesh.faces == sample.mesh.faces);
+    CHECK(pose_like(turned, sample.body, sample.skeleton, sample.skeleton, human()).mesh.faces == sample.mesh.faces);
+
+    // The same surface a little larger and inside out around it, as games draw outlines: that is how it is to be.
+    TriangleMesh<double> outlined = test::side_by_side(sample.mesh, turned);
+    outlined.vertices.bottomRows(turned.vertices.rows()) *= 1.02;
+    CHECK(outward_faces(outlined, sample.body) == outlined.faces);
+}
+
+TEST_CASE("strays far below the feet, as scans have them, are nothing to stand on", "[applications][rig]") {
+    const test::SampleBody& sample = test::sample_body();
+    const Floor<double> floor = floor_of(sample.mesh, sample.skeleton, human());
+    TriangleMesh<double> stray{Points<double>(3, 3), Triangles(1, 3)};
+    stray.faces << 0, 1, 2;
+    stray.vertices << 0, 0, 0, 0.01, 0, 0, 0, 0.01, 0;
+    stray.vertices.rowwise() -= 3 * floor.up.transpose();
+    const TriangleMesh<double> mesh = test::side_by_side(sample.mesh, stray);
+    const Floor<double> same = floor_of(mesh, sample.skeleton, human());
+    CHECK(same.is_stood_on);
+    CHECK(same.height == floor.height);
+
+    const Rig<double> rig = make_rig(mesh, sample.body, sample.skeleton, human());
+    CHECK(rig.mesh.vertices.topRows(sample.mesh.vertices.rows()).col(1).minCoeff() == Approx(0).margin(1e-12));
+    Animation<double> still;
+    still.frames.push_back({rig.joints.front().position, {}});
+    for (const RigJoint<double>& joint : rig.joints) still.frames.front().axes.push_back(joint.axes);
+    CHECK((on_floor(rig, still).frames.front().root - rig.joints.front().position).norm() < 1e-9);
+
+    // What the soles stand on counts, as soles of shoes that are pieces of their own do.
+    stray.vertices.rowwise() += (3 + floor.height - 0.03) * floor.up.transpose();
+    const Rig<double> shod = make_rig(test::side_by_side(sample.mesh, stray), sample.body, sample.skeleton, human());
+    CHECK(shod.mesh.vertices.topRows(sample.mesh.vertices.rows()).col(1).minCoeff() > 0.01);
+
+    // Faces that have no vertex in common, as those of an STL file, are one piece where they meet.
+    const TriangleMesh<double> box = test::box({0.2, 1.7, 0.3}, 4);
+    TriangleMesh<double> soup{Points<double>(box.faces.size(), 3), Triangles(box.faces.rows(), 3)};
+    for (Eigen::Index i = 0; i < box.faces.size(); ++i) {
+        soup.vertices.row(i) = box.vertices.row(box.faces.data()[i]);
+        soup.faces.data()[i] = static_cast<int>(i);
+    }
+    const Points<double> near_top = box.vertices.colwise().maxCoeff().replicate(2, 1);
+    CHECK(lowest_place<double>(soup, Eigen::Vector3d::UnitY(), near_top) == box.vertices.col(1).minCoeff());
 }
 
 TEST_CASE("a rig in the T-pose: arms level, feet on the floor, metres, weights in order", "[applications][rig]") {

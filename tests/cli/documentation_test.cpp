@@ -79,6 +79,16 @@ TEST_CASE("manual pages: one for each command, with every option of its help", "
     CHECK(overview.find(".SH EXIT STATUS\n0 done; 1 a fault") != std::string::npos);
 }
 
+TEST_CASE("manual pages: options of which one must be given are in the synopsis, and --help once",
+          "[cli][documentation]") {
+    const Documentation documentation;
+    const std::string page = read_file(documentation.folder / "share/man/man1/skelgen-pose.1");
+    CHECK(page.find("{\\fB\\-\\-like\\fR \\fITEXT\\fR | \\fB\\-\\-pose\\fR \\fITEXT\\fR | ") != std::string::npos);
+    const std::string help = "\\fB\\-\\-help\\fR\n";
+    REQUIRE(page.find(help) != std::string::npos);
+    CHECK(page.find(help) == page.rfind(help));
+}
+
 TEST_CASE("manual pages: troff has nothing to complain of", "[cli][documentation]") {
     const Documentation documentation;
     const fs::path folder = documentation.folder.path();

@@ -2,6 +2,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include <skelgen/io/read_mesh.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
@@ -35,6 +37,29 @@ TEST_CASE("pose: like another mesh, or like a skeleton", "[cli][pose]") {
     };
     CHECK((10 * spread(from_mesh) - spread(lying)).cwiseAbs().maxCoeff() < 1e-3);
     CHECK((spread(from_skeleton) - spread(from_mesh)).cwiseAbs().maxCoeff() < 1e-4); // GLB has floats
+}
+
+TEST_CASE("pose: a skeleton's file that shows no pose is what is to blame", "[cli][pose]") {
+    const TemporaryFolder folder;
+    REQUIRE(run_cli(folder.path(), {"extract", sample_body, "-o", "body.json"}).status == 0);
+    const auto body = nlohmann::json::parse(test::read_file(folder / "body.json"));
+    const auto is_refused = [&](const nlohmann::json& skeleton, const std::string& reason) {
+        test::write_file(folder / "odd.json", skeleton.dump());
+        const CliResult result = run_cli(folder.path(), {"pose", sample_body, "--pose", "odd.json", "-o", "x.off"});
+        INFO(result.err);
+        CHECK(result.status == 3);
+        CHECK(result.err.rfind("skelgen: error: odd.json: " + reason, 0) == 0);
+        CHECK_FALSE(fs::exists(folder / "x.off"));
+    };
+    auto odd = body;
+    odd["joints"].erase(odd["joints"].size() - 1);
+    is_refused(odd, "its joints are not those of the template human21");
+    odd = body;
+    for (auto& joint : odd["joints"]) joint["position"] = {1, 2, 3};
+    is_refused(odd, "its bones have no length");
+    odd = body;
+    odd["template"] = "pinocchio18";
+    is_refused(odd, "is a skeleton of the template pinocchio18");
 }
 
 TEST_CASE("pose: what cannot be done is one line and no file", "[cli][pose]") {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <skelgen/io/read_mesh.hpp>
+#include <skelgen/io/scene_looks.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
 #include "catch.hpp"
@@ -39,7 +40,7 @@ TEST_CASE("rig: characters and skeletons, the input's vertices in their order", 
     CHECK(test::read_file(folder / "body.BVH").find("JOINT LeftForeArm") != std::string::npos);
 }
 
-TEST_CASE("rig and pose: a character without its pictures loses its looks alone, which is said", "[cli][rig][pose]") {
+TEST_CASE("rig and pose: a character without its pictures loses these alone, which is said", "[cli][rig][pose]") {
     const auto mesh = read_mesh(sample_body);
     const TriangleMesh<float> single{mesh.vertices.cast<float>(), mesh.faces};
     GltfBuilder scene;
@@ -59,9 +60,73 @@ TEST_CASE("rig and pose: a character without its pictures loses its looks alone,
         const CliResult result = run_cli(folder.path(), arguments);
         INFO(result.err);
         CHECK(result.status == 0);
-        CHECK(result.err.rfind("skelgen: warning: character.glb: its looks are left out: ", 0) == 0);
+        CHECK(result.err.rfind("skelgen: warning: character.glb: 1 picture is left out: ", 0) == 0);
         CHECK(result.err.find("missing.png") != std::string::npos);
         CHECK(read_mesh(folder / "out.glb").faces == mesh.faces);
+        CHECK(io::read_looks(folder / "out.glb")->json.find("skin") != std::string::npos);
+    }
+    const CliResult piped = run_shell(folder.path(), "$skelgen rig - -o out.glb < character.glb");
+    CHECK(piped.status == 0);
+    CHECK(piped.err.rfind("skelgen: warning: -: 1 picture is left out: ", 0) == 0);
+    CHECK(io::read_looks(folder / "out.glb")->json.find("skin") != std::string::npos);
+    const CliResult batch = run_cli(folder.path(), {"batch", "character.glb", "-o", "batch", "--also", "rig", "-q"});
+    INFO(batch.err);
+    CHECK(batch.status == 0);
+    CHECK(test::read_file(folder / "batch/summary.jsonl").find("1 picture is left out: ") != std::string::npos);
+}
+
+TEST_CASE("rig and pose: one of several bodies comes without the others, with its own looks", "[cli][rig][pose]") {
+    // The same man twice, the second one smaller, a step below and turned inside a scene that has a material for each.
+    const auto mesh = read_mesh(sample_body);
+    TriangleMesh<double> small = mesh;
+    small.vertices = (0.8 * small.vertices).rowwise() + Eigen::RowVector3d(2, -3, 0.3);
+    GltfBuilder scene;
+    scene.add_tetrahedron();
+    const auto primitive_of = [&](const TriangleMesh<double>& body, int material) {
+        const TriangleMesh<float> single{body.vertices.cast<float>(), body.faces};
+        std::vector<float> coordinates;
+        for (Eigen::Index v = 0; v < body.vertices.rows(); ++v) {
+            coordinates.push_back(static_cast<float>(material));
+            coordinates.push_back(static_cast<float>(v));
+        }
+        const std::size_t places =
+            scene.add<float>("VEC3", {single.vertices.data(), single.vertices.data() + single.vertices.size()});
+        const std::size_t indices =
+            scene.add<std::uint32_t>("SCALAR", {body.faces.data(), body.faces.data() + body.faces.size()});
+        return GltfBuilder::Json{{"attributes", {{"POSITION", places}, {"TEXCOORD_0", scene.add("VEC2", coordinates)}}},
+                                 {"indices", indices},
+                                 {"material", material}};
+    };
+    scene.json["meshes"][0]["primitives"] = {primitive_of(mesh, 0), primitive_of(small, 1)};
+    scene.json["materials"] = {{{"name", "large"}}, {{"name", "small"}}};
+    const TemporaryFolder folder;
+    test::write_file(folder / "two.glb", scene.glb());
+    for (const int number : {1, 2}) {
+        const TriangleMesh<double>& wanted = number == 1 ? mesh : small;
+        const std::string component = std::to_string(number);
+        const auto is_alone = [&](const std::vector<std::string>& arguments) {
+            const CliResult result = run_cli(folder.path(), arguments);
+            INFO(result.err);
+            REQUIRE(result.status == 0);
+            const auto alone = read_mesh(folder / "out.glb");
+            CHECK(alone.faces == mesh.faces);
+            const auto looks = io::read_looks(folder / "out.glb");
+            REQUIRE(looks);
+            REQUIRE(looks->parts.size() == 1);
+            CHECK(looks->parts[0].material == static_cast<std::size_t>(number - 1));
+            REQUIRE(looks->parts[0].texture_coordinates.size() == 1);
+            CHECK(looks->parts[0].texture_coordinates[0](7, 0) == static_cast<float>(number - 1));
+            CHECK(looks->parts[0].texture_coordinates[0](7, 1) == 7);
+            return alone;
+        };
+        const auto rig = is_alone({"rig", "two.glb", "-o", "out.glb", "--component", component});
+        CHECK(rig.vertices.col(1).minCoeff() == Approx(0).margin(1e-5));
+        CHECK((rig.vertices.row(0) - rig.vertices.row(99)).norm() ==
+              Approx((wanted.vertices.row(0) - wanted.vertices.row(99)).norm()).epsilon(1e-4));
+        const auto held =
+            is_alone({"pose", "two.glb", "--like", sample_body, "-o", "out.glb", "--component", component});
+        CHECK((held.vertices.row(0) - held.vertices.row(99)).norm() ==
+              Approx((wanted.vertices.row(0) - wanted.vertices.row(99)).norm()).epsilon(0.02));
     }
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -11,10 +12,12 @@
 #include <skelgen/extract.hpp>
 #include <skelgen/io/read_mesh.hpp>
 #include <skelgen/io/rig_formats.hpp>
+#include <skelgen/io/scene_looks.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
 #include "catch.hpp"
 #include "gltf_builder.hpp"
+#include "io/base64.hpp"
 #include "io/tangents.hpp"
 #include "shapes.hpp"
 #include "temporary_folder.hpp"
@@ -140,12 +143,94 @@ TEST_CASE("GLB: parts of a scene keep materials, texture coordinates and picture
     std::ofstream(folder / "mesh.off") << "OFF\n0 0 0\n";
     CHECK_FALSE(io::read_looks(folder / "mesh.off"));
 
-    scene.json["images"][0]["uri"] = "missing.png";
-    std::ofstream(folder / "scene.glb", std::ios::binary) << scene.glb();
-    CHECK_THROWS_WITH(io::read_looks(folder / "scene.glb"), Catch::Matchers::Contains("missing.png"));
     primitive["material"] = 1;
     std::ofstream(folder / "scene.glb", std::ios::binary) << scene.glb();
     CHECK_THROWS_AS(io::read_looks(folder / "scene.glb"), Error);
+}
+
+TEST_CASE("glTF: a picture that is missing or damaged is left out with what shows it alone", "[io][rig]") {
+    test::GltfBuilder scene;
+    scene.add_tetrahedron();
+    scene.primitive()["material"] = 0;
+    const auto texture = [](int index) { return nlohmann::json{{"index", index}, {"texCoord", 1}}; };
+    scene.json["materials"] = {{{"name", "skin"},
+                                {"pbrMetallicRoughness",
+                                 {{"baseColorFactor", {1, 0.5, 0.25, 1}},
+                                  {"baseColorTexture", texture(0)},
+                                  {"metallicRoughnessTexture", texture(2)}}},
+                                {"normalTexture", texture(1)},
+                                {"extensions", {{"KHR_materials_clearcoat", {{"clearcoatTexture", texture(0)}}}}}}};
+    // The last one has another picture for those who do not know WebP.
+    scene.json["textures"] = {
+        {{"source", 0}}, {{"source", 1}}, {{"source", 3}, {"extensions", {{"EXT_texture_webp", {{"source", 2}}}}}}};
+    const std::string png = "data:image/png;base64,iVBORw0KGgo=";
+    scene.json["images"] = {{{"uri", "missing.png"}}, {{"uri", png}}, {{"uri", "data:image/png,raw"}}, {{"uri", png}}};
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "scene.glb", std::ios::binary) << scene.glb();
+    const auto looks = io::read_looks(folder / "scene.glb");
+    REQUIRE(looks);
+    REQUIRE(looks->lost_pictures.size() == 2);
+    CHECK_THAT(looks->lost_pictures[0], Catch::Matchers::Contains("missing.png"));
+    CHECK(looks->pictures.size() == 2);
+    const auto json = nlohmann::json::parse(looks->json);
+    CHECK(json.at("images").size() == 2);
+    CHECK(json.at("textures") ==
+          nlohmann::json{{{"source", 0}}, {{"source", 1}, {"extensions", nlohmann::json::object()}}});
+    const auto& material = json.at("materials").at(0);
+    CHECK(material.at("name") == "skin");
+    CHECK(material.at("normalTexture") == texture(0));
+    CHECK(material.at("pbrMetallicRoughness") ==
+          nlohmann::json{{"baseColorFactor", {1, 0.5, 0.25, 1}}, {"metallicRoughnessTexture", texture(1)}});
+    CHECK(material.at("extensions").at("KHR_materials_clearcoat").empty());
+
+    scene.json["textures"][0]["source"] = 4;
+    std::ofstream(folder / "scene.glb", std::ios::binary) << scene.glb();
+    CHECK_THROWS_WITH(io::read_looks(folder / "scene.glb"), Catch::Matchers::Contains("textures[0].source"));
+}
+
+TEST_CASE("glTF: looks in a file's content, also behind a byte order mark", "[io][rig]") {
+    test::GltfBuilder scene;
+    scene.add_tetrahedron();
+    scene.json["materials"] = {{{"name", "skin"}}};
+    scene.json["images"] = {{{"uri", "beside.png"}}};
+    const auto looks = io::parse_looks(scene.glb());
+    REQUIRE(looks);
+    CHECK(looks->json == R"({"materials":[{"name":"skin"}]})");
+    REQUIRE(looks->lost_pictures.size() == 1);
+    CHECK_THAT(looks->lost_pictures[0], Catch::Matchers::Contains("beside.png"));
+
+    scene.json["buffers"][0]["byteLength"] = scene.bytes.size();
+    scene.json["buffers"][0]["uri"] = "data:;base64," + io::detail::encode_base64(scene.bytes);
+    const auto with_mark = io::parse_looks("\xEF\xBB\xBF" + scene.json.dump());
+    REQUIRE(with_mark);
+    CHECK(with_mark->parts.size() == 1);
+}
+
+TEST_CASE("glTF: texture coordinates and colours that are no numbers are read as 0", "[io][rig]") {
+    test::GltfBuilder scene;
+    scene.add_tetrahedron();
+    const float none = std::numeric_limits<float>::quiet_NaN(), much = std::numeric_limits<float>::infinity();
+    auto& attributes = scene.primitive()["attributes"];
+    attributes["TEXCOORD_0"] = scene.add<float>("VEC2", {0.5F, none, much, 1, 1, 1, 1, 1});
+    attributes["COLOR_0"] = scene.add<float>("VEC3", {0.5F, none, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1});
+    const auto looks = io::parse_looks(scene.glb());
+    REQUIRE(looks);
+    CHECK(looks->parts[0].texture_coordinates[0].topRows<2>() == Eigen::Matrix2f{{0.5F, 0}, {0, 1}});
+    CHECK(looks->parts[0].colours.row(0) == Eigen::RowVector4f(0.5F, 0, 1, 1));
+}
+
+TEST_CASE("GLB and VRM: names that are no UTF-8 are written as such", "[io][rig]") {
+    Rig<double> rig = small_rig();
+    applications::Animation<double> animation;
+    animation.name = "walk\xFF";
+    animation.seconds_per_frame = 0.1;
+    animation.frames.resize(1);
+    animation.frames[0].axes.resize(rig.joints.size(), Eigen::Quaterniond::Identity());
+    const auto named = json_of(io::rig_to_glb(rig, io::JointNames::skelgen, {}, {animation}));
+    CHECK(named.at("animations").at(0).at("name") == "walk\xEF\xBF\xBD");
+    rig.rest = applications::RestPose::t_pose;
+    const auto avatar = json_of(io::rig_to_vrm(rig, "body\xFF"));
+    CHECK(avatar.at("extensions").at("VRMC_vrm").at("meta").at("name") == "body\xEF\xBF\xBD");
 }
 
 TEST_CASE("tangents: along the first texture coordinate, and which way the second one goes", "[io][rig]") {

@@ -10,7 +10,7 @@ namespace skelgen::applications {
 /// A body in another pose than it was found in.
 template <typename Scalar = double>
 struct PosedBody {
-    TriangleMesh<Scalar> mesh;          ///< the input's vertices and faces in their order
+    TriangleMesh<Scalar> mesh;          ///< the input's vertices and faces in their order, faces as `outward_faces`
     KinematicSkeleton<Scalar> skeleton; ///< where its joints went; bones have kept their lengths
 };
 

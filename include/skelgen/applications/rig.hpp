@@ -31,7 +31,7 @@ struct RigJoint {
 /// A mesh bound to joints, in its rest pose: +y up, facing +z, standing on y = 0 with its root above the origin.
 template <typename Scalar = double>
 struct Rig {
-    TriangleMesh<Scalar> mesh;            ///< the input's vertices and faces in their order
+    TriangleMesh<Scalar> mesh;            ///< the input's vertices and faces in their order, faces as `outward_faces`
     std::vector<RigJoint<Scalar>> joints; ///< in the template's order, parents before children
     Skin<Scalar> skin;
     RestPose rest = RestPose::as_is;

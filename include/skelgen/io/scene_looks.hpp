@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
@@ -30,11 +31,16 @@ struct SceneLooks {
     /// "extensionsUsed" and "extensionsRequired" that these need. Images have a "mimeType" and no bytes.
     std::string json = "{}";
     std::vector<std::string> pictures; ///< the bytes of the images, in their order
+    /// Why images of the file are not there, one reason each: they are missing or damaged. What would show them has the
+    /// plain colour that the file has beside them.
+    std::vector<std::string> lost_pictures = {};
 };
 
 /// Reads how the mesh of a glTF, GLB or VRM file looks: of the vertices and faces that `read_mesh` gives. None for
-/// other files, which have looks of other kinds. \throws Error bad_input as `read_mesh`, also for pictures that are
-/// missing.
+/// other files, which have looks of other kinds. \throws Error as `read_mesh`.
 [[nodiscard]] std::optional<SceneLooks> read_looks(const std::filesystem::path& path);
+
+/// The same of a file's content, as `parse_mesh`: pictures in files of their own are lost.
+[[nodiscard]] std::optional<SceneLooks> parse_looks(std::string_view content);
 
 } // namespace skelgen::io

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <skelgen/applications/lowest_place.hpp>
 #include <skelgen/applications/skinning.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
@@ -16,12 +17,16 @@
 namespace skelgen::applications {
 namespace detail {
 
-/// The vertices that may touch the floor: of those that each joint moves most, the farthest in 26 directions.
+/// The vertices that may touch the floor: of those that each joint moves most, the farthest in 26 directions, without
+/// what is below the floor at rest.
 template <typename Scalar>
 std::vector<Eigen::Index> outermost_vertices(const Rig<Scalar>& rig) {
     std::vector<bool> is_used(static_cast<std::size_t>(rig.mesh.vertices.rows()), false);
     for (Eigen::Index i = 0; i < rig.mesh.faces.size(); ++i)
         is_used[static_cast<std::size_t>(rig.mesh.faces.data()[i])] = true;
+    const Scalar floor = lowest_place<Scalar>(rig.mesh, Vector3<Scalar>::UnitY(), places_of(rig.joints));
+    for (std::size_t v = 0; v < is_used.size(); ++v)
+        if (rig.mesh.vertices(static_cast<Eigen::Index>(v), 1) < floor) is_used[v] = false;
     std::vector<Eigen::Index> out;
     std::vector<Eigen::Index> farthest(rig.joints.size());
     std::vector<Scalar> most(rig.joints.size());

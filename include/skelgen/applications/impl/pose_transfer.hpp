@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include <skelgen/applications/bind.hpp>
 #include <skelgen/applications/bone_orientations.hpp>
 #include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/lowest_place.hpp>
+#include <skelgen/applications/outward_faces.hpp>
 #include <skelgen/applications/posing.hpp>
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/applications/skinning.hpp>
@@ -18,15 +19,6 @@
 
 namespace skelgen::applications {
 namespace detail {
-
-/// How far the lowest corner of a mesh's faces lies along a direction.
-template <typename Scalar>
-Scalar lowest_along(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& up) {
-    Scalar lowest = std::numeric_limits<Scalar>::infinity();
-    for (Eigen::Index i = 0; i < mesh.faces.size(); ++i)
-        lowest = std::min(lowest, up.dot(core::point(mesh.vertices, mesh.faces.data()[i])));
-    return lowest;
-}
 
 /// Geometric median of the ways from the joints of one skeleton to those of another, of those that both have, by
 /// Weiszfeld's rounds from their mean on: joints that were found off move it far less than they do the mean.
@@ -70,7 +62,8 @@ PosedBody<Scalar> pose_like(const TriangleMesh<Scalar>& mesh, const Body<Scalar>
                                   girdle_lines(skeleton, from, model, to, skeleton_template));
     const Vector3<Scalar> way = detail::median_way(moved(skeleton, skeleton_template, motion), model);
     for (RigidMotion<Scalar>& of_joint : motion) of_joint.translation += way;
-    return {{skinned(mesh.vertices, skin, motion), mesh.faces}, moved(skeleton, skeleton_template, motion)};
+    return {{skinned(mesh.vertices, skin, motion), outward_faces(mesh, body)},
+            moved(skeleton, skeleton_template, motion)};
 }
 
 template <typename Scalar>
@@ -80,7 +73,7 @@ Floor<Scalar> floor_of(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton
     Eigen::Index axis = 0;
     skeleton.frame.up.cwiseAbs().maxCoeff(&axis);
     floor.up = Vector3<Scalar>::Unit(axis) * (skeleton.frame.up[axis] < 0 ? Scalar(-1) : Scalar(1));
-    floor.height = detail::lowest_along(mesh, floor.up);
+    floor.height = lowest_place<Scalar>(mesh, floor.up, places_of(skeleton));
     const Scalar near = height_by_bones(skeleton, skeleton_template) / 10;
     for (const Side side : {Side::left, Side::right}) {
         const int foot = find_joint(skeleton_template, JointRole::foot, side);
@@ -94,7 +87,8 @@ Floor<Scalar> floor_of(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton
 
 template <typename Scalar>
 PosedBody<Scalar> put_on(PosedBody<Scalar> body, const Floor<Scalar>& floor) {
-    const Vector3<Scalar> shift = (floor.height - detail::lowest_along(body.mesh, floor.up)) * floor.up;
+    const Vector3<Scalar> shift =
+        (floor.height - lowest_place<Scalar>(body.mesh, floor.up, places_of(body.skeleton))) * floor.up;
     body.mesh.vertices.rowwise() += shift.transpose();
     for (Joint<Scalar>& joint : body.skeleton.joints) joint.position += shift;
     for (auto& [name, place] : body.skeleton.end_points) place += shift;

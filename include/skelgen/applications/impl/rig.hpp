@@ -2,14 +2,14 @@
 
 #include <skelgen/applications/rig.hpp>
 
-#include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include <skelgen/applications/bind.hpp>
 #include <skelgen/applications/bone_orientations.hpp>
 #include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/lowest_place.hpp>
+#include <skelgen/applications/outward_faces.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 
@@ -22,9 +22,7 @@ Rig<Scalar> put_in_place(Rig<Scalar> rig, Scalar height) {
     const auto metres = static_cast<Scalar>(metres_per_unit(static_cast<double>(height)));
     rig.unit_is_known = metres > 0;
     if (rig.unit_is_known) rig.metres_per_unit = metres;
-    Scalar floor = std::numeric_limits<Scalar>::infinity();
-    for (Eigen::Index i = 0; i < rig.mesh.faces.size(); ++i) // vertices that no face uses may be anywhere
-        floor = std::min(floor, rig.mesh.vertices(rig.mesh.faces.data()[i], 1));
+    const Scalar floor = lowest_place<Scalar>(rig.mesh, Vector3<Scalar>::UnitY(), places_of(rig.joints));
     const Vector3<Scalar> root = rig.joints.front().position, origin(root[0], floor, root[2]);
     for (Eigen::Index v = 0; v < rig.mesh.vertices.rows(); ++v) {
         const Vector3<Scalar> placed = rig.metres_per_unit * (core::point(rig.mesh.vertices, v) - origin);
@@ -73,7 +71,7 @@ Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
 
     const Orientations<Scalar> now = bone_orientations(skeleton, skeleton_template);
     const auto motion = rest_motions(rest, skeleton, skeleton_template, now, rotation_to_canonical(skeleton.frame));
-    rig.mesh = {skinned(mesh.vertices, rig.skin, motion), mesh.faces};
+    rig.mesh = {skinned(mesh.vertices, rig.skin, motion), outward_faces(mesh, body)};
 
     const Orientations<Scalar> axes = rest_axes<Scalar>(skeleton_template);
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
