@@ -245,7 +245,8 @@ TEMPLATE_TEST_CASE("shoulders come nearer to the height at which people hold the
     using V = Vector3<TestType>;
     const SkeletonTemplate& human = builtin_template("human21");
     const int top = joint_of(shoulder, Side::left);
-    const auto limb = limb_along<TestType>({Vec3::Zero(), Vec3::UnitX()}, arm_joints(), {0.8, 0.5, 0.2, 0.1});
+    auto limb = limb_along<TestType>({Vec3::Zero(), Vec3::UnitX()}, arm_joints(), {0.8, 0.5, 0.2, 0.1});
+    limb.line.thickness.setConstant(1);
     const Eigen::Quaternion<TestType> turn(Eigen::AngleAxis<TestType>(TestType(0.7), V(1, 2, -1).normalized()));
     // A trunk of length 1 up to the neck at the origin, the head leant by so much, the shoulder so high, and the arm.
     const auto height = [&](double leant, double high, const Vec3& arm, double weight, bool turned) {
@@ -275,6 +276,10 @@ TEMPLATE_TEST_CASE("shoulders come nearer to the height at which people hold the
     CHECK(higher - usual == Approx(usual - lower).margin(1e-5));
     CHECK(height(0.3, -0.1, level, 1, false) < usual - 0.01); // beneath the head
     CHECK(height(-0.3, -0.1, level, 1, false) > usual + 0.01);
+
+    limb.line.thickness.setConstant(TestType(0.05)); // a stick: no section of it leans so far
+    CHECK(height(0, 0.1, level, 1, false) == Approx(0.1).margin(1e-5));
+    CHECK(height(0, usual + 0.04, level, 1, false) == Approx(usual).margin(1e-5));
 
     SkeletonTemplate figure = human;
     figure.is_adapted = true;

@@ -24,7 +24,7 @@ struct WristOptions {
 
 /// When the line of an upper arm is not believed, and how much.
 struct GirdleOptions {
-    double tolerance = 0.6;     ///< of the rest-pose distance between shoulder and neck: how far a shoulder may be off
+    double tolerance = 0.6;      ///< of the rest-pose distance between shoulder and neck: how far a shoulder may be off
     double height_weight = 0.35; ///< of the height at which people hold their shoulders, against that by the arm's line
 };
 
@@ -78,7 +78,8 @@ template <typename Scalar>
 
 /// Shoulder: brought along the trunk nearer to the height below the neck at which people hold it, which rises with the
 /// arm (ISA44) and sinks on the side to which the head is leant; the sections of an upper arm lean towards the armpit.
-/// Neck, head, hips, elbow and shoulder must have been placed. Other limbs, and those of an adapted template, stay.
+/// Neck, head, hips, elbow and shoulder must have been placed. Other limbs, and those of an adapted template, stay, as
+/// do shoulders that would move farther than the upper arm is thick: no section leans so far.
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_shoulder_by_height(Placement<Scalar> placement, const Limb<Scalar>& limb,
                                                          const GirdleOptions& options = {});

@@ -55,7 +55,8 @@ std::vector<Vector3<Scalar>> with_shoulders_higher(std::vector<Vector3<Scalar>> 
     for (std::size_t j = 0; j < lines.size(); ++j) {
         const TemplateJoint& joint = skeleton_template.joints[j];
         if (joint.role != JointRole::shoulder) continue;
-        lines[j] += motions[static_cast<std::size_t>(joint.parent)].rotation.conjugate() * Vector3<Scalar>(0, higher, 0);
+        lines[j] +=
+            motions[static_cast<std::size_t>(joint.parent)].rotation.conjugate() * Vector3<Scalar>(0, higher, 0);
     }
     return lines;
 }
@@ -144,7 +145,8 @@ rest_motions(RestPose pose, const KinematicSkeleton<Scalar>& skeleton, const Ske
         girdle_lines(skeleton, now, rest_skeleton<Scalar>(skeleton_template), upright, skeleton_template);
     const auto level = motions<Scalar>(skeleton, now, wanted, origin, lines);
     const Scalar raised = pose == RestPose::a_pose ? -std::numbers::sqrt2_v<Scalar> / 2 : Scalar(0);
-    const Scalar higher = detail::way_to_usual_height(moved(skeleton, skeleton_template, level), skeleton_template, raised);
+    const Scalar higher =
+        detail::way_to_usual_height(moved(skeleton, skeleton_template, level), skeleton_template, raised);
     return motions<Scalar>(skeleton, now, wanted, origin,
                            detail::with_shoulders_higher(lines, higher, level, skeleton_template));
 }

@@ -218,7 +218,7 @@ std::optional<TrunkShape<Scalar>> trunk_of(const Placement<Scalar>& placement, c
                          Vector3<Scalar>(placement.at(hips[0]) - placement.at(hips[1])));
 }
 
-/// Shoulders by their height, where they are then inside of the body: a drawn figure's may be thin as a stick.
+/// Shoulders by their height, where they are then inside of the body.
 template <typename Scalar>
 Placement<Scalar> place_shoulders_by_height(Placement<Scalar> placement, const std::vector<Limb<Scalar>>& limbs,
                                             const Body<Scalar>& body, const GirdleOptions& options) {
