@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 
 #include <skelgen/core/geodesics.hpp>
@@ -59,23 +58,6 @@ TEST_CASE("where limbs end depends on the surface, not on how far the curve goes
         CHECK((place(same[i].vertex) - place(ends[i].vertex)).norm() < 1.5 * StickFigure<double>::step);
         CHECK(same[i].joint == ends[i].joint);
     }
-}
-
-TEST_CASE("heads end in their top, however far from it the curve ends") {
-    const SkeletonTemplate& human = builtin_template("human21");
-    const StickFigure<double> figure;
-    const int head = joint_of(JointRole::head);
-    const auto top_of = [&](const CurveSkeleton<double>& curve) {
-        const auto ends = find_end_points(figure.body, curve, figure.embedding, human);
-        const auto end = std::find_if(ends.begin(), ends.end(), [&](const auto& one) { return one.joint == head; });
-        return Vec3(figure.body.mesh.vertices.row(end->vertex).transpose());
-    };
-    CurveSkeleton<double> low = figure.curve;
-    const TemplateJoint& joint = human.joint(head);
-    const double back =
-        0.2 * embedding::matched_diameter(figure.curve, figure.embedding); // farther than ends are sought
-    low.nodes.row(figure.leaf_of(head)) = (*joint.tip - back * (*joint.tip - joint.position).normalized()).transpose();
-    CHECK((top_of(low) - top_of(figure.curve)).norm() < 1.5 * StickFigure<double>::step);
 }
 
 TEST_CASE("what no path leads to does not count in the geodesic diameter") {

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
-#include <vector>
 
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/geometry.hpp>
@@ -35,20 +33,6 @@ int farthest_near(int leaf, Scalar reach, const Eigen::VectorX<Scalar>& far, con
         if (from_leaf[static_cast<std::size_t>(v)] <= reach && std::isfinite(far[v]) && far[v] > far[best])
             best = static_cast<int>(v);
     return best;
-}
-
-/// The same for a head, which may be so large, or so square, that the curve ends anywhere in it: as long as what lies
-/// farthest is at the edge of the reach, it is looked for from there on.
-template <typename Scalar>
-int farthest_of_head(int leaf, Scalar reach, const Eigen::VectorX<Scalar>& far, std::vector<Scalar> from_leaf,
-                     const core::SurfaceGraph<Scalar>& surface) {
-    constexpr Scalar edge = Scalar(0.9);
-    for (;;) { // ever farther
-        const int farthest = farthest_near(leaf, reach, far, from_leaf);
-        if (!(from_leaf[static_cast<std::size_t>(farthest)] > edge * reach)) return farthest;
-        leaf = farthest;
-        from_leaf = core::shortest_paths(surface, leaf, reach).distance;
-    }
 }
 
 /// The least of a rim's distances.
@@ -95,9 +79,7 @@ std::vector<EndPoint<Scalar>> find_end_points(const Body<Scalar>& body, const Cu
         for (const std::size_t i : seen_from) far += ends[i].distance;
         core::parallel_for(which.size(), 1, [&](std::size_t i) {
             EndPoint<Scalar>& end = ends[which[i]];
-            end.vertex = part_of(skeleton_template.joint(end.joint).role) == BodyPart::trunk
-                             ? detail::farthest_of_head(end.vertex, reach, far, near[which[i]], body.graph)
-                             : detail::farthest_near(end.vertex, reach, far, near[which[i]]);
+            end.vertex = detail::farthest_near(end.vertex, reach, far, near[which[i]]);
             measure(end);
         });
     };
