@@ -64,6 +64,7 @@ set(skelgen_core_headers
     include/skelgen/core/parallel.hpp
     include/skelgen/core/polyline.hpp
     include/skelgen/core/precision.hpp
+    include/skelgen/core/shoulder_height.hpp
     include/skelgen/core/skeleton_template.hpp
     include/skelgen/core/sort_by_number.hpp
     include/skelgen/core/stage_timings.hpp

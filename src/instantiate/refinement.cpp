@@ -64,6 +64,7 @@ namespace skelgen::refinement {
                                     const BoneLineOptions&);                                                           \
     template std::vector<Limb<Scalar>> anchor_hips(std::vector<Limb<Scalar>>, const TrunkAxis<Scalar>&,                \
                                                    const SkeletonTemplate&, Scalar, const BoneLineOptions&);           \
+    template std::optional<Scalar> upper_arm_thickness(const Limb<Scalar>&);                                           \
     template std::vector<Limb<Scalar>> anchor_shoulders(std::vector<Limb<Scalar>>,                                     \
                                                         const std::optional<Vector3<Scalar>>&,                         \
                                                         const SkeletonTemplate&, const BoneLineOptions&);              \

@@ -10,6 +10,11 @@
 
 namespace skelgen::refinement {
 
+/// Median thickness of an upper arm's own sections, between elbow and armpit; none with fewer than three of them. The
+/// limb must have two joints. O(sections).
+template <typename Scalar>
+[[nodiscard]] std::optional<Scalar> upper_arm_thickness(const Limb<Scalar>& limb);
+
 /// The limbs with `top_by_trunk` and `top_deviation` of the arms set: an upper arm is as thick all along, and grows
 /// where the armpit begins, a third of its length before the shoulder; raised, the skin goes along, and it begins
 /// nearer. `trunk_up`: from the fork of the legs to the head, a unit vector; without it arms count as held level. Left

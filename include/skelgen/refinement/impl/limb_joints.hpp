@@ -2,8 +2,8 @@
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/shoulder_height.hpp>
-#include <skelgen/refinement/impl/shoulder_anchor.hpp>
 #include <skelgen/refinement/limb_joints.hpp>
+#include <skelgen/refinement/shoulder_anchor.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -127,7 +127,7 @@ Placement<Scalar> place_shoulder_by_height(Placement<Scalar> placement, const Li
     const Scalar leant = (placement.at(head) - placement.at(neck)).stableNormalized().dot(outwards);
     const Scalar usual = trunk.norm() * core::usual_shoulder_height(raised, leant);
     const Scalar higher = static_cast<Scalar>(options.height_weight) * (usual - from_neck.dot(up));
-    const auto thickness = detail::upper_arm_thickness(limb);
+    const auto thickness = upper_arm_thickness(limb);
     if (thickness && std::abs(higher) > *thickness) return placement;
     placement.put(limb.joints[0], shoulder + higher * up);
     return placement;

@@ -40,23 +40,6 @@ bool has_upper_arm(const Limb<Scalar>& limb, const SkeletonTemplate& skeleton_te
            skeleton_template.joint(limb.joints[1]).role == JointRole::elbow;
 }
 
-/// Median thickness of an upper arm's own sections; none with fewer than three of them.
-template <typename Scalar>
-std::optional<Scalar> upper_arm_thickness(const Limb<Scalar>& limb) {
-    constexpr std::size_t fewest = 3;
-    const auto [from, to] = own_thickness<Scalar>;
-    const Scalar elbow = arc_of(limb, 1), upper = elbow - arc_of(limb, 0);
-    std::vector<Scalar> own;
-    for (Eigen::Index i = 0; i < limb.line.arc.size(); ++i) {
-        const Scalar along = (elbow - limb.line.arc[i]) / upper;
-        if (along >= from && along <= to && limb.line.thickness[i] > 0) own.push_back(limb.line.thickness[i]);
-    }
-    if (own.size() < fewest) return std::nullopt;
-    const auto middle = own.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
-    std::nth_element(own.begin(), middle, own.end());
-    return *middle;
-}
-
 /// Arc length where, looked at from the elbow, an upper arm becomes thicker than `most`, between its sections; none
 /// where it does not.
 template <typename Scalar>
@@ -76,12 +59,28 @@ std::optional<Scalar> becomes_thicker(const Limb<Scalar>& limb, Scalar most) {
 } // namespace detail
 
 template <typename Scalar>
+std::optional<Scalar> upper_arm_thickness(const Limb<Scalar>& limb) {
+    constexpr std::size_t fewest = 3;
+    const auto [from, to] = detail::own_thickness<Scalar>;
+    const Scalar elbow = arc_of(limb, 1), upper = elbow - arc_of(limb, 0);
+    std::vector<Scalar> own;
+    for (Eigen::Index i = 0; i < limb.line.arc.size(); ++i) {
+        const Scalar along = (elbow - limb.line.arc[i]) / upper;
+        if (along >= from && along <= to && limb.line.thickness[i] > 0) own.push_back(limb.line.thickness[i]);
+    }
+    if (own.size() < fewest) return std::nullopt;
+    const auto middle = own.begin() + static_cast<std::ptrdiff_t>(own.size() / 2);
+    std::nth_element(own.begin(), middle, own.end());
+    return *middle;
+}
+
+template <typename Scalar>
 std::vector<Limb<Scalar>> anchor_shoulders(std::vector<Limb<Scalar>> limbs,
                                            const std::optional<Vector3<Scalar>>& trunk_up,
                                            const SkeletonTemplate& skeleton_template, const BoneLineOptions& options) {
     for (Limb<Scalar>& limb : limbs) {
         if (!detail::has_upper_arm(limb, skeleton_template)) continue;
-        const auto thickness = detail::upper_arm_thickness(limb);
+        const auto thickness = upper_arm_thickness(limb);
         if (!thickness) continue;
         const auto armpit = detail::becomes_thicker(limb, detail::armpit_growth<Scalar> * *thickness);
         if (!armpit) continue;
