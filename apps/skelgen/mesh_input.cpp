@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include <skelgen/core/error.hpp>
 #include <skelgen/io/mesh_format.hpp>
 #include <skelgen/io/read_file.hpp>
 
