@@ -38,6 +38,23 @@ TEST_CASE("regions: what is of a limb may belong to that one alone", "[applicati
     }
 }
 
+TEST_CASE("regions: a head that is wider than high is all the head's", "[applications][weights]") {
+    TriangleMesh<double> mesh = test::sample_mesh();
+    const auto& skeleton = test::sample_body().skeleton;
+    const Vector3<double> head = skeleton.joints[static_cast<std::size_t>(find_joint(skeleton, "head"))].position;
+    constexpr double wider = 3;
+    for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v) {
+        if (mesh.vertices(v, 2) < head.z()) continue;
+        for (const int axis : {0, 1})
+            mesh.vertices(v, axis) = head[axis] + wider * (mesh.vertices(v, axis) - head[axis]);
+    }
+    const Body<double> body = surface::make_body(mesh, Similarity<double>{}, {}, 0);
+    const LimbRegions regions = limb_regions(body, surface::to_body(body, skeleton), human());
+    for (Eigen::Index v = 0; v < body.mesh.vertices.rows(); ++v)
+        if (body.mesh.vertices(v, 2) > head.z())
+            CHECK(regions.of_vertex[static_cast<std::size_t>(v)] == find_joint(skeleton, "head"));
+}
+
 TEST_CASE("regions: a limb without length has none, and binds nobody", "[applications][weights]") {
     const auto& [mesh, found, skeleton, body] = test::sample_body();
     KinematicSkeleton<double> one_armed = surface::to_body(body, skeleton);

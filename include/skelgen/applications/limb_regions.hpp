@@ -15,10 +15,10 @@ struct LimbRegions {
 };
 
 /// The limb that each vertex may belong to: the one whose end is nearest along the surface, each in its own length from
-/// the end to its first joint. So hands that hold each other, or lie on a thigh, are told apart, as they are far from
-/// each other along the surface; where regions meet lies in the trunk. A limb that is cut ends where its last joint is.
-/// `skeleton` in the coordinates of the body. One search along the surface per limb, O(n).
-/// \throws Error usage when the skeleton's joints are not the template's.
+/// the end to its first joint; a head, which may be as wide as it is high, in that over its surface. So hands that hold
+/// each other, or lie on a thigh, are told apart, as they are far from each other along the surface; where regions meet
+/// lies in the trunk. A limb that is cut ends where its last joint is. `skeleton` in the coordinates of the body. One
+/// search along the surface per limb, O(n). \throws Error usage when the skeleton's joints are not the template's.
 template <typename Scalar>
 [[nodiscard]] LimbRegions limb_regions(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
                                        const SkeletonTemplate& skeleton_template);

@@ -51,7 +51,7 @@ inline void validate(const GirdleOptions& options) {
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_by_ratio(Placement<Scalar> placement, const Limb<Scalar>& limb);
 
-/// Neck: brought nearer to its height below the throat. Where the limb does not begin with a neck, or the head shows no
+/// Neck: brought nearer to its place below the throat. Where the limb does not begin with a neck, or the head shows no
 /// throat, nothing moves.
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_neck(Placement<Scalar> placement, const Limb<Scalar>& limb,

@@ -2,6 +2,8 @@
 
 #include <skelgen/applications/limb_regions.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -47,6 +49,10 @@ LimbRegions limb_regions(const Body<Scalar>& body, const KinematicSkeleton<Scala
         for (const int j : joints) out.of_joint[static_cast<std::size_t>(j)] = static_cast<int>(end);
         const int source = core::nearest_vertex(body.mesh, tip);
         const std::vector<Scalar> distances = core::distances_from(body.graph, {source});
+        if (skeleton_template.joints[end].role == JointRole::head) {
+            const Scalar over_surface = distances[static_cast<std::size_t>(core::nearest_vertex(body.mesh, last))];
+            if (std::isfinite(over_surface)) length = std::max(length, over_surface);
+        }
         for (std::size_t v = 0; v < distances.size(); ++v) {
             if (!(distances[v] < least[v] * length)) continue;
             least[v] = distances[v] / length;

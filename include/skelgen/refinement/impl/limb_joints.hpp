@@ -34,8 +34,8 @@ Placement<Scalar> place_neck(Placement<Scalar> placement, const Limb<Scalar>& li
     if (placement.role(neck) != JointRole::neck || !head.throat) return placement;
     const Vector3<Scalar> place = placement.at(neck);
     const Scalar height = (tip_of(limb) - place).norm();
-    const Scalar higher = (*head.throat - place).dot(head.up) - static_cast<Scalar>(options.below_throat) * height;
-    placement.put(neck, place + static_cast<Scalar>(options.throat_weight) * higher * head.up);
+    const Vector3<Scalar> by_throat = *head.throat - static_cast<Scalar>(options.below_throat) * height * head.up;
+    placement.put(neck, place + static_cast<Scalar>(options.throat_weight) * (by_throat - place));
     return placement;
 }
 
