@@ -57,6 +57,19 @@ TEST_CASE("an elbow moves towards the wrist, the farther the more it is bent") {
     CHECK(moved(120) == Approx(0.03));
 }
 
+TEST_CASE("a neck goes with the shoulders, two thirds of the way sideways and a seventh upwards") {
+    const auto moved = [](const Vec3& left, const Vec3& right) {
+        KinematicSkeleton<double> skeleton = rest_skeleton();
+        for (const char* name : {"left_shoulder", "left_elbow"}) at(skeleton, name) += left;
+        for (const char* name : {"right_shoulder", "right_elbow"}) at(skeleton, name) += right;
+        return at(apply_joint_offsets(skeleton, builtin_template("human21")), "neck");
+    };
+    const Vec3 none = Vec3::Zero(), up(0, 0.05, 0), aside(0.03, 0, 0);
+    const Vec3 neck = moved(none, none);
+    CHECK((moved(up, up) - neck - 0.15 * up).norm() < 1e-6);
+    CHECK((moved(aside, aside) - neck - 0.66 * aside).norm() < 1e-6);
+}
+
 TEST_CASE("offsets turn and grow with the body") {
     const KinematicSkeleton<double> before = rest_skeleton();
     KinematicSkeleton<double> moved = before;

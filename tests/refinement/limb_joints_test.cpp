@@ -277,6 +277,10 @@ TEMPLATE_TEST_CASE("shoulders come nearer to the height at which people hold the
     CHECK(height(0.3, -0.1, level, 1, false) < usual - 0.01); // beneath the head
     CHECK(height(-0.3, -0.1, level, 1, false) > usual + 0.01);
 
+    // Farther off than anyone holds it: the arm's line is wrong, and turned about the elbow
+    CHECK(height(0, usual - 0.19, level, 0, false) == Approx(usual - 0.19).margin(1e-5));
+    CHECK(std::abs(height(0, usual - 0.3, level, 0, false) - usual) < 0.1);
+
     limb.line.thickness.setConstant(TestType(0.05)); // a stick: no section of it leans so far
     CHECK(height(0, 0.1, level, 1, false) == Approx(0.1).margin(1e-5));
     CHECK(height(0, usual + 0.04, level, 1, false) == Approx(usual).margin(1e-5));
@@ -312,6 +316,7 @@ TEST_CASE("options of the limbs' joints that make no sense are refused") {
     CHECK_THROWS_AS(validate(WristOptions{0.1, -1}), Error);
     CHECK_NOTHROW(validate(GirdleOptions{}));
     CHECK_THROWS_AS(validate(GirdleOptions{0.4, 1.1}), Error);
+    CHECK_THROWS_AS(validate(GirdleOptions{0.4, 0.5, -1}), Error);
     CHECK_NOTHROW(validate(GirdleOptions{}));
     CHECK_THROWS_AS(validate(GirdleOptions{std::nan("")}), Error);
     CHECK_THROWS_AS(validate(BoneLineOptions{-0.1}), Error);

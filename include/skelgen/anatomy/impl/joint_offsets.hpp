@@ -8,12 +8,14 @@
 namespace skelgen::anatomy {
 namespace detail {
 
-/// Calibrated, see apply_joint_offsets(); as parts of the thigh, the upper arm and the bone from chest to neck.
+/// Calibrated, see apply_joint_offsets(); as parts of the thigh, the upper arm and the bone from chest to neck, and of
+/// the way from the neck to between the shoulders, which are so far below it as a part of the trunk.
 struct JointOffsets {
     double knee_forward = 0.034, knee_outward = 0.021, straight_knee_up = 0.0125, bent_knee_down = 0.04;
     double bent_elbow_down = 0.03;
     double shoulder_forward = 0.035, shoulder_outwards = 0.035;
     double neck_backward = 0.065;
+    double neck_between_shoulders = 0.66, neck_up_with_shoulders = 0.15, shoulders_below_neck = 0.16;
 };
 
 /// Moves the joints of one skeleton.
@@ -69,12 +71,23 @@ public:
         *neck_at -= part(offsets_.neck_backward) * up.norm() * forward;
         move_shoulder(*left_at, find(elbow, Side::left), forward);
         move_shoulder(*right_at, find(elbow, Side::right), forward);
+        if (const Vector3<Scalar>* const crotch_at = find(pelvis))
+            move_neck(*neck_at, (*left_at + *right_at) / 2, (*neck_at - *crotch_at).norm(), up.normalized(), forward);
     }
 
     [[nodiscard]] KinematicSkeleton<Scalar> result() && { return std::move(skeleton_); }
 
 private:
     static Scalar part(double offset) { return static_cast<Scalar>(offset); }
+
+    /// The sections of a neck go with the head; its base goes with the shoulders.
+    static void move_neck(Vector3<Scalar>& neck_at, const Vector3<Scalar>& between_shoulders, Scalar trunk,
+                          const Vector3<Scalar>& up, const Vector3<Scalar>& forward) {
+        const Vector3<Scalar> left = up.cross(forward), way = between_shoulders - neck_at;
+        const Scalar higher = way.dot(up) + part(offsets_.shoulders_below_neck) * trunk;
+        neck_at += part(offsets_.neck_between_shoulders) * way.dot(left) * left +
+                   part(offsets_.neck_up_with_shoulders) * higher * up;
+    }
 
     void move_shoulder(Vector3<Scalar>& shoulder_at, const Vector3<Scalar>* elbow_at, const Vector3<Scalar>& forward) {
         if (!elbow_at) return;

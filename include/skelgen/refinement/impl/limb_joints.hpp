@@ -112,24 +112,51 @@ Placement<Scalar> place_girdle(Placement<Scalar> placement, const Limb<Scalar>& 
     return placement;
 }
 
+namespace detail {
+
+/// How a shoulder lies beside the trunk.
+template <typename Scalar>
+struct ShoulderHeight {
+    Scalar trunk;       ///< from the hips to the neck
+    Vector3<Scalar> up; ///< unit, along it
+    Scalar missing;     ///< how much lower the shoulder is than people hold it, along it
+};
+
+/// That of a shoulder there, with its elbow where it is. Neck, head and hips must have been placed.
+template <typename Scalar>
+ShoulderHeight<Scalar> shoulder_height(const Placement<Scalar>& placement, const Limb<Scalar>& limb) {
+    const Vector3<Scalar> neck = placement.at(placement.find(JointRole::neck));
+    const Vector3<Scalar> shoulder = placement.at(limb.joints[0]), elbow = placement.at(limb.joints[1]);
+    const Vector3<Scalar> trunk = neck - *placement.middle(JointRole::hip), up = trunk.stableNormalized();
+    const Vector3<Scalar> from_neck = shoulder - neck;
+    const Vector3<Scalar> outwards = (from_neck - from_neck.dot(up) * up).stableNormalized();
+    const Scalar raised = (elbow - shoulder).stableNormalized().dot(up);
+    const Vector3<Scalar> head = placement.at(placement.find(JointRole::head));
+    const Scalar leant = (head - neck).stableNormalized().dot(outwards);
+    const Scalar usual = trunk.norm() * core::usual_shoulder_height(raised, leant);
+    return {trunk.norm(), up, usual - from_neck.dot(up)};
+}
+
+} // namespace detail
+
 template <typename Scalar>
 Placement<Scalar> place_shoulder_by_height(Placement<Scalar> placement, const Limb<Scalar>& limb,
                                            const GirdleOptions& options) {
-    const int neck = placement.find(JointRole::neck), head = placement.find(JointRole::head);
-    const auto hips = placement.middle(JointRole::hip);
     const bool is_arm = limb.joints.size() > 1 && placement.role(limb.joints[0]) == JointRole::shoulder;
-    if (!is_arm || placement.skeleton_template().is_adapted || neck < 0 || head < 0 || !hips) return placement;
+    const bool has_trunk = placement.find(JointRole::neck) >= 0 && placement.find(JointRole::head) >= 0 &&
+                           placement.middle(JointRole::hip).has_value();
+    if (!is_arm || !has_trunk || placement.skeleton_template().is_adapted) return placement;
     const Vector3<Scalar> shoulder = placement.at(limb.joints[0]), elbow = placement.at(limb.joints[1]);
-    const Vector3<Scalar> trunk = placement.at(neck) - *hips, up = trunk.stableNormalized();
-    const Vector3<Scalar> from_neck = shoulder - placement.at(neck);
-    const Vector3<Scalar> outwards = (from_neck - from_neck.dot(up) * up).stableNormalized();
-    const Scalar raised = (elbow - shoulder).stableNormalized().dot(up);
-    const Scalar leant = (placement.at(head) - placement.at(neck)).stableNormalized().dot(outwards);
-    const Scalar usual = trunk.norm() * core::usual_shoulder_height(raised, leant);
-    const Scalar higher = static_cast<Scalar>(options.height_weight) * (usual - from_neck.dot(up));
+    auto height = detail::shoulder_height(placement, limb);
+    if (std::abs(height.missing) > static_cast<Scalar>(options.farthest_height) * height.trunk) {
+        const Vector3<Scalar> arm = shoulder + height.missing * height.up - elbow;
+        placement.put(limb.joints[0], elbow + (shoulder - elbow).norm() * arm.stableNormalized());
+        height = detail::shoulder_height(placement, limb);
+    }
+    const Scalar higher = static_cast<Scalar>(options.height_weight) * height.missing;
     const auto thickness = upper_arm_thickness(limb);
     if (thickness && std::abs(higher) > *thickness) return placement;
-    placement.put(limb.joints[0], shoulder + higher * up);
+    placement.put(limb.joints[0], placement.at(limb.joints[0]) + higher * height.up);
     return placement;
 }
 

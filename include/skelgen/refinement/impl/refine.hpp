@@ -218,13 +218,20 @@ std::optional<TrunkShape<Scalar>> trunk_of(const Placement<Scalar>& placement, c
                          Vector3<Scalar>(placement.at(hips[0]) - placement.at(hips[1])));
 }
 
-/// Shoulders by their height, where they are then inside of the body.
+/// Shoulders by their height, as far on the way there as they are inside of the body.
 template <typename Scalar>
 Placement<Scalar> place_shoulders_by_height(Placement<Scalar> placement, const std::vector<Limb<Scalar>>& limbs,
                                             const Body<Scalar>& body, const GirdleOptions& options) {
     for (const Limb<Scalar>& limb : limbs) {
-        const auto placed = place_shoulder_by_height(placement, limb, options);
-        if (surface::is_inside(body, placed.at(limb.joints.front()))) placement = placed;
+        const int joint = limb.joints.front();
+        const Vector3<Scalar> here = placement.at(joint);
+        const Vector3<Scalar> there = place_shoulder_by_height(placement, limb, options).at(joint);
+        for (const Scalar part : {Scalar(1), Scalar(0.75), Scalar(0.5), Scalar(0.25)}) {
+            const Vector3<Scalar> place = here + part * (there - here);
+            if (!surface::is_inside(body, place)) continue;
+            placement.put(joint, place);
+            break;
+        }
     }
     return placement;
 }
