@@ -71,7 +71,8 @@ public:
         *neck_at -= part(offsets_.neck_backward) * up.norm() * forward;
         move_shoulder(*left_at, find(elbow, Side::left), forward);
         move_shoulder(*right_at, find(elbow, Side::right), forward);
-        if (const Vector3<Scalar>* const crotch_at = find(pelvis))
+        const Vector3<Scalar>* const crotch_at = find(pelvis);
+        if (crotch_at && !template_.is_adapted)
             move_neck(*neck_at, (*left_at + *right_at) / 2, (*neck_at - *crotch_at).norm(), up.normalized(), forward);
     }
 
