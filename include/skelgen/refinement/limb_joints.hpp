@@ -26,8 +26,8 @@ struct WristOptions {
 struct GirdleOptions {
     double tolerance = 0.6;      ///< of the rest-pose distance between shoulder and neck: how far a shoulder may be off
     double height_weight = 0.35; ///< of the height at which people hold their shoulders, against that by the arm's line
-    double farthest_height = 0.2; ///< of the trunk: how far from that height the arm's line is believed; of 192 arms of
-                                  ///< registered and landmarked bodies none is farther than 0.143
+    double farthest_height = 0.25; ///< of the trunk: how far from that height the arm's line is believed; of 192 arms
+                                   ///< of registered and landmarked bodies none is farther than 0.143
 };
 
 /// \throws Error usage when an option is out of its range.
