@@ -70,6 +70,14 @@ TEMPLATE_TEST_CASE("a neck goes part of the way to its place below the throat", 
     const double height = 0.05 + 0.6 * (0.1 - 0.2 * 0.25 - 0.05); // its own place, the throat's, 0.25 to the tip
     CHECK((placed.at(joint_of(neck)) - Vec3(0.6 * 0.02, height, 0).cast<TestType>()).norm() < tolerance<TestType>());
     CHECK(placed.at(joint_of(head)) == by_ratio.at(joint_of(head)));
+    shape.throat->x() = TestType(0.06); // by a quarter of the height
+    shape.forward = Vector3<TestType>::UnitX();
+    const auto moved = [&](TestType frontness) -> Vector3<TestType> {
+        shape.frontness = frontness;
+        return place_neck(by_ratio, limb, shape, {0.2, 0.6}).at(joint_of(neck));
+    };
+    CHECK((moved(1) - Vec3(0, height, 0).cast<TestType>()).norm() < tolerance<TestType>()); // a chin
+    CHECK((moved(-1) - Vec3(0.6 * 0.06, height, 0).cast<TestType>()).norm() < tolerance<TestType>());
 
     const auto arm = limb_along<TestType>({Vec3::Zero(), Vec3::UnitX()}, arm_joints(), {0.8, 0.5, 0.2, 0.1});
     CHECK(place_neck(nowhere<TestType>(), arm, shape).positions().isZero());
@@ -311,6 +319,7 @@ TEST_CASE("options of the limbs' joints that make no sense are refused") {
     CHECK_THROWS_AS(validate(BendOptions{-1, 45, 0.7}), Error);
     CHECK_NOTHROW(validate(NeckOptions{}));
     CHECK_THROWS_AS(validate(NeckOptions{0.07, 1.5}), Error);
+    CHECK_THROWS_AS(validate(NeckOptions{0.07, 0.6, -1}), Error);
     CHECK_NOTHROW(validate(WristOptions{}));
     CHECK_THROWS_AS(validate(WristOptions{-0.1}), Error);
     CHECK_THROWS_AS(validate(WristOptions{0.1, -1}), Error);

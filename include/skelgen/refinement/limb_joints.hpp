@@ -11,8 +11,10 @@ namespace skelgen::refinement {
 
 /// Where the neck's joint is from the throat; calibrated between registered and landmarked bodies.
 struct NeckOptions {
-    double below_throat = 0.07; ///< of the distance from neck to top of the head
-    double throat_weight = 0.6; ///< of the throat against the place by ratio: 0 to 1
+    double below_throat = 0.07;    ///< of the distance from neck to top of the head
+    double throat_weight = 0.6;    ///< of the throat against the place by ratio: 0 to 1
+    double farthest_forward = 0.2; ///< of the same distance: what is farther before that place is a chin, and says the
+                                   ///< neck's height alone; 87 registered and landmarked bodies have it within 0.192
 };
 
 /// Where the wrist may be.
@@ -34,6 +36,7 @@ struct GirdleOptions {
 inline void validate(const NeckOptions& options) {
     core::require_in_range("refinement.neck.below_throat", options.below_throat, -1.0, 1.0);
     core::require_in_range("refinement.neck.throat_weight", options.throat_weight, 0.0, 1.0);
+    core::require_in_range("refinement.neck.farthest_forward", options.farthest_forward, 0.0, 100.0);
 }
 
 /// \throws Error usage when an option is out of its range.
@@ -54,8 +57,8 @@ inline void validate(const GirdleOptions& options) {
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_by_ratio(Placement<Scalar> placement, const Limb<Scalar>& limb);
 
-/// Neck: brought nearer to its place below the throat. Where the limb does not begin with a neck, or the head shows no
-/// throat, nothing moves.
+/// Neck: brought nearer to its place below the throat; it stands under the back of a head, not under the chin. Where
+/// the limb does not begin with a neck, or the head shows no throat, nothing moves.
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_neck(Placement<Scalar> placement, const Limb<Scalar>& limb,
                                            const HeadShape<Scalar>& head, const NeckOptions& options = {});
