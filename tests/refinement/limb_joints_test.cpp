@@ -78,6 +78,9 @@ TEMPLATE_TEST_CASE("a neck goes part of the way to its place below the throat", 
     };
     CHECK((moved(1) - Vec3(0, height, 0).cast<TestType>()).norm() < tolerance<TestType>()); // a chin
     CHECK((moved(-1) - Vec3(0.6 * 0.06, height, 0).cast<TestType>()).norm() < tolerance<TestType>());
+    CHECK(moved(0) == moved(-1)); // a head that shows no front has no chin to either side
+    shape.forward = -shape.forward;
+    CHECK(moved(0) == moved(1));
 
     const auto arm = limb_along<TestType>({Vec3::Zero(), Vec3::UnitX()}, arm_joints(), {0.8, 0.5, 0.2, 0.1});
     CHECK(place_neck(nowhere<TestType>(), arm, shape).positions().isZero());

@@ -36,8 +36,8 @@ Placement<Scalar> place_neck(Placement<Scalar> placement, const Limb<Scalar>& li
     const Scalar height = (tip_of(limb) - place).norm();
     const Vector3<Scalar> by_throat = *head.throat - static_cast<Scalar>(options.below_throat) * height * head.up;
     const Vector3<Scalar> way = by_throat - place, upwards = way.dot(head.up) * head.up;
-    const Vector3<Scalar> forward = head.frontness < 0 ? Vector3<Scalar>(-head.forward) : head.forward;
-    const bool is_chin = way.dot(forward) > static_cast<Scalar>(options.farthest_forward) * height;
+    const Scalar sense = head.frontness > 0 ? Scalar(1) : head.frontness < 0 ? Scalar(-1) : Scalar(0); // 0: no front
+    const bool is_chin = sense * way.dot(head.forward) > static_cast<Scalar>(options.farthest_forward) * height;
     placement.put(neck, place + static_cast<Scalar>(options.throat_weight) * (is_chin ? upwards : way));
     return placement;
 }

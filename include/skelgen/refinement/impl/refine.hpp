@@ -226,6 +226,7 @@ Placement<Scalar> place_shoulders_by_height(Placement<Scalar> placement, const s
         const int joint = limb.joints.front();
         const Vector3<Scalar> here = placement.at(joint);
         const Vector3<Scalar> there = place_shoulder_by_height(placement, limb, options).at(joint);
+        if (there == here) continue;
         for (const Scalar part : {Scalar(1), Scalar(0.75), Scalar(0.5), Scalar(0.25)}) {
             const Vector3<Scalar> place = here + part * (there - here);
             if (!surface::is_inside(body, place)) continue;
