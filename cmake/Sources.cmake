@@ -23,6 +23,7 @@ set(skelgen_core_headers
     include/skelgen/applications/correspondence.hpp
     include/skelgen/applications/curve_skin.hpp
     include/skelgen/applications/deep_shoulders.hpp
+    include/skelgen/applications/floor.hpp
     include/skelgen/applications/heat_weights.hpp
     include/skelgen/applications/joint_weights.hpp
     include/skelgen/applications/laplace_basis.hpp
@@ -187,6 +188,7 @@ set(skelgen_core_definitions
     include/skelgen/applications/impl/correspondence.hpp
     include/skelgen/applications/impl/curve_skin.hpp
     include/skelgen/applications/impl/deep_shoulders.hpp
+    include/skelgen/applications/impl/floor.hpp
     include/skelgen/applications/impl/heat_weights.hpp
     include/skelgen/applications/impl/laplace_basis.hpp
     include/skelgen/applications/impl/limb_regions.hpp

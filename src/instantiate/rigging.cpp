@@ -8,6 +8,7 @@
 #include <skelgen/applications/impl/bounded_stretch.hpp>
 #include <skelgen/applications/impl/curve_skin.hpp>
 #include <skelgen/applications/impl/deep_shoulders.hpp>
+#include <skelgen/applications/impl/floor.hpp>
 #include <skelgen/applications/impl/heat_weights.hpp>
 #include <skelgen/applications/impl/limb_regions.hpp>
 #include <skelgen/applications/impl/loose_pieces.hpp>
@@ -29,6 +30,8 @@ namespace skelgen::applications {
     template KinematicSkeleton<Scalar> rest_skeleton(const SkeletonTemplate&);                                         \
     template Orientations<Scalar> rest_axes(const SkeletonTemplate&);                                                  \
     template Orientations<Scalar> bone_orientations(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&);        \
+    template Orientations<Scalar> bone_axes(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&,                 \
+                                            const Orientations<Scalar>&);                                              \
     template Orientations<Scalar> orientations_in(RestPose, const SkeletonTemplate&, const Orientations<Scalar>&,      \
                                                   const Eigen::Quaternion<Scalar>&);                                   \
     template std::vector<Vector3<Scalar>> girdle_lines(const KinematicSkeleton<Scalar>&, const Orientations<Scalar>&,  \
@@ -74,6 +77,8 @@ namespace skelgen::applications {
                                          const SkeletonTemplate&);                                                     \
     template Floor<Scalar> floor_of(const TriangleMesh<Scalar>&, const KinematicSkeleton<Scalar>&,                     \
                                     const SkeletonTemplate&);                                                          \
+    template Vector3<Scalar> upright(const TriangleMesh<Scalar>&, const KinematicSkeleton<Scalar>&,                    \
+                                     const SkeletonTemplate&);                                                         \
     template PosedBody<Scalar> put_on(PosedBody<Scalar>, const Floor<Scalar>&);
 
 SKELGEN_INSTANTIATE(float)

@@ -234,7 +234,8 @@ TEST_CASE("retargeting: single precision", "[applications][clip]") {
     single.skin.weights = rig.skin.weights.cast<float>();
     for (const RigJoint<double>& joint : rig.joints)
         single.joints.push_back({joint.name, joint.parent, joint.role, joint.side, joint.position.cast<float>(),
-                                 joint.end.cast<float>(), joint.axes.cast<float>()});
+                                 joint.end.cast<float>(), joint.axes.cast<float>(), joint.confidence,
+                                 joint.orientation.cast<float>()});
     const Animation<double> wanted = followed(test::walking_clip(), rig);
     const auto found = retarget(test::walking_clip(), single, human());
     REQUIRE(found);

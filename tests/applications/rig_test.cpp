@@ -134,14 +134,21 @@ TEST_CASE("a rig in the T-pose: arms level, feet on the floor, metres, weights i
 
 TEST_CASE("a rig does not depend on how the body is turned, scaled and moved", "[applications][rig]") {
     const test::SampleBody& sample = test::sample_body();
-    const test::Motion motion{test::random_rotation(11), 1000, {5, -7, 9}};
     const Rig<double> rig = make_rig(sample.mesh, sample.body, sample.skeleton, human());
-    const TriangleMesh<double> moved_mesh = test::moved(sample.mesh, motion);
-    const Rig<double> other =
-        make_rig(moved_mesh, surface::prepare(moved_mesh), moved_by(sample.skeleton, motion), human());
-    CHECK(other.metres_per_unit == 0.001);
-    CHECK((other.mesh.vertices - rig.mesh.vertices).cwiseAbs().maxCoeff() < 1e-6);
-    CHECK((other.skin.weights - rig.skin.weights).cwiseAbs().maxCoeff() < 1e-6);
+    const auto rig_after = [&](const test::Motion& motion) {
+        const TriangleMesh<double> mesh = test::moved(sample.mesh, motion);
+        return make_rig(mesh, surface::prepare(mesh), moved_by(sample.skeleton, motion), human());
+    };
+    // It stands on a plane across an axis, whichever that is; where it stands on none, its trunk tells what is up.
+    const Eigen::Matrix3d z_up = Eigen::AngleAxisd(test::pi / 2, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    const Rig<double> z_up_rig = rig_after({z_up, 1000, {5, -7, 9}});
+    CHECK(z_up_rig.metres_per_unit == 0.001);
+    CHECK((z_up_rig.mesh.vertices - rig.mesh.vertices).cwiseAbs().maxCoeff() < 1e-6);
+    CHECK((z_up_rig.skin.weights - rig.skin.weights).cwiseAbs().maxCoeff() < 1e-6);
+    const Rig<double> turned = rig_after({test::random_rotation(11), 1000, {5, -7, 9}});
+    const Rig<double> other = rig_after({test::random_rotation(12), 1, {0, 0, 0}});
+    CHECK((turned.mesh.vertices - other.mesh.vertices).cwiseAbs().maxCoeff() < 1e-6);
+    CHECK((turned.skin.weights - rig.skin.weights).cwiseAbs().maxCoeff() < 1e-6);
     // As it is: no more than turned and put on the floor.
     const double edge = (sample.mesh.vertices.row(0) - sample.mesh.vertices.row(100)).norm();
     CHECK((rig.mesh.vertices.row(0) - rig.mesh.vertices.row(100)).norm() == Approx(edge));

@@ -27,7 +27,7 @@ inline applications::Rig<double> template_rig(applications::RestPose rest) {
         const Eigen::Vector3d place = motion[i](joint.position),
                               end = motion[i](applications::bone_end(skeleton, human, j));
         const Eigen::Vector3d back = motion[i](human.joint(std::max(joint.parent, 0)).position);
-        rig.joints.push_back({joint.name, joint.parent, joint.role, joint.side, place, end, to[i] * axes[i]});
+        rig.joints.push_back({joint.name, joint.parent, joint.role, joint.side, place, end, to[i] * axes[i], 1, to[i]});
         rig.mesh.vertices.row(3 * j) = place;
         rig.mesh.vertices.row(3 * j + 1) = end;
         rig.mesh.vertices.row(3 * j + 2) = back;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <skelgen/applications/floor.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/core/skeleton_template.hpp>
@@ -23,21 +24,6 @@ template <typename Scalar>
 [[nodiscard]] PosedBody<Scalar>
 pose_like(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
           const KinematicSkeleton<Scalar>& model, const SkeletonTemplate& skeleton_template);
-
-/// Where a model stands on a floor, and which way is up.
-template <typename Scalar = double>
-struct Floor {
-    Vector3<Scalar> up =
-        Vector3<Scalar>::UnitY(); ///< the axis of the coordinates, or its opposite, nearest to the body's
-    Scalar height = 0;            ///< of the lowest place of its surface along `up`
-    bool is_stood_on = false;     ///< a foot, or both, are down there
-};
-
-/// Looks whether a body stands, be it on one leg: its lowest place is no farther below a foot's joint and toe than a
-/// tenth of the body's height. \throws Error usage when the skeleton's joints are not the template's. O(faces).
-template <typename Scalar>
-[[nodiscard]] Floor<Scalar> floor_of(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton<Scalar>& skeleton,
-                                     const SkeletonTemplate& skeleton_template);
 
 /// The posed body moved along the floor's `up` to where its lowest place is on the floor. O(n).
 template <typename Scalar>

@@ -43,7 +43,7 @@ motions(const KinematicSkeleton<Scalar>& skeleton, const Orientations<Scalar>& f
         const Vector3<Scalar>& root, const std::vector<Vector3<Scalar>>& lines = {});
 
 /// The same to a rest pose, with the root at the origin. In the T- and the A-pose shoulders lie to the chest as the
-/// template's do (girdle_lines), but nearer to the height at which people hold them with arms so raised
+/// template's do (girdle_lines), but at the height at which people hold them with arms so raised
 /// (core::usual_shoulder_height). `now`, `to_canonical`: as in orientations_in. O(joints).
 /// \throws Error usage when the skeleton's joints are not the template's.
 template <typename Scalar>

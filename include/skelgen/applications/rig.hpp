@@ -26,6 +26,8 @@ struct RigJoint {
     /// From x, y and z to the joint's axes: y along the bone, x about which it bends; mirrored from side to side.
     Eigen::Quaternion<Scalar> axes = Eigen::Quaternion<Scalar>::Identity();
     double confidence = 1; ///< as the skeleton's joint has it
+    /// How the joint is turned from the template's rest pose (`bone_orientations`).
+    Eigen::Quaternion<Scalar> orientation = Eigen::Quaternion<Scalar>::Identity();
 };
 
 /// A mesh bound to joints, in its rest pose: +y up, facing +z, standing on y = 0 with its root above the origin.

@@ -2,6 +2,7 @@
 
 #include <skelgen/applications/bone_orientations.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -20,20 +21,42 @@ struct BoneDirections {
 
     [[nodiscard]] Vector3<Scalar> of(int joint) const {
         if (joint < 0) return Vector3<Scalar>::Zero();
-        const Vector3<Scalar> from = skeleton.joints[static_cast<std::size_t>(joint)].position;
-        return (bone_end(skeleton, skeleton_template, joint) - from).stableNormalized();
+        return (bone_end(skeleton, skeleton_template, joint) - place(joint)).stableNormalized();
     }
     [[nodiscard]] Vector3<Scalar> of(JointRole role, Side side) const {
         return of(find_joint(skeleton_template, role, side));
+    }
+    /// The direction that tells how a joint is turned: its bone's, but for pelvis and neck, whose bones are short and
+    /// end deep inside, that of a longer line which turns with it: from between the hips to the waist, from the neck to
+    /// the top of the head. What a joint is found off turns that far less.
+    [[nodiscard]] Vector3<Scalar> turned_with(int joint) const {
+        switch (skeleton_template.joint(joint).role) {
+        case JointRole::pelvis:
+            return (bone_end(skeleton, skeleton_template, joint) - between_hips()).stableNormalized();
+        case JointRole::neck: {
+            const int head = find_joint(skeleton_template, JointRole::head, Side::none);
+            return (bone_end(skeleton, skeleton_template, head) - place(joint)).stableNormalized();
+        }
+        default:
+            return of(joint);
+        }
     }
     /// From the right one of a pair of joints to the left one.
     [[nodiscard]] Vector3<Scalar> between(JointRole role) const {
         const int left = find_joint(skeleton_template, role, Side::left);
         const int right = find_joint(skeleton_template, role, Side::right);
         if (left < 0 || right < 0) return Vector3<Scalar>::Zero();
-        return (skeleton.joints[static_cast<std::size_t>(left)].position -
-                skeleton.joints[static_cast<std::size_t>(right)].position)
-            .stableNormalized();
+        return (place(left) - place(right)).stableNormalized();
+    }
+
+private:
+    [[nodiscard]] const Vector3<Scalar>& place(int joint) const {
+        return skeleton.joints[static_cast<std::size_t>(joint)].position;
+    }
+    [[nodiscard]] Vector3<Scalar> between_hips() const {
+        return (place(find_joint(skeleton_template, JointRole::hip, Side::left)) +
+                place(find_joint(skeleton_template, JointRole::hip, Side::right))) /
+               2;
     }
 };
 
@@ -95,6 +118,32 @@ Vector3<Scalar> seen_bending_axis(const BoneDirections<Scalar>& bones, const Tem
     }
 }
 
+/// Axes in the rest pose: y along the lines that `line` has for the joints, x about which they bend.
+template <typename Scalar, typename Line>
+Orientations<Scalar> rest_axes_along(const BoneDirections<Scalar>& rest, const Line& line) {
+    Orientations<Scalar> out;
+    for (std::size_t j = 0; j < rest.skeleton_template.joints.size(); ++j) {
+        const Vector3<Scalar> direction = line(static_cast<int>(j));
+        if (direction.isZero(0)) // a limb's end without a tip: as the bone that leads to it
+            out.push_back(out[static_cast<std::size_t>(rest.skeleton_template.joints[j].parent)]);
+        else
+            out.push_back(axes_along(direction, rest_bending_axis(rest, static_cast<int>(j))));
+    }
+    return out;
+}
+
+/// The template's rest pose with those end points alone that a skeleton has, too.
+template <typename Scalar>
+KinematicSkeleton<Scalar> rest_with_ends_of(const KinematicSkeleton<Scalar>& skeleton,
+                                            const SkeletonTemplate& skeleton_template) {
+    KinematicSkeleton<Scalar> rest = rest_skeleton<Scalar>(skeleton_template);
+    std::erase_if(rest.end_points, [&](const auto& end) {
+        return std::none_of(skeleton.end_points.begin(), skeleton.end_points.end(),
+                            [&](const auto& known) { return known.first == end.first; });
+    });
+    return rest;
+}
+
 /// How much the least turn from the parent counts beside what is seen: as a bend by 12 degrees.
 template <typename Scalar>
 inline constexpr Scalar weight_of_least_turn = Scalar(0.2);
@@ -105,32 +154,24 @@ template <typename Scalar>
 Orientations<Scalar> rest_axes(const SkeletonTemplate& skeleton_template) {
     const KinematicSkeleton<Scalar> rest = rest_skeleton<Scalar>(skeleton_template);
     const detail::BoneDirections<Scalar> bones{rest, skeleton_template};
-    Orientations<Scalar> out;
-    for (std::size_t j = 0; j < skeleton_template.joints.size(); ++j) {
-        const TemplateJoint& joint = skeleton_template.joints[j];
-        const Vector3<Scalar> direction = bones.of(static_cast<int>(j));
-        if (direction.isZero(0)) // a limb's end without a tip: as the bone that leads to it
-            out.push_back(out[static_cast<std::size_t>(joint.parent)]);
-        else
-            out.push_back(axes_along(direction, detail::rest_bending_axis(bones, static_cast<int>(j))));
-    }
-    return out;
+    return detail::rest_axes_along(bones, [&](int j) { return bones.of(j); });
 }
 
 template <typename Scalar>
 Orientations<Scalar> bone_orientations(const KinematicSkeleton<Scalar>& skeleton,
                                        const SkeletonTemplate& skeleton_template) {
     using Rotation = Eigen::Quaternion<Scalar>;
-    const Orientations<Scalar> axes = rest_axes<Scalar>(skeleton_template);
-    const KinematicSkeleton<Scalar> rest = rest_skeleton<Scalar>(skeleton_template);
+    const KinematicSkeleton<Scalar> rest = detail::rest_with_ends_of(skeleton, skeleton_template);
     const detail::BoneDirections<Scalar> bones{skeleton, skeleton_template}, rest_bones{rest, skeleton_template};
+    const Orientations<Scalar> axes =
+        detail::rest_axes_along(rest_bones, [&](int j) { return rest_bones.turned_with(j); });
     const BodyFrame<Scalar>& frame = skeleton.frame;
     Orientations<Scalar> out;
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
         const TemplateJoint& joint = skeleton_template.joints[j];
         const Rotation from_parent =
             joint.parent >= 0 ? out[static_cast<std::size_t>(joint.parent)] : axes_along(frame.up, frame.left);
-        const Vector3<Scalar> direction = bones.of(static_cast<int>(j));
+        const Vector3<Scalar> direction = bones.turned_with(static_cast<int>(j));
         if (direction.isZero(0)) {
             out.push_back(from_parent);
             continue;
@@ -144,6 +185,24 @@ Orientations<Scalar> bone_orientations(const KinematicSkeleton<Scalar>& skeleton
         const bool is_clear = across.norm() > core::rounding<Scalar>();
         const Rotation now = is_clear ? axes_along<Scalar>(direction, across) : least_turn;
         out.push_back((now * axes[j].conjugate()).normalized());
+    }
+    return out;
+}
+
+template <typename Scalar>
+Orientations<Scalar> bone_axes(const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
+                               const Orientations<Scalar>& orientations) {
+    const Orientations<Scalar> rest = rest_axes<Scalar>(skeleton_template);
+    const detail::BoneDirections<Scalar> bones{skeleton, skeleton_template};
+    Orientations<Scalar> out;
+    for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+        const Eigen::Quaternion<Scalar> turned = (orientations[j] * rest[j]).normalized();
+        const Vector3<Scalar> bone = bones.of(static_cast<int>(j));
+        const bool has_bone = !bone.isZero(0);
+        out.push_back(
+            has_bone ? (Eigen::Quaternion<Scalar>::FromTwoVectors(turned * Vector3<Scalar>::UnitY(), bone) * turned)
+                           .normalized()
+                     : turned);
     }
     return out;
 }

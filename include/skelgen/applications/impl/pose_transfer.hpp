@@ -67,25 +67,6 @@ PosedBody<Scalar> pose_like(const TriangleMesh<Scalar>& mesh, const Body<Scalar>
 }
 
 template <typename Scalar>
-Floor<Scalar> floor_of(const TriangleMesh<Scalar>& mesh, const KinematicSkeleton<Scalar>& skeleton,
-                       const SkeletonTemplate& skeleton_template) {
-    Floor<Scalar> floor;
-    Eigen::Index axis = 0;
-    skeleton.frame.up.cwiseAbs().maxCoeff(&axis);
-    floor.up = Vector3<Scalar>::Unit(axis) * (skeleton.frame.up[axis] < 0 ? Scalar(-1) : Scalar(1));
-    floor.height = lowest_place<Scalar>(mesh, floor.up, places_of(skeleton));
-    const Scalar near = height_by_bones(skeleton, skeleton_template) / 10;
-    for (const Side side : {Side::left, Side::right}) {
-        const int foot = find_joint(skeleton_template, JointRole::foot, side);
-        const Joint<Scalar>& joint = skeleton.joints[static_cast<std::size_t>(foot)];
-        const auto is_down = [&](const Vector3<Scalar>& place) { return floor.up.dot(place) - floor.height <= near; };
-        if (joint.is_present && is_down(joint.position) && is_down(bone_end(skeleton, skeleton_template, foot)))
-            floor.is_stood_on = true;
-    }
-    return floor;
-}
-
-template <typename Scalar>
 PosedBody<Scalar> put_on(PosedBody<Scalar> body, const Floor<Scalar>& floor) {
     const Vector3<Scalar> shift =
         (floor.height - lowest_place<Scalar>(body.mesh, floor.up, places_of(body.skeleton))) * floor.up;

@@ -26,12 +26,11 @@ std::vector<Vector3<Scalar>> lines_from_parents(const KinematicSkeleton<Scalar>&
     return out;
 }
 
-/// How much higher the shoulders of a body at rest, with +y up, are to be: of the way to where people hold them with
-/// arms so `raised`, the part that is left when the template's rest pose has its say.
+/// How much higher the shoulders of a body at rest, with +y up, are to be: as high as people hold them with arms so
+/// `raised`.
 template <typename Scalar>
 Scalar way_to_usual_height(const KinematicSkeleton<Scalar>& rest, const SkeletonTemplate& skeleton_template,
                            Scalar raised) {
-    constexpr Scalar part = Scalar(0.9); // calibrated on 86 un-posed bodies: their arms are then found level
     const auto mean_height = [&](JointRole role) {
         Scalar sum = 0, count = 0;
         for (std::size_t j = 0; j < rest.joints.size(); ++j) {
@@ -44,7 +43,7 @@ Scalar way_to_usual_height(const KinematicSkeleton<Scalar>& rest, const Skeleton
     const auto neck = mean_height(JointRole::neck), hips = mean_height(JointRole::hip),
                shoulders = mean_height(JointRole::shoulder);
     if (!neck || !hips || !shoulders) return 0;
-    return part * (*neck + (*neck - *hips) * core::usual_shoulder_height(raised, Scalar(0)) - *shoulders);
+    return *neck + (*neck - *hips) * core::usual_shoulder_height(raised, Scalar(0)) - *shoulders;
 }
 
 /// Ways from parents, as of girdle_lines, with the shoulders so much higher where the joints move by `motions`, then

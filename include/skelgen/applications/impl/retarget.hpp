@@ -265,18 +265,18 @@ public:
         }
     }
 
-    /// As `RigJoint::axes`.
-    [[nodiscard]] Orientations<double> axes_in(const ClipPose& pose) const {
+    /// As `RigJoint::orientation`.
+    [[nodiscard]] Orientations<double> orientations_in(const ClipPose& pose) const {
         const ClipShape shape(*body_, pose);
         Orientations<double> out;
         for (std::size_t j = 0; j < axes_.size(); ++j) {
             const ClipGuides& guides = guides_[j];
-            Eigen::Quaterniond axes = to_canonical_ * mean_turn(pose, guides.turned_by) * held_[j] * axes_[j];
+            Eigen::Quaterniond turn = to_canonical_ * mean_turn(pose, guides.turned_by) * held_[j];
             if (guides.from >= 0) {
                 const Vector3<double> bone = to_canonical_ * (shape.at(guides.to) - shape.at(guides.from));
-                axes = Eigen::Quaterniond::FromTwoVectors(axes * Vector3<double>::UnitY(), bone) * axes;
+                turn = Eigen::Quaterniond::FromTwoVectors(turn * axes_[j] * Vector3<double>::UnitY(), bone) * turn;
             }
-            out.push_back(axes.normalized());
+            out.push_back(turn.normalized());
         }
         return out;
     }
@@ -356,15 +356,19 @@ Outcome<Animation<Scalar>> retarget(const MotionClip& clip, const Rig<Scalar>& r
     const detail::ClipFollower follower(*body, reference, skeleton_template);
     const detail::RigHips hips = detail::hips_of(rig, skeleton_template);
     const double scale = hips.leg_length / shape.leg_length();
-    const Eigen::Quaterniond back = rig.joints.front().axes.template cast<double>().conjugate();
+    std::vector<Eigen::Quaterniond> back; // per joint, from how it is turned at rest to the template's rest pose
+    for (const RigJoint<Scalar>& joint : rig.joints)
+        back.push_back(joint.orientation.template cast<double>().conjugate());
     Animation<Scalar> out;
     out.seconds_per_frame = clip.seconds_per_frame;
     for (Eigen::Index frame = 0; frame < clip.frames.rows(); ++frame) {
         const ClipPose pose = pose_in(clip, static_cast<std::size_t>(frame));
         RigPose<Scalar> held;
-        const Orientations<double> axes = follower.axes_in(pose);
-        for (const Eigen::Quaterniond& joint : axes) held.axes.push_back(joint.template cast<Scalar>());
-        const Vector3<double> root = scale * follower.between_hips(pose) + axes.front() * back * hips.to_root;
+        const Orientations<double> orientations = follower.orientations_in(pose);
+        for (std::size_t j = 0; j < back.size(); ++j)
+            held.axes.push_back((orientations[j] * back[j]).normalized().template cast<Scalar>() * rig.joints[j].axes);
+        const Vector3<double> root =
+            scale * follower.between_hips(pose) + orientations.front() * back.front() * hips.to_root;
         if (!(root.cwiseAbs().array() <= detail::farthest_place).all())
             return Failure{FailureReason::no_body, "the clip's skeleton moves farther than numbers reach in frame " +
                                                        std::to_string(frame) + "; export it with its own offsets"};

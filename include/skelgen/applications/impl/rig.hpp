@@ -8,6 +8,7 @@
 #include <skelgen/applications/bind.hpp>
 #include <skelgen/applications/bone_orientations.hpp>
 #include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/floor.hpp>
 #include <skelgen/applications/lowest_place.hpp>
 #include <skelgen/applications/outward_faces.hpp>
 #include <skelgen/core/geometry.hpp>
@@ -70,16 +71,17 @@ Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
     rig.skin = bind(mesh, body, skeleton, skeleton_template);
 
     const Orientations<Scalar> now = bone_orientations(skeleton, skeleton_template);
-    const auto motion = rest_motions(rest, skeleton, skeleton_template, now, rotation_to_canonical(skeleton.frame));
+    const auto to_canonical = rotation_to_canonical(skeleton.frame.left, upright(mesh, skeleton, skeleton_template));
+    const auto motion = rest_motions(rest, skeleton, skeleton_template, now, to_canonical);
     rig.mesh = {skinned(mesh.vertices, rig.skin, motion), outward_faces(mesh, body)};
 
-    const Orientations<Scalar> axes = rest_axes<Scalar>(skeleton_template);
+    const Orientations<Scalar> axes = bone_axes(skeleton, skeleton_template, now);
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
         const TemplateJoint& joint = skeleton_template.joints[j];
         const Vector3<Scalar> end = bone_end(skeleton, skeleton_template, static_cast<int>(j));
         rig.joints.push_back({joint.name, joint.parent, joint.role, joint.side, motion[j](skeleton.joints[j].position),
-                              motion[j](end), (motion[j].rotation * now[j] * axes[j]).normalized(),
-                              skeleton.joints[j].confidence});
+                              motion[j](end), (motion[j].rotation * axes[j]).normalized(),
+                              skeleton.joints[j].confidence, (motion[j].rotation * now[j]).normalized()});
     }
     return detail::put_in_place(std::move(rig), height_by_bones(skeleton, skeleton_template));
 }
