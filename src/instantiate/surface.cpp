@@ -60,6 +60,8 @@ namespace skelgen::surface {
     template Lattice<Scalar> lattice_around(const TriangleMesh<Scalar>&, Scalar, int);                                 \
     template SparseGrid<Scalar> distance_band(const TriangleMesh<Scalar>&, const Lattice<Scalar>&, Scalar);            \
     template class WindingTree<Scalar>;                                                                                \
+    template Eigen::Index lattice_face_count(const Lattice<Scalar>&, const std::vector<LatticeNode>&,                  \
+                                             const LatticeShape<Scalar>&);                                             \
     template TriangleMesh<Scalar> lattice_surface(const Lattice<Scalar>&, const std::vector<LatticeNode>&,             \
                                                   const LatticeShape<Scalar>&);                                        \
     template TriangleMesh<Scalar> winding_envelope(const TriangleMesh<Scalar>&, const EnvelopeOptions&);               \
@@ -82,6 +84,7 @@ namespace skelgen::surface {
     template std::vector<HandleLoop<Scalar>> handle_loops(const CreaseGraph<Scalar>&, int, Scalar);                    \
     template Body<Scalar> without_faces(const Body<Scalar>&, const std::vector<bool>&);                                \
     template std::optional<OpenedBody<Scalar>> open_handles(const Body<Scalar>&, Contacts);                            \
+    template std::optional<OpenedBody<Scalar>> open_short_handles(const Body<Scalar>&, const OpenedBody<Scalar>&);     \
     template std::optional<Body<Scalar>> close_pockets(const Body<Scalar>&);                                           \
     template Body<Scalar> make_body(TriangleMesh<Scalar>, const Similarity<Scalar>&, std::vector<int>, int);           \
     template bool is_inside(const Body<Scalar>&, const Vector3<Scalar>&);                                              \

@@ -79,11 +79,19 @@ TEST_CASE("a small loop from a junction back to itself is no contact, a limb's l
 TEST_CASE("clasped hands are cut between the hands") {
     CurveSkeleton<double> curve = human_curve();
     const int left = tip(curve, "left_hand"), right = tip(curve, "right_hand");
-    curve.nodes.row(left) << 0.02, 1.2, -0.2;
-    curve.nodes.row(right) << -0.02, 1.2, -0.2;
-    for (const char* side : {"left", "right"})
-        for (const char* name : {"_hand", "_wrist"})
-            curve.nodes.row(joint(std::string(side) + name)) << (side[0] == 'l' ? 0.1 : -0.1), 1.2, -0.2;
+    curve.nodes.row(left) << 0.02, 1.2, -0.25;
+    curve.nodes.row(right) << -0.02, 1.2, -0.25;
+    for (const std::string side : {"left", "right"}) {
+        const std::array<std::string, 4> arm{side + "_shoulder", side + "_elbow", side + "_wrist", side + "_hand"};
+        std::array<int, 3> middles{};
+        for (std::size_t k = 0; k < middles.size(); ++k) middles[k] = middle_of_bone(curve, arm[k], arm[k + 1]);
+        const double sign = side == "left" ? 1 : -1;
+        curve.nodes.row(joint(arm[1])) << sign * 0.3, 1.19, -0.05; // an arm is as long as it is
+        curve.nodes.row(joint(arm[2])) << sign * 0.16, 1.2, -0.25;
+        curve.nodes.row(joint(arm[3])) << sign * 0.09, 1.2, -0.25;
+        for (std::size_t k = 0; k < middles.size(); ++k)
+            curve.nodes.row(middles[k]) = (curve.nodes.row(joint(arm[k])) + curve.nodes.row(joint(arm[k + 1]))) / 2;
+    }
     curve.edges.push_back({std::min(left, right), std::max(left, right)});
     const LoopCuts cuts = best_cuts(curve);
     REQUIRE(cuts.size() == 1);
@@ -121,6 +129,17 @@ TEST_CASE("both hands on the thighs are two cuts") {
     std::vector<int> hands{tip(curve, "left_hand"), tip(curve, "right_hand")};
     std::sort(hands.begin(), hands.end());
     CHECK(firsts == hands);
+}
+
+TEST_CASE("what the template fits badly however its loops are opened is not cut") {
+    CurveSkeleton<double> curve = human_curve();
+    const int hand = tip(curve, "left_hand"), thigh = middle_of_bone(curve, "left_hip", "left_knee");
+    curve.edges.push_back({std::min(hand, thigh), std::max(hand, thigh)});
+    for (const char* name : {"right_wrist", "right_hand", "left_ankle", "left_foot"}) // far beyond where they end
+        curve.nodes.row(joint(name)) *= 3;
+    for (const char* name : {"right_hand", "left_foot"}) curve.nodes.row(tip(curve, name)) *= 3;
+    REQUIRE(contact_count(curve) == 1);
+    CHECK(find_loop_cuts(curve, human()).empty());
 }
 
 TEST_CASE("a turned curve is cut in the same places, also where left and right are equally good") {

@@ -127,7 +127,9 @@ TEST_CASE("a notch around a ring is a crease to open it along, where short loops
     REQUIRE(ring.mesh.vertices.rows() == notched.vertices.rows());
     const auto along_notch = open_handles(ring);
     REQUIRE(along_notch);
-    CHECK_FALSE(along_notch->is_short_alone);
+    REQUIRE(along_notch->before_creases);
+    CHECK(along_notch->before_creases->opened == 0);
+    CHECK_FALSE(open_short_handles(ring, *along_notch));
     CHECK_FALSE(open_handles(ring, Contacts::short_alone));
     CHECK_FALSE(open_handles(prepare(torus(1, 0.05, around, tube)))); // a girth of 0.22
     const auto thin = open_handles(prepare(torus(1, 0.005)), Contacts::short_alone);
@@ -140,7 +142,7 @@ TEST_CASE("what is opened at short loops only is opened alike where only these c
     const auto opened = open_handles(ring), short_alone = open_handles(ring, Contacts::short_alone);
     REQUIRE(opened);
     REQUIRE(short_alone);
-    CHECK(opened->is_short_alone);
+    CHECK_FALSE(opened->before_creases);
     CHECK(opened->body.mesh.vertices == short_alone->body.mesh.vertices);
     CHECK(opened->body.mesh.faces == short_alone->body.mesh.faces);
 }

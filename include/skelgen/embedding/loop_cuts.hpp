@@ -27,7 +27,9 @@ using LoopCuts = std::vector<LoopCut>;
 /// on a thigh). Beam search over the cuts of one loop after the other by the distortion of the embedding, which takes
 /// some hundred embeddings a loop at most. \returns the best way to cut the connected curve and those that the
 /// distortion alone does not tell from it, three in all at most, best first; none when it has no contacts
-/// (`contact_count`) or more than six (a scan's tunnels are no contacts), or when no set of cuts lets the template in.
+/// (`contact_count`) or more than six (a scan's tunnels are no contacts), or when no set of cuts lets the template in,
+/// in its own proportions or other ones, with less than twice the distortion of what fits well: what comes of such cuts
+/// is no body.
 /// \throws Error usage when an option is out of its range.
 template <typename Scalar>
 [[nodiscard]] std::vector<LoopCuts> find_loop_cuts(const CurveSkeleton<Scalar>& curve,

@@ -23,8 +23,8 @@ struct CreaseEdge {
 template <typename Scalar = double>
 struct CreaseGraph {
     std::vector<CreaseEdge<Scalar>> edges;
-    core::CurveGraph<Scalar> graph; ///< the vertices, as far from each other as the edges weigh
-    std::vector<Scalar> factors;    ///< per vertex the least part of its length that an edge there counts
+    core::SurfaceGraph<Scalar> graph; ///< the vertices, as far from each other as the edges weigh
+    std::vector<Scalar> factors;      ///< per vertex the least part of its length that an edge there counts
     std::size_t faces = 0;
 };
 

@@ -21,13 +21,14 @@ public:
 
 private:
     struct Node {
+        // In the order in which they are asked for: most nodes are opened, or are leaves.
         Vector3<Scalar> centre = Vector3<Scalar>::Zero(); ///< mean of the faces' centres by area
         Scalar radius = 0;                                ///< of the ball around it that holds the faces
+        int left = -1, right = -1;                        ///< children, -1 in a leaf
+        int first = 0, last = 0;                          ///< its faces: from `first` to before `last` in order_
         Vector3<Scalar> area = Vector3<Scalar>::Zero();   ///< sum of the area vectors
         Eigen::Matrix<Scalar, 3, 3> moment =
             Eigen::Matrix<Scalar, 3, 3>::Zero(); ///< sum of (centre of face - centre) area^T
-        int first = 0, last = 0;                 ///< its faces: those from `first` to before `last` in order_
-        int left = -1, right = -1;               ///< children, -1 in a leaf
     };
     int build(const TriangleMesh<Scalar>& mesh, const std::vector<Vector3<Scalar>>& centres, int first, int last);
 

@@ -148,8 +148,8 @@ Outcome<Fit<Scalar>> fit_opened(const Body<Scalar>& given, const SkeletonTemplat
     const double opening = stage.lap();
     Outcome<Fit<Scalar>> found = fit_whole(opened ? opened->body : body, wanted, options, attempts, is_envelope);
     if (found && opened) found->skeleton = less_certain(std::move(found->skeleton), trust_in_grown_together);
-    if (!found && opened && !opened->is_short_alone && is_envelope && !is_refused(found)) {
-        if (const auto less_opened = surface::open_handles(body, surface::Contacts::short_alone))
+    if (!found && opened && opened->before_creases && is_envelope && !is_refused(found)) {
+        if (const auto less_opened = surface::open_short_handles(body, *opened))
             found = fit_whole(less_opened->body, wanted, options, 1, is_envelope);
         if (found) found->skeleton = less_certain(std::move(found->skeleton), trust_in_grown_together);
     }

@@ -5,12 +5,27 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <skelgen/surface/face_tree.hpp>
 #include <skelgen/surface/small_parts.hpp>
 
 namespace skelgen::surface {
 namespace detail {
+
+/// Those nodes of a row along x, from `first` on, that lie in a ball, or in none for rounding alone: the first and the
+/// last x.
+template <typename Scalar>
+std::pair<int, int> nodes_in_ball(const LatticeNode& first, int last, const Lattice<Scalar>& lattice,
+                                  const Vector3<Scalar>& centre, Scalar radius) {
+    constexpr auto rounded_up = Scalar(1.001);
+    const Vector3<Scalar> from = lattice.place(first) - centre;
+    const Scalar squared = rounded_up * radius * radius - from[1] * from[1] - from[2] * from[2];
+    if (!(squared >= 0)) return {0, -1};
+    const Scalar half = std::sqrt(squared);
+    return {first[0] + std::max(0, static_cast<int>(std::ceil((-from[0] - half) / lattice.cell))),
+            std::min(last, first[0] + static_cast<int>(std::floor((-from[0] + half) / lattice.cell)))};
+}
 
 /// Lowers the distances around one triangle.
 template <typename Scalar>
@@ -31,8 +46,9 @@ void lower_around(const Corners<Scalar>& t, const Lattice<Scalar>& lattice, Scal
     const Scalar radius = std::sqrt(
         std::max({(t[0] - centre).squaredNorm(), (t[1] - centre).squaredNorm(), (t[2] - centre).squaredNorm()}));
     for (int z = low[2]; z <= high[2]; ++z)
-        for (int y = low[1]; y <= high[1]; ++y)
-            for (int x = low[0]; x <= high[0]; ++x) {
+        for (int y = low[1]; y <= high[1]; ++y) {
+            const auto [first, last] = nodes_in_ball({low[0], y, z}, high[0], lattice, centre, reach + radius);
+            for (int x = first; x <= last; ++x) {
                 const LatticeNode node{x, y, z};
                 const Vector3<Scalar> place = lattice.place(node);
                 const Scalar known = std::min(distance.get(node), reach);
@@ -41,6 +57,7 @@ void lower_around(const Corners<Scalar>& t, const Lattice<Scalar>& lattice, Scal
                 const Scalar d = distance_to_triangle<Scalar>(place, t[0], t[1], t[2]);
                 if (d <= known) distance.at(node) = d;
             }
+        }
 }
 
 } // namespace detail

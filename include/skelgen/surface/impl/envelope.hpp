@@ -74,14 +74,14 @@ TriangleMesh<Scalar> in_small_faces(const TriangleMesh<Scalar>& mesh, Scalar cel
     return out;
 }
 
-/// The surface that `envelope_of` makes with the cells wanted or, where it would have too many faces, with larger ones:
-/// at twice the cell a surface has a quarter of them.
-template <typename Scalar, typename EnvelopeOf>
-TriangleMesh<Scalar> with_few_faces(const TriangleMesh<Scalar>& mesh, const EnvelopeOptions& options,
-                                    const EnvelopeOf& envelope_of) {
+/// The size of the cells wanted or, where the envelope would have too many faces, a larger one: at twice the cell, for
+/// which `face_count_at` tells their number, a surface has a quarter of them.
+template <typename Scalar, typename FaceCountAt>
+Scalar cell_for_few_faces(const TriangleMesh<Scalar>& mesh, const EnvelopeOptions& options,
+                          const FaceCountAt& face_count_at) {
     const Scalar cell = cell_size(mesh, options);
-    const double faces = 4 * static_cast<double>(envelope_of(2 * cell).faces.rows());
-    return envelope_of(cell * static_cast<Scalar>(std::sqrt(std::max(1.0, faces / options.most_faces))));
+    const double faces = 4 * static_cast<double>(face_count_at(2 * cell));
+    return cell * static_cast<Scalar>(std::sqrt(std::max(1.0, faces / options.most_faces)));
 }
 
 } // namespace detail
@@ -98,7 +98,8 @@ TriangleMesh<Scalar> winding_envelope(const TriangleMesh<Scalar>& mesh, const En
     constexpr int margin = 3;
     const TriangleMesh<Scalar> fine = detail::in_small_faces(mesh, detail::cell_size(mesh, options));
     const WindingTree<Scalar> tree(fine);
-    return detail::with_few_faces(mesh, options, [&](Scalar cell) {
+    /// Makes a surface, or counts its faces.
+    const auto with_cells = [&](Scalar cell, const auto& make) {
         const Lattice<Scalar> lattice = lattice_around(mesh, cell, margin);
         const SparseGrid<Scalar> distance = distance_band(mesh, lattice, cell);
         LatticeShape<Scalar> shape;
@@ -106,9 +107,11 @@ TriangleMesh<Scalar> winding_envelope(const TriangleMesh<Scalar>& mesh, const En
             return tree.winding_number(fine, lattice.place(node)) - Scalar(0.5);
         };
         shape.crossing = detail::crossing_by(distance, cell);
-        return smoothed(lattice_surface(lattice, detail::nodes_within(distance, cell), shape),
-                        options.smoothing_passes);
-    });
+        return make(lattice, detail::nodes_within(distance, cell), shape);
+    };
+    const Scalar cell = detail::cell_for_few_faces(
+        mesh, options, [&](Scalar wide) { return with_cells(wide, lattice_face_count<Scalar>); });
+    return smoothed(with_cells(cell, lattice_surface<Scalar>), options.smoothing_passes);
 }
 
 namespace detail {
@@ -218,7 +221,8 @@ template <typename Scalar>
 TriangleMesh<Scalar> rolling_envelope(const TriangleMesh<Scalar>& mesh, const EnvelopeOptions& options) {
     validate(options);
     constexpr int margin = 6, radius_in_cells = 2;
-    return detail::with_few_faces(mesh, options, [&](Scalar cell) {
+    /// Makes a surface, or counts its faces.
+    const auto with_cells = [&](Scalar cell, const auto& make) {
         const Scalar radius = radius_in_cells * cell;
         const Lattice<Scalar> lattice = lattice_around(mesh, cell, margin);
         const SparseGrid<Scalar> distance = distance_band(mesh, lattice, radius + 2 * cell);
@@ -226,9 +230,11 @@ TriangleMesh<Scalar> rolling_envelope(const TriangleMesh<Scalar>& mesh, const En
         LatticeShape<Scalar> shape;
         shape.depth = [&](const LatticeNode& node) { return ball.distance(node) - radius; };
         shape.crossing = detail::crossing_by(distance, cell);
-        return smoothed(lattice_surface(lattice, detail::nodes_within(distance, radius), shape),
-                        options.smoothing_passes);
-    });
+        return make(lattice, detail::nodes_within(distance, radius), shape);
+    };
+    const Scalar cell = detail::cell_for_few_faces(
+        mesh, options, [&](Scalar wide) { return with_cells(wide, lattice_face_count<Scalar>); });
+    return smoothed(with_cells(cell, lattice_surface<Scalar>), options.smoothing_passes);
 }
 
 } // namespace skelgen::surface

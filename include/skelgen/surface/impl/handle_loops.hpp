@@ -11,23 +11,52 @@
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/sort_by_number.hpp>
 
 namespace skelgen::surface {
 namespace detail {
 
-/// The part of its length that an edge counts; calibrated on generated bodies that touch themselves.
+/// Where a face is, and how it lies.
 template <typename Scalar>
-Scalar crease_factor(const TriangleMesh<Scalar>& mesh, int f, int g) {
-    constexpr auto least = Scalar(0.2);
-    const Vector3<Scalar> nf = core::face_area_vector(mesh, f), ng = core::face_area_vector(mesh, g);
-    const auto middle = [&](int face) {
+struct FacePlace {
+    Vector3<Scalar> middle, area;
+};
+
+template <typename Scalar>
+std::vector<FacePlace<Scalar>> places_of_faces(const TriangleMesh<Scalar>& mesh) {
+    std::vector<FacePlace<Scalar>> out(static_cast<std::size_t>(mesh.faces.rows()));
+    for (std::size_t f = 0; f < out.size(); ++f) {
+        const auto row = static_cast<Eigen::Index>(f);
         Vector3<Scalar> sum = Vector3<Scalar>::Zero();
-        for (int k = 0; k < 3; ++k) sum += core::point(mesh.vertices, mesh.faces(face, k));
-        return Vector3<Scalar>(sum / 3);
-    };
-    if (!((middle(g) - middle(f)).dot(nf) > 0)) return 1;
-    const Scalar angle = std::atan2(nf.cross(ng).norm(), nf.dot(ng));
+        for (int k = 0; k < 3; ++k) sum += core::point(mesh.vertices, mesh.faces(row, k));
+        out[f] = {Vector3<Scalar>(sum / 3), core::face_area_vector(mesh, row)};
+    }
+    return out;
+}
+
+/// The part of its length that the edge between two faces counts; calibrated on generated bodies that touch themselves.
+template <typename Scalar>
+Scalar crease_factor(const FacePlace<Scalar>& f, const FacePlace<Scalar>& g) {
+    constexpr auto least = Scalar(0.2);
+    if (!((g.middle - f.middle).dot(f.area) > 0)) return 1;
+    const Scalar angle = std::atan2(f.area.cross(g.area).norm(), f.area.dot(g.area));
     return std::max(least, 1 - (1 - least) * angle / (std::numbers::pi_v<Scalar> / 2));
+}
+
+/// The neighbours of so many vertices along edges, in the edges' order.
+template <typename Scalar>
+core::NeighbourLists<Scalar> neighbours_along(const std::vector<CreaseEdge<Scalar>>& edges, std::size_t vertices) {
+    std::vector<std::size_t> first(vertices + 1, 0);
+    for (const CreaseEdge<Scalar>& edge : edges)
+        for (const int v : edge.vertices) ++first[static_cast<std::size_t>(v) + 1];
+    for (std::size_t v = 0; v < vertices; ++v) first[v + 1] += first[v];
+    std::vector<typename core::NeighbourLists<Scalar>::Entry> entries(first.back());
+    std::vector<std::size_t> next = first;
+    for (const auto& [ends, faces, weight] : edges) {
+        entries[next[static_cast<std::size_t>(ends[0])]++] = {ends[1], weight};
+        entries[next[static_cast<std::size_t>(ends[1])]++] = {ends[0], weight};
+    }
+    return {std::move(first), std::move(entries)};
 }
 
 /// The loop that an edge closes with the shortest paths to its ends, without what these share.
@@ -51,21 +80,22 @@ template <typename Scalar>
 CreaseGraph<Scalar> crease_graph(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency) {
     CreaseGraph<Scalar> out;
     const auto vertices = static_cast<std::size_t>(mesh.vertices.rows());
-    out.graph.neighbours.resize(vertices);
+    const std::vector<detail::FacePlace<Scalar>> places = detail::places_of_faces(mesh);
     out.factors.assign(vertices, 1);
-    out.faces = static_cast<std::size_t>(mesh.faces.rows());
+    out.faces = places.size();
+    out.edges.reserve(out.faces / 2 * 3);
     for (int f = 0; f < mesh.faces.rows(); ++f)
         for (int k = 0; k < 3; ++k) {
             const int g = adjacency(f, k), a = mesh.faces(f, k), b = mesh.faces(f, (k + 1) % 3);
             if (g <= f) continue;
-            const Scalar factor = detail::crease_factor(mesh, f, g);
+            const Scalar factor =
+                detail::crease_factor(places[static_cast<std::size_t>(f)], places[static_cast<std::size_t>(g)]);
             const Scalar weight = (core::point(mesh.vertices, a) - core::point(mesh.vertices, b)).norm() * factor;
             out.edges.push_back({{a, b}, {f, g}, weight});
-            for (const auto& [v, w] : {std::pair{a, b}, std::pair{b, a}}) {
-                out.graph.neighbours[static_cast<std::size_t>(v)].emplace_back(w, weight);
+            for (const int v : {a, b})
                 out.factors[static_cast<std::size_t>(v)] = std::min(out.factors[static_cast<std::size_t>(v)], factor);
-            }
         }
+    out.graph.neighbours = detail::neighbours_along(out.edges, vertices);
     return out;
 }
 
@@ -81,20 +111,21 @@ std::vector<HandleLoop<Scalar>> handle_loops(const CreaseGraph<Scalar>& surface,
     const auto unite = [&](const Edge& edge) {
         return across.unite(static_cast<std::size_t>(edge.faces[0]), static_cast<std::size_t>(edge.faces[1]));
     };
-    std::vector<std::pair<Scalar, const Edge*>> closing; // the length of the loop, the edge
-    for (const Edge& edge : surface.edges) {
+    std::vector<std::pair<Scalar, int>> closing; // the length of the loop, less than nothing, and the edge
+    for (std::size_t i = 0; i < surface.edges.size(); ++i) {
+        const Edge& edge = surface.edges[i];
         const auto a = static_cast<std::size_t>(edge.vertices[0]), b = static_cast<std::size_t>(edge.vertices[1]);
         if (paths.predecessor[a] == edge.vertices[1] || paths.predecessor[b] == edge.vertices[0]) continue;
         const Scalar length = paths.distance[a] + paths.distance[b] + edge.weight;
         if (length <= longest && std::isfinite(length))
-            closing.emplace_back(length, &edge);
+            closing.emplace_back(-length, static_cast<int>(i));
         else
             unite(edge);
     }
-    std::stable_sort(closing.begin(), closing.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<HandleLoop<Scalar>> out;
-    for (const auto& [length, edge] : closing)
-        if (!unite(*edge)) out.push_back(detail::closed_by(*edge, paths));
+    for (const auto& [length, edge] : core::sorted_by_number(std::move(closing)))
+        if (const Edge& closed = surface.edges[static_cast<std::size_t>(edge)]; !unite(closed))
+            out.push_back(detail::closed_by(closed, paths));
     std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.length < b.length; });
     return out;
 }

@@ -37,6 +37,13 @@ inline bool is_pinched(unsigned inside) {
     return false;
 }
 
+/// That of all ways in which corners can be inside.
+inline std::array<bool, 256> pinched_cells() {
+    std::array<bool, 256> out{};
+    for (unsigned inside = 0; inside < out.size(); ++inside) out[inside] = is_pinched(inside);
+    return out;
+}
+
 /// The nodes around the border of a shape, each known to be inside or outside.
 template <typename Scalar>
 class LatticeBorder {
@@ -57,7 +64,7 @@ public:
         while (!cells.empty()) {
             const LatticeNode cell = cells.back();
             cells.pop_back();
-            while (is_known(cell) && is_pinched(corners_inside(cell))) {
+            while (is_pinched_at(cell)) {
                 const LatticeNode shallowest = shallowest_corner(cell);
                 Scalar& depth = depth_.at(shallowest);
                 depth = -std::max(depth, std::numeric_limits<Scalar>::min());
@@ -68,16 +75,23 @@ public:
         }
     }
 
+    [[nodiscard]] Eigen::Index face_count() const {
+        Eigen::Index count = 0;
+        for (const LatticeNode& node : known_)
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                if (is_crossed(node, moved_by(node, axis, 1))) count += 2;
+        return count;
+    }
+
     TriangleMesh<Scalar> surface() {
         SparseGrid<int> vertex_of_cell(lattice_.nodes, -1);
         std::vector<Vector3<Scalar>> sums;
         std::vector<int> counts;
-        std::vector<std::array<int, 3>> faces;
         std::vector<std::array<int, 4>> quads;
         for (std::size_t i = 0; i < known_.size(); ++i)
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const LatticeNode a = known_[i], b = moved_by(a, axis, 1);
-                if (!lattice_.has(b) || !is_known_node(b) || is_inside(a) == is_inside(b)) continue;
+                if (!is_crossed(a, b)) continue;
                 const bool outwards = is_inside(a); // along the axis
                 const LatticeNode &in = outwards ? a : b, &out = outwards ? b : a;
                 const Scalar t = shape_.crossing(in, out, depth_.get(in), depth_.get(out));
@@ -127,6 +141,11 @@ private:
     [[nodiscard]] bool is_known_node(const LatticeNode& node) const { return !std::isnan(depth_.get(node)); }
     [[nodiscard]] bool is_inside(const LatticeNode& node) const { return depth_.get(node) > 0; }
 
+    /// Does the border pass between a node and a neighbour, if that is known?
+    [[nodiscard]] bool is_crossed(const LatticeNode& node, const LatticeNode& neighbour) const {
+        return lattice_.has(neighbour) && is_known_node(neighbour) && is_inside(node) != is_inside(neighbour);
+    }
+
     void learn(const LatticeNode& node) {
         if (!lattice_.has(node) || is_known_node(node)) return;
         depth_.at(node) = lattice_.is_at_border(node) ? Scalar(-1) : shape_.depth(node);
@@ -141,7 +160,7 @@ private:
             for (std::size_t axis = 0; axis < 3; ++axis)
                 for (const int step : {-1, 1}) {
                     const LatticeNode next = moved_by(node, axis, step);
-                    if (!lattice_.has(next) || !is_known_node(next) || is_inside(node) == is_inside(next)) continue;
+                    if (!is_crossed(node, next)) continue;
                     for (const LatticeNode& end : {node, next})
                         for (int u = -1; u <= 1; ++u)
                             for (int v = -1; v <= 1; ++v)
@@ -161,17 +180,17 @@ private:
         return {cell[0] + static_cast<int>(i & 1U), cell[1] + static_cast<int>(i >> 1 & 1U),
                 cell[2] + static_cast<int>(i >> 2)};
     }
-    [[nodiscard]] bool is_known(const LatticeNode& cell) const {
-        for (unsigned i = 0; i < 8; ++i)
-            if (const LatticeNode corner = corner_of(cell, i); !lattice_.has(corner) || !is_known_node(corner))
-                return false;
-        return true;
-    }
-    [[nodiscard]] unsigned corners_inside(const LatticeNode& cell) const {
+    /// Are all corners of a cell known, and is it pinched?
+    [[nodiscard]] bool is_pinched_at(const LatticeNode& cell) const {
+        static const std::array<bool, 256> pinched = pinched_cells();
+        if (!lattice_.has(corner_of(cell, 7))) return false;
         unsigned inside = 0;
-        for (unsigned i = 0; i < 8; ++i)
-            if (is_inside(corner_of(cell, i))) inside |= 1U << i;
-        return inside;
+        for (unsigned i = 0; i < 8; ++i) {
+            const Scalar depth = depth_.get(corner_of(cell, i));
+            if (std::isnan(depth)) return false;
+            if (depth > 0) inside |= 1U << i;
+        }
+        return pinched[inside];
     }
     [[nodiscard]] LatticeNode shallowest_corner(const LatticeNode& cell) const {
         LatticeNode best = cell;
@@ -193,6 +212,15 @@ private:
 };
 
 } // namespace detail
+
+template <typename Scalar>
+Eigen::Index lattice_face_count(const Lattice<Scalar>& lattice, const std::vector<LatticeNode>& seeds,
+                                const LatticeShape<Scalar>& shape) {
+    detail::LatticeBorder<Scalar> border(lattice, shape);
+    border.follow(seeds);
+    border.unpinch();
+    return border.face_count();
+}
 
 template <typename Scalar>
 TriangleMesh<Scalar> lattice_surface(const Lattice<Scalar>& lattice, const std::vector<LatticeNode>& seeds,

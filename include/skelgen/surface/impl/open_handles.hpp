@@ -100,32 +100,41 @@ std::optional<HandleLoop<Scalar>> find_contact(const TriangleMesh<Scalar>& mesh,
     return std::nullopt;
 }
 
-} // namespace detail
-
+/// The surface cut open at one contact after another.
 template <typename Scalar>
-std::optional<OpenedBody<Scalar>> open_handles(const Body<Scalar>& body, Contacts contacts) {
-    const int handles = detail::genus(body.mesh);
-    if (handles < 1 || handles > detail::most_handles || !body.is_closed) return std::nullopt;
-    TriangleMesh<Scalar> mesh = body.mesh;
-    Triangles adjacency = body.adjacency;
-    std::vector<int> source; // per vertex that of the body
-    int opened = 0;
-    // No edge counts more than its length: the short loops are contacts in any case, and come in the same order.
-    bool is_short_alone = true;
+std::optional<OpenedBody<Scalar>> opened_on(const Body<Scalar>& body, OpenedSurface<Scalar> surface,
+                                            Contacts contacts) {
+    const int handles = genus(body.mesh);
+    if (handles < 1 || handles > most_handles || !body.is_closed) return std::nullopt;
+    OpenedBody<Scalar> out;
+    auto& [mesh, adjacency, source, opened] = surface;
     for (; opened < handles; ++opened) {
-        const auto loop = detail::find_contact(mesh, adjacency, contacts);
+        const auto loop = find_contact(mesh, adjacency, contacts);
         if (!loop) break;
-        is_short_alone = is_short_alone && detail::is_short(mesh, *loop);
+        // No edge counts more than its length: the short loops are contacts in any case, and come in the same order.
+        if (!out.before_creases && !is_short(mesh, *loop)) out.before_creases = surface;
         CutSurface<Scalar> cut = cut_along(mesh, adjacency, {loop->vertices});
         mesh = std::move(cut.mesh);
         adjacency = core::face_adjacency(mesh.faces);
         source = opened > 0 ? composed(std::move(cut.source), source) : std::move(cut.source);
     }
     if (opened == 0) return std::nullopt;
-    Body<Scalar> out = resurfaced(body, std::move(mesh), std::move(source));
-    out.repairs.push_back("the body has grown together with itself in " + std::to_string(opened) +
-                          (opened == 1 ? " place" : " places") + ": it was opened there");
-    return OpenedBody<Scalar>{std::move(out), is_short_alone};
+    out.body = resurfaced(body, std::move(mesh), std::move(source));
+    out.body.repairs.push_back("the body has grown together with itself in " + std::to_string(opened) +
+                               (opened == 1 ? " place" : " places") + ": it was opened there");
+    return out;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+std::optional<OpenedBody<Scalar>> open_handles(const Body<Scalar>& body, Contacts contacts) {
+    return detail::opened_on(body, {body.mesh, body.adjacency, {}, 0}, contacts);
+}
+
+template <typename Scalar>
+std::optional<OpenedBody<Scalar>> open_short_handles(const Body<Scalar>& body, const OpenedBody<Scalar>& opened) {
+    return opened.before_creases ? detail::opened_on(body, *opened.before_creases, Contacts::short_alone) : opened;
 }
 
 } // namespace skelgen::surface
