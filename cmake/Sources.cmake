@@ -26,8 +26,10 @@ set(skelgen_core_headers
     include/skelgen/applications/floor.hpp
     include/skelgen/applications/heat_weights.hpp
     include/skelgen/applications/joint_weights.hpp
+    include/skelgen/applications/kept_volumes.hpp
     include/skelgen/applications/laplace_basis.hpp
     include/skelgen/applications/limb_regions.hpp
+    include/skelgen/applications/limb_volume.hpp
     include/skelgen/applications/loose_pieces.hpp
     include/skelgen/applications/lowest_place.hpp
     include/skelgen/applications/measurement.hpp
@@ -190,8 +192,10 @@ set(skelgen_core_definitions
     include/skelgen/applications/impl/deep_shoulders.hpp
     include/skelgen/applications/impl/floor.hpp
     include/skelgen/applications/impl/heat_weights.hpp
+    include/skelgen/applications/impl/kept_volumes.hpp
     include/skelgen/applications/impl/laplace_basis.hpp
     include/skelgen/applications/impl/limb_regions.hpp
+    include/skelgen/applications/impl/limb_volume.hpp
     include/skelgen/applications/impl/loose_pieces.hpp
     include/skelgen/applications/impl/measurement.hpp
     include/skelgen/applications/impl/mirror_plane.hpp

@@ -10,7 +10,9 @@
 #include <skelgen/applications/impl/deep_shoulders.hpp>
 #include <skelgen/applications/impl/floor.hpp>
 #include <skelgen/applications/impl/heat_weights.hpp>
+#include <skelgen/applications/impl/kept_volumes.hpp>
 #include <skelgen/applications/impl/limb_regions.hpp>
+#include <skelgen/applications/impl/limb_volume.hpp>
 #include <skelgen/applications/impl/loose_pieces.hpp>
 #include <skelgen/applications/impl/outward_faces.hpp>
 #include <skelgen/applications/impl/pose_transfer.hpp>
@@ -64,6 +66,9 @@ namespace skelgen::applications {
                                                    const Triangles&, const SkeletonTemplate&);                         \
     template JointWeights with_balanced_bends(JointWeights, const RestingSurface<Scalar>&, const Triangles&,           \
                                               const SkeletonTemplate&, core::Accumulator);                             \
+    template JointWeights with_kept_volumes(JointWeights, const RestingSurface<Scalar>&, const Triangles&,             \
+                                            const SkeletonTemplate&,                                                   \
+                                            const std::function<JointWeights(JointWeights)>&);                         \
     template LimbRegions limb_regions(const Body<Scalar>&, const KinematicSkeleton<Scalar>&, const SkeletonTemplate&); \
     template std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>&, const TriangleMesh<Scalar>&);            \
     template Skin<Scalar> bind(const TriangleMesh<Scalar>&, const Body<Scalar>&, const KinematicSkeleton<Scalar>&,     \

@@ -3,6 +3,7 @@
 // A limb whose bends are known in closed form.
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <skelgen/applications/bone_orientations.hpp>
@@ -31,6 +32,41 @@ inline TriangleMesh<double> sleeve(const KinematicSkeleton<double>& rest) {
     for (Eigen::Index v = 0; v < tube.vertices.rows(); ++v)
         tube.vertices.row(v) = (from + turn * tube.vertices.row(v).transpose()).transpose();
     return tube;
+}
+
+/// A prism around the left arm of the template as characters for games have them: eight vertices to a ring, rings a
+/// radius apart, those at the elbow so far beyond it. Closed, of the sleeve's length.
+inline TriangleMesh<double> prism(const KinematicSkeleton<double>& rest, double offset) {
+    constexpr int around = 8;
+    const auto at = [&](const char* name) {
+        return rest.joints[static_cast<std::size_t>(find_joint(rest, name))].position;
+    };
+    const Eigen::Vector3d elbow = at("left_elbow"), along = (at("left_wrist") - elbow).normalized();
+    const int before = static_cast<int>((elbow - at("left_shoulder")).norm() / sleeve_radius / 2),
+              after = static_cast<int>((at("left_wrist") - elbow).norm() / sleeve_radius / 2);
+    const int rings = before + after + 1, ends = rings * around;
+    TriangleMesh<double> out{Points<double>(ends + 2, 3), Triangles(2 * ends, 3)};
+    const auto middle = [&](int ring) { return elbow + (offset + sleeve_radius * (ring - before)) * along; };
+    for (int v = 0; v < ends; ++v) {
+        const double angle = std::numbers::pi / 4 * (v % around);
+        const Eigen::Vector3d off(0, sleeve_radius * std::cos(angle), sleeve_radius * std::sin(angle));
+        out.vertices.row(v) =
+            (middle(v / around) + Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), along) * off)
+                .transpose();
+    }
+    out.vertices.row(ends) = middle(0).transpose();
+    out.vertices.row(ends + 1) = middle(rings - 1).transpose();
+    Eigen::Index f = 0;
+    for (int k = 0; k < around; ++k) {
+        const int next = (k + 1) % around, last = ends - around;
+        out.faces.row(f++) << ends, next, k;
+        for (int at_ring = 0; at_ring < last; at_ring += around) {
+            out.faces.row(f++) << at_ring + k, at_ring + next, at_ring + around + next;
+            out.faces.row(f++) << at_ring + k, at_ring + around + next, at_ring + around + k;
+        }
+        out.faces.row(f++) << ends + 1, last + k, last + next;
+    }
+    return out;
 }
 
 /// Weights of a sleeve along the straight arm, whose border lies so far beyond the elbow; `steepness` of the odds'

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <set>
 #include <utility>
 #include <vector>
 
 #include <nanoflann.hpp>
 
+#include <skelgen/applications/limb_volume.hpp>
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
@@ -38,85 +37,6 @@ std::vector<RigidMotion<double>> bent(const Rig<double>& rig) {
         out.push_back(motion);
     }
     return out;
-}
-
-/// The faces of a welded mesh whose corners follow a joint most.
-Triangles faces_following(const Triangles& faces, const applications::Skin<double>& skin, std::size_t joint) {
-    Triangles out(faces.rows(), 3);
-    Eigen::Index kept = 0;
-    for (Eigen::Index f = 0; f < faces.rows(); ++f) {
-        const auto follows = [&](int k) { return at(skin.joints(faces(f, k), 0)) == joint; };
-        if (follows(0) && follows(1) && follows(2)) out.row(kept++) = faces.row(f);
-    }
-    out.conservativeResize(kept, 3);
-    return out;
-}
-
-/// How many times faces surround a place: the solid angle under which it sees them, of all directions.
-double winding_around(const Eigen::Vector3d& place, const Points<double>& vertices, const Triangles& faces,
-                      const std::vector<int>& which) {
-    double sum = 0;
-    for (const int f : which) {
-        Eigen::Vector3d corners[3];
-        for (int k = 0; k < 3; ++k) corners[k] = core::point(vertices, faces(f, k)) - place;
-        const auto& [a, b, c] = corners;
-        const double la = a.norm(), lb = b.norm(), lc = c.norm();
-        sum += 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-    }
-    return sum / (4 * std::numbers::pi);
-}
-
-/// Of the connected pieces of a part of a surface the one that surrounds a joint's bone most: a limb's own skin, or the
-/// sleeve that stands for it. Half a skirt and a shield follow bones, too, but what they hold with their rims closed is
-/// no volume of a limb.
-Triangles around_bone(const Points<double>& vertices, const Triangles& part,
-                      const applications::RigJoint<double>& bone) {
-    core::DisjointSets sets(at(vertices.rows()));
-    for (Eigen::Index f = 0; f < part.rows(); ++f)
-        for (int k = 0; k < 2; ++k) sets.unite(at(part(f, k)), at(part(f, k + 1)));
-    std::map<std::size_t, std::vector<int>> pieces;
-    for (int f = 0; f < part.rows(); ++f) pieces[sets.find(at(part(f, 0)))].push_back(f);
-    std::vector<int> best;
-    double most = 0;
-    for (const auto& [unused, faces] : pieces) {
-        double winding = 0;
-        for (const double along : {0.25, 0.5, 0.75})
-            winding += winding_around(bone.position + along * (bone.end - bone.position), vertices, part, faces);
-        if (!(std::abs(winding) > most)) continue; // scans may be inside out
-        most = std::abs(winding);
-        best = faces;
-    }
-    return part(best, Eigen::all);
-}
-
-/// Volume of a part of a surface, each rim of which is closed by a fan around its middle. Edges count as often as faces
-/// run along them one way more than the other: where sheets meet in an edge, or faces lie twice, all is closed, too,
-/// and what moves rigidly keeps its volume.
-double closed_volume(const Points<double>& vertices, const Triangles& part) {
-    std::map<std::pair<int, int>, int> rim; // per edge, its smaller end first, how often it is run along
-    for (Eigen::Index f = 0; f < part.rows(); ++f)
-        for (int k = 0; k < 3; ++k) {
-            const int a = part(f, k), b = part(f, (k + 1) % 3);
-            rim[std::minmax(a, b)] += a < b ? 1 : -1;
-        }
-    std::erase_if(rim, [](const auto& edge) { return edge.second == 0; });
-    core::DisjointSets loops(at(vertices.rows()));
-    for (const auto& [edge, times] : rim) loops.unite(at(edge.first), at(edge.second));
-    std::map<std::size_t, std::pair<Eigen::Vector3d, double>> sums;
-    for (const auto& [edge, times] : rim) {
-        auto& [sum, length] = sums.try_emplace(loops.find(at(edge.first)), Eigen::Vector3d::Zero(), 0.0).first->second;
-        const double weight = std::abs(times) * (vertices.row(edge.first) - vertices.row(edge.second)).norm();
-        sum += weight / 2 * (vertices.row(edge.first) + vertices.row(edge.second)).transpose();
-        length += weight;
-    }
-    double volume = core::enclosed_volume(TriangleMesh<double>{vertices, part});
-    for (const auto& [edge, times] : rim) {
-        const auto& [sum, length] = sums.at(loops.find(at(edge.first)));
-        if (length > 0)
-            volume += times *
-                      core::point(vertices, edge.second).dot(core::point(vertices, edge.first).cross(sum / length)) / 6;
-    }
-    return volume;
 }
 
 /// Pairs of vertices of different pieces that lie within `reach` of each other, each vertex with the nearest other one.
@@ -179,11 +99,15 @@ Quality measure(const Rig<double>& rig) {
         }
     quality.overstretched /= static_cast<double>(rig.mesh.faces.size());
 
+    std::vector<int> strongest;
+    for (Eigen::Index v = 0; v < skin.joints.rows(); ++v) strongest.push_back(skin.joints(v, 0));
     for (std::size_t j = 0; j < rig.joints.size(); ++j) {
         if (rig.joints[j].role != JointRole::elbow && rig.joints[j].role != JointRole::knee) continue;
+        const Triangles following = applications::faces_following(welded.mesh.faces, strongest, static_cast<int>(j));
         const Triangles part =
-            around_bone(welded.mesh.vertices, faces_following(welded.mesh.faces, skin, j), rig.joints[j]);
-        const double was = closed_volume(welded.mesh.vertices, part), is = closed_volume(welded_after, part);
+            applications::around_bone(welded.mesh.vertices, following, rig.joints[j].position, rig.joints[j].end);
+        const double was = applications::closed_volume(welded.mesh.vertices, part),
+                     is = applications::closed_volume(welded_after, part);
         if (was != 0) quality.volume = std::max(quality.volume, std::abs(is / was - 1));
     }
     const auto limb_of = [&](int v) {

@@ -16,6 +16,7 @@
 #include <skelgen/applications/bounded_stretch.hpp>
 #include <skelgen/applications/deep_shoulders.hpp>
 #include <skelgen/applications/heat_weights.hpp>
+#include <skelgen/applications/kept_volumes.hpp>
 #include <skelgen/applications/limb_regions.hpp>
 #include <skelgen/applications/loose_pieces.hpp>
 #include <skelgen/applications/posing.hpp>
@@ -187,7 +188,9 @@ JointWeights fitted_to_edges(JointWeights weights, const TriangleMesh<Scalar>& m
     JointWeights balanced = bounded(with_balanced_bends(joined, surface, faces, skeleton_template, tolerated));
     joined = bounded(std::move(joined)); // which may undo what was balanced
     if (change(balanced) < change(joined)) joined = std::move(balanced);
+    const auto restricted = [&](JointWeights of) { return without_islands(bounded(std::move(of)), faces); };
     joined = without_islands(std::move(joined), faces);
+    joined = with_kept_volumes<Scalar>(std::move(joined), surface, faces, skeleton_template, restricted);
     for (std::size_t v = 0; v < welded.placed.size(); ++v)
         if (welded.placed[v] >= 0) weights.row(static_cast<Eigen::Index>(v)) = joined.row(welded.placed[v]);
     return weights;
