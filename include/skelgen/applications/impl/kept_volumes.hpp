@@ -28,9 +28,9 @@ struct OddsChange {
     core::Accumulator shift = 0;
     core::Accumulator slant = 0; ///< per radius of the joint, along the way that a bend takes what lies straight on
 
-    /// How much it changes: twice as narrow is as much as the border's way by a third of a radius, see below.
+    /// How much it changes: what makes the bend narrower least, for it keeps the border where it is.
     [[nodiscard]] core::Accumulator size() const {
-        return 4 * std::pow(std::log2(factor), 2) + std::pow(shift, 2) + std::pow(slant, 2);
+        return std::pow(std::log2(factor), 2) + std::pow(shift, 2) + std::pow(slant, 2);
     }
 };
 
