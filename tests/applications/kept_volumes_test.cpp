@@ -11,6 +11,7 @@
 #include "catch.hpp"
 #include "human.hpp"
 #include "mesh_changes.hpp"
+#include "shapes.hpp"
 #include "sleeve.hpp"
 
 namespace {
@@ -97,6 +98,25 @@ TEST_CASE("kept volumes: pieces that lie on each other stay together", "[applica
     CHECK(change(twice, before, limb.rest) > 0.05);
     CHECK(change(twice, after, limb.rest) < 0.05);
     CHECK(after.topRows(limb.weights.rows()) == after.bottomRows(limb.weights.rows()));
+}
+
+TEST_CASE("kept volumes: what lies far off and hardly follows a hinge does not come to follow it",
+          "[applications][weights]") {
+    const Lossy limb;
+    const int elbow = find_joint(limb.rest, "left_elbow"), shoulder = find_joint(limb.rest, "left_shoulder");
+    const Eigen::Vector3d place = limb.rest.joints[static_cast<std::size_t>(elbow)].position;
+    for (const double side : {-1.0, 1.0}) {
+        TriangleMesh<double> wing = test::sphere(sleeve_radius, 1);
+        wing.vertices.rowwise() += (place + side * 10 * sleeve_radius * Eigen::Vector3d::UnitZ()).transpose();
+        const TriangleMesh<double> mesh = test::side_by_side(limb.mesh, wing);
+        JointWeights before = JointWeights::Zero(mesh.vertices.rows(), limb.weights.cols());
+        before.topRows(limb.weights.rows()) = limb.weights;
+        before.bottomRows(wing.vertices.rows()).col(elbow).setConstant(1e-4);
+        before.bottomRows(wing.vertices.rows()).col(shoulder).setConstant(1 - 1e-4);
+        const JointWeights after = kept(mesh, before, limb.rest);
+        CHECK(change(mesh, after, limb.rest) < 0.05);
+        CHECK(after.bottomRows(wing.vertices.rows()).col(elbow).maxCoeff() < 0.05);
+    }
 }
 
 TEST_CASE("kept volumes: a limb that comes bent keeps the volume that it has at rest", "[applications][weights]") {

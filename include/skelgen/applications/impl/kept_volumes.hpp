@@ -89,8 +89,9 @@ public:
         take_between(weights);
         const Vector way = axis.cross((to_[0] - from_[0]).normalized());
         const auto radius = static_cast<Accumulator>(surface.skeleton.joints[static_cast<std::size_t>(hinge)].radius);
-        for (const int v : between_)
-            along_way_.push_back(radius > 0 ? way.dot(core::point(places_, v) - from_[0]) / radius : Accumulator(0));
+        for (const int v : between_) // what lies beyond the limb, as wings do, follows the hinge no more by it
+            along_way_.push_back(
+                radius > 0 ? std::clamp<Accumulator>(way.dot(core::point(places_, v) - from_[0]) / radius, -1, 1) : 0);
     }
 
     /// With the weights as they are.
@@ -213,7 +214,7 @@ private:
     std::vector<Accumulator> shares_; ///< of what is below
     std::vector<int> strongest_;
     std::vector<int> between_, rows_between_; ///< vertices here that follow both sides, and their rows
-    std::vector<Accumulator> along_way_;      ///< of those: how far they lie along a bend's way, in radii
+    std::vector<Accumulator> along_way_;      ///< of those: how far they lie along a bend's way, in radii, at most 1
     JointWeights weights_;                    ///< of those
     Points<Scalar> as_is_;                    ///< those
 };
