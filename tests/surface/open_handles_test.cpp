@@ -147,4 +147,23 @@ TEST_CASE("what is opened at short loops only is opened alike where only these c
     CHECK(opened->body.mesh.faces == short_alone->body.mesh.faces);
 }
 
+TEST_CASE("handles that are far apart are opened, each once") {
+    std::vector<std::array<Vec3, 2>> segments{{Vec3(0, 0, 0), Vec3(2, 0.1, 0)}}; // with a ring at either end
+    for (const double x : {-1.0, 2.0}) {
+        const std::array<Vec3, 4> corners{Vec3(x, 0, 0), Vec3(x, 1, 0), Vec3(x + 1, 1.1, 0), Vec3(x + 1, 0.1, 0)};
+        for (std::size_t k = 0; k < 4; ++k) segments.push_back({corners[k], corners[(k + 1) % 4]});
+    }
+    segments[0][0] = Vec3(0, 0.1, 0);
+    segments[0][1] = Vec3(2, 0, 0);
+    const Body<double> rings = prepare(tubes(segments, 0.012, 0.007));
+    REQUIRE(genus(rings.mesh) == 2);
+    const auto opened = open_handles(rings);
+    REQUIRE(opened);
+    CHECK_FALSE(opened->before_creases);
+    CHECK(genus(opened->body.mesh) == 0);
+    CHECK(opened->body.is_closed);
+    CHECK(surface_area(opened->body.mesh) > 0.97 * surface_area(rings.mesh)); // nothing was cut off
+    CHECK(opened->body.repairs.back() == "the body has grown together with itself in 2 places: it was opened there");
+}
+
 TEST_CASE("a body without handles has nothing to open") { CHECK_FALSE(open_handles(prepare(sphere(1)))); }

@@ -35,7 +35,7 @@ struct OpenedBody {
 /// shorter than a wrist's girth, as fingers on a hip, or runs along creases (see handle_loops), as a hand's contact
 /// with a thigh. A limb that is a handle by itself, its end hidden in another, stays. Both sides are closed; what was
 /// done is added to the body's repairs. \returns none where there is nothing to open, or more than 24 handles, as torn
-/// surfaces have them. O(n log n) for each pair of handles at most, O(n) without any.
+/// surfaces have them. O(n log n) for each handle at most, for all that are far apart at once; O(n) without any.
 template <typename Scalar>
 [[nodiscard]] std::optional<OpenedBody<Scalar>> open_handles(const Body<Scalar>& body,
                                                              Contacts contacts = Contacts::short_or_creased);

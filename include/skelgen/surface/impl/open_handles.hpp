@@ -3,6 +3,7 @@
 #include <skelgen/surface/open_handles.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include <skelgen/core/adjacency.hpp>
+#include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/surface/cut_surface.hpp>
 #include <skelgen/surface/handle_loops.hpp>
@@ -77,27 +79,94 @@ std::vector<int> seam_crossings(const HandleLoop<Scalar>& loop, const std::vecto
 /// Roots are on a loop, not on the tightest one beside it: that is looked for within so many times the loop's length.
 inline constexpr double looked_around = 1.5;
 
-/// A contact's loop on a surface in canonical form, as tight as it is found: of those through the vertex farthest along
-/// x, each shortest first, the loops through where it crosses seams are looked at. Loops far from a root are not tight.
+/// The tightest loop found around the contact of a loop, among those through where that crosses seams.
 template <typename Scalar>
-std::optional<HandleLoop<Scalar>> find_contact(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency,
-                                               Contacts contacts) {
+HandleLoop<Scalar> tightened(const CreaseGraph<Scalar>& creases, HandleLoop<Scalar> loop) {
     constexpr auto longest = static_cast<Scalar>(looked_around * std::max(short_loop, short_seam));
+    for (const int root : seam_crossings(loop, creases.factors)) {
+        const Scalar limit = std::min(longest, static_cast<Scalar>(looked_around) * loop.length);
+        std::vector<HandleLoop<Scalar>> tighter = handle_loops(creases, root, limit);
+        if (!tighter.empty() && tighter.front().length < loop.length) loop = std::move(tighter.front());
+    }
+    return loop;
+}
+
+/// Short loops that can be cut at once: the surface hangs together without all of them, and each is farther from the
+/// others than what a cut there changes of the ways around it. They are then what they are one after the other.
+template <typename Scalar>
+class LoopsApart {
+public:
+    explicit LoopsApart(const CreaseGraph<Scalar>& creases)
+        : creases_(creases), next_(creases.factors.size(), -1), is_beside_(creases.factors.size(), false) {}
+
+    /// Adds a loop if it can be cut with those that were added. \returns whether it can.
+    bool add_if_apart(const HandleLoop<Scalar>& loop) {
+        const std::vector<int>& line = loop.vertices;
+        if (std::any_of(line.begin(), line.end(), [&](int v) { return is_beside_[at(v)]; })) return false;
+        for (std::size_t i = 0; i < line.size(); ++i) next_[at(line[i])] = line[(i + 1) % line.size()];
+        if (!loops_.empty() && !hangs_together()) {
+            for (const int v : line) next_[at(v)] = -1;
+            return false;
+        }
+        loops_.push_back(line);
+        const std::vector<Scalar> way =
+            core::shortest_paths(creases_.graph, line.front(), static_cast<Scalar>(short_loop)).distance;
+        for (std::size_t v = 0; v < way.size(); ++v)
+            if (std::isfinite(way[v])) is_beside_[v] = true;
+        for (const int v : line) is_beside_[at(v)] = true;
+        return true;
+    }
+    [[nodiscard]] const std::vector<std::vector<int>>& loops() const { return loops_; }
+
+private:
+    static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+    [[nodiscard]] bool hangs_together() const {
+        core::DisjointSets across(creases_.faces);
+        for (const auto& [ends, faces, weight] : creases_.edges)
+            if (next_[at(ends[0])] != ends[1] && next_[at(ends[1])] != ends[0])
+                across.unite(at(faces[0]), at(faces[1]));
+        return across.count() == 1;
+    }
+
+    const CreaseGraph<Scalar>& creases_;
+    std::vector<int> next_;       ///< per vertex the next one on its loop, -1 off them
+    std::vector<bool> is_beside_; ///< per vertex, is it on a loop or near one?
+    std::vector<std::vector<int>> loops_;
+};
+
+/// Contacts that can be opened at once.
+struct ContactsApart {
+    std::vector<std::vector<int>> loops;
+    bool are_short = true; ///< else there is but one
+};
+
+/// Contacts' loops on a surface in canonical form, as tight as they are found, `most` of them: of those through the
+/// vertex farthest along x, each shortest first, the loops through where it crosses seams are looked at, up to the
+/// first that is no short contact apart from those before it. Loops far from a root are not tight.
+template <typename Scalar>
+ContactsApart find_contacts(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency, Contacts contacts,
+                            std::size_t most) {
     Eigen::Index farthest = 0;
     mesh.vertices.col(0).maxCoeff(&farthest);
     const CreaseGraph<Scalar> creases = crease_graph(mesh, adjacency);
     std::vector<HandleLoop<Scalar>> loops = handle_loops(creases, static_cast<int>(farthest));
     if (loops.size() > most_loops) loops.resize(most_loops);
+    LoopsApart<Scalar> found(creases);
     for (const HandleLoop<Scalar>& loop : loops) {
-        HandleLoop<Scalar> tightest = loop;
-        for (const int root : seam_crossings(loop, creases.factors)) {
-            const Scalar limit = std::min(longest, static_cast<Scalar>(looked_around) * tightest.length);
-            std::vector<HandleLoop<Scalar>> tighter = handle_loops(creases, root, limit);
-            if (!tighter.empty() && tighter.front().length < tightest.length) tightest = std::move(tighter.front());
+        if (found.loops().size() == most) break;
+        const HandleLoop<Scalar> tightest = tightened(creases, loop);
+        const bool is_first = found.loops().empty();
+        if (!is_contact(mesh, tightest, contacts) || tightest.vertices.size() < 3) {
+            if (is_first) continue;
+            break;
         }
-        if (is_contact(mesh, tightest, contacts) && tightest.vertices.size() >= 3) return tightest;
+        if (!is_short(mesh, tightest)) {
+            if (is_first) return {{tightest.vertices}, false};
+            break;
+        }
+        if (!found.add_if_apart(tightest)) break;
     }
-    return std::nullopt;
+    return {found.loops(), true};
 }
 
 /// The surface cut open at one contact after another.
@@ -108,15 +177,17 @@ std::optional<OpenedBody<Scalar>> opened_on(const Body<Scalar>& body, OpenedSurf
     if (handles < 1 || handles > most_handles || !body.is_closed) return std::nullopt;
     OpenedBody<Scalar> out;
     auto& [mesh, adjacency, source, opened] = surface;
-    for (; opened < handles; ++opened) {
-        const auto loop = find_contact(mesh, adjacency, contacts);
-        if (!loop) break;
+    while (opened < handles) {
+        const auto [loops, are_short] =
+            find_contacts(mesh, adjacency, contacts, static_cast<std::size_t>(handles - opened));
+        if (loops.empty()) break;
         // No edge counts more than its length: the short loops are contacts in any case, and come in the same order.
-        if (!out.before_creases && !is_short(mesh, *loop)) out.before_creases = surface;
-        CutSurface<Scalar> cut = cut_along(mesh, adjacency, {loop->vertices});
+        if (!out.before_creases && !are_short) out.before_creases = surface;
+        CutSurface<Scalar> cut = cut_along(mesh, adjacency, loops);
         mesh = std::move(cut.mesh);
         adjacency = core::face_adjacency(mesh.faces);
         source = opened > 0 ? composed(std::move(cut.source), source) : std::move(cut.source);
+        opened += static_cast<int>(loops.size());
     }
     if (opened == 0) return std::nullopt;
     out.body = resurfaced(body, std::move(mesh), std::move(source));
