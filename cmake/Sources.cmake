@@ -415,8 +415,12 @@ set(skelgen_sources
     src/io/leftovers.cpp
     src/io/lost_pictures.cpp
     src/io/measurements_text.cpp
+    src/io/mesh_encoding.cpp
     src/io/mesh_format.cpp
     src/io/mesh_primitives.cpp
+    src/io/mtl_parser.cpp
+    src/io/obj_looks.cpp
+    src/io/obj_materials.cpp
     src/io/obj_parser.cpp
     src/io/off_parser.cpp
     src/io/ply_header.cpp
@@ -424,6 +428,7 @@ set(skelgen_sources
     src/io/polygon_bytes.cpp
     src/io/polygon_mesh.cpp
     src/io/read_file.cpp
+    src/io/read_looks.cpp
     src/io/read_mesh.cpp
     src/io/rig_formats.cpp
     src/io/rig_motion.cpp

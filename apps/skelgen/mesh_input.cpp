@@ -25,6 +25,14 @@ std::vector<std::string> format_names() {
     return names;
 }
 
+/// "2 pictures are left out: why; and others"; empty where nothing is.
+std::string what_is_lost(const std::vector<std::string>& lost, const std::string& one, const std::string& several) {
+    if (lost.empty()) return "";
+    const bool is_one = lost.size() == 1;
+    return std::to_string(lost.size()) + " " + (is_one ? one + " is" : several + " are") +
+           " left out: " + lost.front() + (is_one ? "" : "; and others");
+}
+
 } // namespace
 
 void add_mesh_input(CLI::App& command, MeshInput& input, const std::string& help) {
@@ -57,17 +65,18 @@ TriangleMesh<double> load_mesh(const MeshInput& input) {
 }
 
 io::SceneLooks load_looks(const MeshInput& input) {
-    auto looks = input.file == standard_input ? io::parse_looks(standard_input_content()) : io::read_looks(input.file);
+    auto looks = input.file == standard_input ? io::parse_looks(standard_input_content(), input.options)
+                                              : io::read_looks(input.file, input.options);
     return std::move(looks).value_or(io::SceneLooks{});
 }
 
 KeptLooks keep_looks(const MeshInput& input) {
     try {
         KeptLooks kept{load_looks(input), ""};
-        const std::vector<std::string>& lost = kept.looks.lost_pictures;
-        if (!lost.empty())
-            kept.warning = std::to_string(lost.size()) + (lost.size() == 1 ? " picture is" : " pictures are") +
-                           " left out: " + lost.front() + (lost.size() == 1 ? "" : "; and others");
+        const std::string pictures = what_is_lost(kept.looks.lost_pictures, "picture", "pictures");
+        kept.warning = what_is_lost(kept.looks.lost_materials, "file of materials", "files of materials");
+        if (!kept.warning.empty() && !pictures.empty()) kept.warning += "; ";
+        kept.warning += pictures;
         return kept;
     } catch (const Error& error) {
         if (error.code() != ErrorCode::bad_input) throw;

@@ -102,6 +102,30 @@ std::pair<std::size_t, std::size_t> range_of(const std::vector<int>& numbers, Ei
     return {static_cast<std::size_t>(from - numbers.begin()), static_cast<std::size_t>(to - from)};
 }
 
+/// The numbers of what stays of a part's vertices, and of the copies of these, which come behind all.
+std::vector<int> with_copies(std::vector<int> vertices, const std::vector<int>& copies, int first) {
+    const std::size_t own = vertices.size();
+    for (std::size_t i = 0; i < copies.size(); ++i)
+        if (std::binary_search(vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(own), copies[i]))
+            vertices.push_back(first + static_cast<int>(i));
+    return vertices;
+}
+
+/// The copies and faces of looks by the numbers that their vertices have in this part.
+io::SceneLooks with_part_faces(io::SceneLooks looks, const OwnPart& part, const std::vector<int>& vertices) {
+    const auto now = [&](int vertex) {
+        return static_cast<int>(std::lower_bound(vertices.begin(), vertices.end(), vertex) - vertices.begin());
+    };
+    std::vector<int> copies;
+    const int first = static_cast<int>(looks.parts.front().vertices) - static_cast<int>(looks.copies.size());
+    for (std::size_t i = part.vertices.size(); i < vertices.size(); ++i)
+        copies.push_back(now(looks.copies[static_cast<std::size_t>(vertices[i] - first)]));
+    looks.copies = std::move(copies);
+    Triangles faces = looks.faces(part.faces, Eigen::all);
+    looks.faces = faces.unaryExpr(now);
+    return looks;
+}
+
 } // namespace
 
 OwnPart keep_own_part(FittedFile& file) {
@@ -122,13 +146,20 @@ OwnPart keep_own_part(FittedFile& file) {
 
 io::SceneLooks looks_of(const io::SceneLooks& looks, const OwnPart& part) {
     io::SceneLooks out = looks;
-    if (part.is_all) return out;
+    if (part.is_all || looks.parts.empty()) return out;
+    std::vector<int> kept = part.vertices;
+    if (!looks.copies.empty()) {
+        const auto copies = static_cast<Eigen::Index>(looks.copies.size());
+        kept = with_copies(part.vertices, looks.copies, static_cast<int>(looks.parts.front().vertices - copies));
+        out = with_part_faces(std::move(out), part, kept);
+    }
     for (io::ScenePart& one : out.parts) {
         const auto [face, faces] = range_of(part.faces, one.first_face, one.first_face + one.faces);
-        const auto [vertex, vertices] = range_of(part.vertices, one.first_vertex, one.first_vertex + one.vertices);
+        const auto [vertex, vertices] = range_of(kept, one.first_vertex, one.first_vertex + one.vertices);
         const auto first = static_cast<int>(one.first_vertex);
-        for (auto& set : one.texture_coordinates) set = rows_of(set, part.vertices, vertex, vertices, first);
-        one.colours = rows_of(one.colours, part.vertices, vertex, vertices, first);
+        for (auto& set : one.texture_coordinates) set = rows_of(set, kept, vertex, vertices, first);
+        one.colours = rows_of(one.colours, kept, vertex, vertices, first);
+        one.normals = rows_of(one.normals, kept, vertex, vertices, first);
         one.first_face = static_cast<Eigen::Index>(face);
         one.faces = static_cast<Eigen::Index>(faces);
         one.first_vertex = static_cast<Eigen::Index>(vertex);

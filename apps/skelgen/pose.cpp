@@ -4,6 +4,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <skelgen/applications/pose_transfer.hpp>
 #include <skelgen/applications/rig.hpp>
@@ -78,11 +80,17 @@ Model load_model(const PoseCommand& command) {
     });
 }
 
-TriangleMesh<double> held_like_model(const PoseCommand& command, const FittedFile& body, const Model& model) {
+/// A mesh in another pose, and how its vertices have been turned to get there.
+struct Held {
+    TriangleMesh<double> mesh;
+    applications::VertexTurns<double> turns;
+};
+
+Held held_like_model(const PoseCommand& command, const FittedFile& body, const Model& model) {
     return in_file(command.mesh.file, [&] {
         auto posed = applications::pose_like(body.mesh, body.found.body, body.skeleton(), model.skeleton, human());
         if (model.floor) posed = put_on(std::move(posed), *model.floor);
-        return posed.mesh;
+        return Held{std::move(posed.mesh), std::move(posed.turns)};
     });
 }
 
@@ -96,13 +104,15 @@ ClipInput load_posing_clip(const PoseCommand& command) {
 }
 
 /// The body as the clip's skeleton is in the frame: +y up, on the floor, in the mesh's unit.
-TriangleMesh<double> held_as_in_clip(const PoseCommand& command, const FittedFile& body, const ClipInput& clip) {
+Held held_as_in_clip(const PoseCommand& command, const FittedFile& body, const ClipInput& clip) {
     const auto rig = in_file(command.mesh.file, [&] {
         return applications::make_rig(body.mesh, body.found.body, body.skeleton(), human());
     });
     const auto animation = follow_clip(clip, rig); // all of it: its floor is that of all frames
-    TriangleMesh<double> held = posed(rig, animation.frames[static_cast<std::size_t>(command.frame)]);
-    held.vertices /= rig.metres_per_unit;
+    const auto& pose = animation.frames[static_cast<std::size_t>(command.frame)];
+    Held held{posed(rig, pose), applications::skin_turns(rig.skin, motions(rig.joints, pose))};
+    held.mesh.vertices /= rig.metres_per_unit;
+    for (std::size_t v = 0; v < held.turns.size(); ++v) held.turns[v] = held.turns[v] * rig.turns[v];
     return held;
 }
 
@@ -125,10 +135,9 @@ void run(const PoseCommand& command) {
     options.prepare.component = command.component;
     FittedFile body = in_file(command.mesh.file, [&] { return fit_file(command.mesh, options); });
     const OwnPart part = command.component > 0 ? keep_own_part(body) : OwnPart{};
-    const TriangleMesh<double> held =
-        model ? held_like_model(command, body, *model) : held_as_in_clip(command, body, *clip);
+    const Held held = model ? held_like_model(command, body, *model) : held_as_in_clip(command, body, *clip);
     const KeptLooks kept = format == io::MeshFormat::glb ? keep_looks(command.mesh) : KeptLooks{};
-    in_file(command.output, [&] { io::write_mesh(command.output, held, looks_of(kept.looks, part)); });
+    in_file(command.output, [&] { io::write_mesh(command.output, held.mesh, looks_of(kept.looks, part), held.turns); });
     waiting.end();
     if (command.quiet) return;
     if (model) print_warnings(command.like.empty() ? command.pose : command.like, model->skeleton);

@@ -50,6 +50,7 @@ namespace skelgen::applications {
     template Skin<Scalar> strongest_influences(const Eigen::MatrixX<Scalar>&);                                         \
     template Points<Scalar> skinned(const Points<Scalar>&, const Skin<Scalar>&,                                        \
                                     const std::vector<RigidMotion<Scalar>>&);                                          \
+    template VertexTurns<Scalar> skin_turns(const Skin<Scalar>&, const std::vector<RigidMotion<Scalar>>&);             \
     template Points<Scalar> skinned_linearly(const Points<Scalar>&, const Skin<Scalar>&,                               \
                                              const std::vector<RigidMotion<Scalar>>&);                                 \
     template Heat heat_in(const Body<Scalar>&, const std::vector<Bone<Scalar>>&, int, const LimbRegions&);             \

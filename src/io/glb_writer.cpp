@@ -43,9 +43,10 @@ std::string format_glb(const Points<double>& vertices, const Triangles& faces) {
     return format_glb_container(json.dump(), buffer.bytes());
 }
 
-std::string format_glb(const TriangleMesh<double>& mesh, const SceneLooks& looks) {
+std::string format_glb(const TriangleMesh<double>& mesh, const SceneLooks& looks,
+                       const applications::VertexTurns<double>& turns) {
     GltfBuffer buffer;
-    Json json = scene_of(describe_primitives(buffer, mesh, nullptr, looks));
+    Json json = scene_of(describe_primitives(buffer, {mesh, nullptr, turns, looks}));
     add_materials(json, buffer, looks);
     buffer.describe_in(json);
     return format_glb_container(json.dump(), buffer.bytes());

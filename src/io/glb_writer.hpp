@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include <skelgen/applications/skinning.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/io/scene_looks.hpp>
 
@@ -12,8 +13,10 @@ namespace skelgen::io::detail {
 /// no way to write nothing.
 [[nodiscard]] std::string format_glb(const Points<double>& vertices, const Triangles& faces);
 
-/// The same with smooth normals and the looks of the scene that it was made of. \throws Error usage also when these are
-/// those of another mesh.
-[[nodiscard]] std::string format_glb(const TriangleMesh<double>& mesh, const SceneLooks& looks);
+/// The same with normals and the looks of the scene that it was made of; the looks' own normals where it is known how
+/// its vertices have been turned since, else smooth ones. \throws Error usage also when looks or turns are those of
+/// another mesh.
+[[nodiscard]] std::string format_glb(const TriangleMesh<double>& mesh, const SceneLooks& looks,
+                                     const applications::VertexTurns<double>& turns);
 
 } // namespace skelgen::io::detail

@@ -6,26 +6,19 @@
 #include <utility>
 
 #include <skelgen/core/error.hpp>
-#include <skelgen/io/read_file.hpp>
 
-#include "companion_file.hpp"
 #include "data_uri.hpp"
 #include "gltf_primitive.hpp"
 #include "json_values.hpp"
 #include "lost_pictures.hpp"
-#include "plain_content.hpp"
+#include "picture_kind.hpp"
 
-namespace skelgen::io {
-namespace detail {
+namespace skelgen::io::detail {
 namespace {
-
-constexpr std::string_view png_magic = "\x89PNG", jpeg_magic = "\xFF\xD8\xFF", webp_magic = "RIFF";
 
 /// An image's kind by its own bytes; what the file says of it where they are of none that glTF knows.
 std::string mime_type(std::string_view bytes, const GltfValue& image) {
-    if (bytes.starts_with(png_magic)) return "image/png";
-    if (bytes.starts_with(jpeg_magic)) return "image/jpeg";
-    if (bytes.starts_with(webp_magic)) return "image/webp";
+    if (const auto kind = picture_kind(bytes)) return std::string(*kind);
     const auto named = image.find("mimeType");
     if (!named) image.fail("is no picture of a known kind; save it as PNG or JPEG");
     return named->text();
@@ -63,11 +56,11 @@ GltfValue::Json still_needed(const GltfFile& file, const char* list, const std::
 
 } // namespace
 
-SceneLooks read_gltf_looks(std::string_view bytes, const LoadCompanion& load) {
+SceneLooks read_gltf_looks(std::string_view bytes, const ReadMeshOptions& options, const LoadCompanion& load) {
     const GltfFile file = open_gltf(bytes);
     GltfData data(file, bytes.size(), load);
     SceneLooks looks;
-    for (const GltfPart& found : gltf_parts(data)) {
+    for (GltfPart& found : gltf_parts(data, options)) {
         ScenePart part{found.first_vertex, found.vertices, found.first_face, found.faces, std::nullopt, {}, {}};
         const GltfValue primitive = file.root().at("meshes")[found.mesh].at("primitives")[found.primitive];
         if (const auto material = primitive.find("material")) {
@@ -81,6 +74,7 @@ SceneLooks read_gltf_looks(std::string_view bytes, const LoadCompanion& load) {
         part.colours = read_colours(data, primitive);
         if (part.colours.rows() > 0 && part.colours.rows() != part.vertices)
             primitive.fail("has another number of colours than of vertices");
+        part.normals = std::move(found.normals);
         looks.parts.push_back(std::move(part));
     }
 
@@ -110,29 +104,4 @@ SceneLooks read_gltf_looks(std::string_view bytes, const LoadCompanion& load) {
     return looks;
 }
 
-} // namespace detail
-
-namespace {
-
-std::optional<SceneLooks> looks_in(std::string_view bytes, const detail::LoadCompanion& load) {
-    std::string decompressed;
-    bytes = detail::plain_content(bytes, decompressed);
-    if (!detail::is_glb(bytes) && !detail::is_gltf_json(bytes)) return std::nullopt;
-    try {
-        return detail::read_gltf_looks(bytes, load);
-    } catch (const Error& error) {
-        throw Error(error.code(), detail::valid_utf8(error.what()));
-    }
-}
-
-} // namespace
-
-std::optional<SceneLooks> parse_looks(std::string_view content) { return looks_in(content, detail::refuse_companion); }
-
-std::optional<SceneLooks> read_looks(const std::filesystem::path& path) {
-    return looks_in(read_file(path), [folder = path.parent_path()](const std::string& reference) {
-        return detail::read_companion(folder, reference);
-    });
-}
-
-} // namespace skelgen::io
+} // namespace skelgen::io::detail

@@ -13,7 +13,9 @@
 namespace skelgen::io::detail {
 
 /// How the parts of a scene look, in the order of its vertices and faces: `parse_gltf` tells which these are. Reads
-/// texture coordinates and pictures. \throws Error bad_input when something does not hold together; what `load` throws.
-[[nodiscard]] SceneLooks read_gltf_looks(std::string_view bytes, const LoadCompanion& load);
+/// texture coordinates, normals and pictures. \throws Error bad_input when something does not hold together; what
+/// `load` throws.
+[[nodiscard]] SceneLooks read_gltf_looks(std::string_view bytes, const ReadMeshOptions& options,
+                                         const LoadCompanion& load);
 
 } // namespace skelgen::io::detail

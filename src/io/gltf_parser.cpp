@@ -24,8 +24,10 @@ namespace {
 /// Puts the scene's meshes together.
 class SceneReader {
 public:
-    SceneReader(GltfData& data, GltfNodes nodes)
-        : data_(&data), nodes_(std::move(nodes)), matrices_(world_matrices(nodes_.nodes)) {}
+    /// `with_normals`: reads the parts' normals, too.
+    SceneReader(GltfData& data, GltfNodes nodes, bool with_normals)
+        : data_(&data), nodes_(std::move(nodes)), matrices_(world_matrices(nodes_.nodes)), with_normals_(with_normals) {
+    }
 
     PolygonMesh read() {
         for (const std::size_t node : shown_nodes(data_->file(), nodes_)) {
@@ -65,6 +67,9 @@ private:
             if (is_new) add_vertices(primitive.vertices, matrices_[node], joint_matrices, primitives[i]);
             add_triangles(primitive, known->second, mirrored);
             add_part(primitive, mesh_index, i, known->second);
+            if (with_normals_)
+                parts_.back().normals = scene_normals(read_normals(*data_, primitives[i], weights), primitive.vertices,
+                                                      matrices_[node], joint_matrices);
         }
     }
 
@@ -113,6 +118,23 @@ private:
             refuse("has more vertices than an int can count; simplify it");
     }
 
+    /// Normals as the mesh lies in the scene; none where there are not as many as vertices.
+    static decltype(GltfPart::normals)
+    scene_normals(const std::vector<Eigen::Vector3d>& normals, const GltfVertices& vertices,
+                  const Eigen::Matrix4d& node_matrix,
+                  const std::optional<std::vector<Eigen::Matrix4d>>& joint_matrices) {
+        if (normals.size() != vertices.positions.size()) return {};
+        decltype(GltfPart::normals) out(static_cast<Eigen::Index>(normals.size()), 3);
+        for (std::size_t i = 0; i < normals.size(); ++i) {
+            const auto influences = vertices.influences_of(i);
+            const Eigen::Vector3d turned = joint_matrices && !influences.empty()
+                                               ? skinned_normal(normals[i], influences, *joint_matrices)
+                                               : transformed_normal(normals[i], node_matrix);
+            out.row(static_cast<Eigen::Index>(i)) = turned.transpose().cast<float>();
+        }
+        return out;
+    }
+
     static void check_joints(std::span<const Influence> influences, std::size_t joints, const GltfValue& primitive) {
         for (const Influence& influence : influences) // without weight it may name anything, unless it is the first
             if ((influence.weight != 0 || &influence == &influences.front()) && influence.joint >= joints)
@@ -134,12 +156,22 @@ private:
     std::vector<GltfPart> parts_;
     Eigen::Index faces_ = 0; ///< in `parts_`
     bool has_points_ = false;
+    bool with_normals_;
 };
+
+/// The nodes as they are stored, or as the wanted animation has them.
+GltfNodes posed_nodes(GltfData& data, const ReadMeshOptions& options) {
+    GltfNodes nodes = read_nodes(data.file());
+    if (!options.animation.empty())
+        for (const AnimationChannel& channel : read_animation(data, options.animation))
+            nodes.nodes = animate(std::move(nodes.nodes), channel, options.time);
+    return nodes;
+}
 
 } // namespace
 
-std::vector<GltfPart> gltf_parts(GltfData& data) {
-    SceneReader reader(data, read_nodes(data.file()));
+std::vector<GltfPart> gltf_parts(GltfData& data, const ReadMeshOptions& options) {
+    SceneReader reader(data, posed_nodes(data, options), true);
     static_cast<void>(reader.read());
     return reader.parts();
 }
@@ -147,11 +179,7 @@ std::vector<GltfPart> gltf_parts(GltfData& data) {
 PolygonMesh parse_gltf(std::string_view bytes, const ReadMeshOptions& options, const LoadCompanion& load) {
     const GltfFile file = open_gltf(bytes);
     GltfData data(file, bytes.size(), load);
-    GltfNodes nodes = read_nodes(file);
-    if (!options.animation.empty())
-        for (const AnimationChannel& channel : read_animation(data, options.animation))
-            nodes.nodes = animate(std::move(nodes.nodes), channel, options.time);
-    return SceneReader(data, std::move(nodes)).read();
+    return SceneReader(data, posed_nodes(data, options), false).read();
 }
 
 } // namespace skelgen::io::detail

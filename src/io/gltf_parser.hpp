@@ -19,10 +19,13 @@ struct GltfPart {
     std::size_t mesh = 0, primitive = 0; ///< of the file
     Eigen::Index first_vertex = 0, vertices = 0;
     Eigen::Index first_face = 0, faces = 0;
+    /// Of its vertices, as they are in the scene; unit length, or zero where one has no direction. No rows: none are
+    /// given.
+    Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> normals = {};
 };
 
-/// The parts of the scene that `parse_gltf` reads, in the order of their faces. \throws Error bad_input as that does.
-[[nodiscard]] std::vector<GltfPart> gltf_parts(GltfData& data);
+/// The parts of the scene that `parse_gltf` reads, in the order of their faces. \throws Error as that does.
+[[nodiscard]] std::vector<GltfPart> gltf_parts(GltfData& data, const ReadMeshOptions& options);
 
 /// glTF 2.0 (Khr21): JSON, GLB or VRM. All triangles of the scene that a viewer shows first, as it shows them: morph
 /// targets by their weights, skins posed by their joints' nodes, all else moved by its node. Nodes in the scene's

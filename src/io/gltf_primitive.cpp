@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "draco_codec.hpp"
+#include "finite_float.hpp"
 
 namespace skelgen::io::detail {
 namespace {
@@ -17,10 +18,10 @@ constexpr const char* draco_extension = "KHR_draco_mesh_compression";
 /// The attributes of a primitive by name, be they accessors or within a Draco mesh.
 class Attributes {
 public:
-    /// `with_colours`: of a Draco mesh they are decoded, too; a shape does not depend on them.
-    Attributes(GltfData& data, const GltfValue& primitive, bool with_colours = false)
+    /// `with_looks`: of a Draco mesh colours and normals are decoded, too; a shape does not depend on them.
+    Attributes(GltfData& data, const GltfValue& primitive, bool with_looks = false)
         : data_(&data), attributes_(primitive.at("attributes")), draco_(find_draco(primitive)),
-          with_colours_(with_colours) {
+          with_looks_(with_looks) {
         if (draco_) decode();
     }
 
@@ -48,18 +49,18 @@ private:
         return extensions ? extensions->find(draco_extension) : std::nullopt;
     }
 
-    static constexpr const char* colours = "COLOR_0";
+    static constexpr const char *colours = "COLOR_0", *normals = "NORMAL";
 
     [[nodiscard]] std::size_t columns_of(const std::string& name) const {
         if (name == colours)
             return data_->file().referred("accessors", attributes_.at(colours)).at("type").text() == "VEC3" ? 3 : 4;
-        return name == "POSITION" ? 3 : name.starts_with("TEXCOORD_") ? 2 : 4;
+        return name == "POSITION" || name == normals ? 3 : name.starts_with("TEXCOORD_") ? 2 : 4;
     }
 
     [[nodiscard]] bool is_read(const std::string& name) const {
         for (const char* start : {"POSITION", "JOINTS_", "WEIGHTS_", "TEXCOORD_"})
             if (name.starts_with(start)) return true;
-        return with_colours_ && name == colours;
+        return with_looks_ && (name == colours || name == normals);
     }
 
     void decode() {
@@ -77,7 +78,7 @@ private:
     GltfData* data_;
     GltfValue attributes_;
     std::optional<GltfValue> draco_;
-    bool with_colours_;
+    bool with_looks_;
     DracoMesh mesh_;
     std::vector<std::string> names_; ///< of the mesh's attributes
 };
@@ -97,12 +98,13 @@ std::vector<Eigen::Vector3d> read_positions(Attributes& attributes, const GltfVa
     return positions;
 }
 
-std::vector<Eigen::Vector3d> morphed(std::vector<Eigen::Vector3d> positions, GltfData& data, const GltfValue& primitive,
-                                     const std::vector<double>& weights) {
+/// The rows of a vertex attribute (POSITION or NORMAL), moved as far as the targets that have weight move them.
+std::vector<Eigen::Vector3d> morphed(std::vector<Eigen::Vector3d> positions, const char* attribute, GltfData& data,
+                                     const GltfValue& primitive, const std::vector<double>& weights) {
     const auto targets = primitive.find("targets");
     for (std::size_t i = 0; targets && i < weights.size() && i < targets->size(); ++i) {
         if (weights[i] == 0) continue; // most have no weight, and reading them all would take long
-        const auto moved = (*targets)[i].find("POSITION");
+        const auto moved = (*targets)[i].find(attribute);
         if (!moved) continue;
         const GltfArray offsets = data.accessor(*moved, 3);
         if (offsets.rows != positions.size()) moved->fail("has another number of vertices than the mesh");
@@ -137,7 +139,7 @@ GltfVertices with_influences(GltfVertices vertices, const GltfArray& joints, con
 GltfVertices read_vertices(GltfData& data, Attributes& attributes, const GltfValue& primitive,
                            const std::vector<double>& morph_weights) {
     GltfVertices vertices;
-    vertices.positions = morphed(read_positions(attributes, primitive), data, primitive, morph_weights);
+    vertices.positions = morphed(read_positions(attributes, primitive), "POSITION", data, primitive, morph_weights);
     for (std::size_t set = 0;; ++set) {
         const auto joints = attributes.find("JOINTS_" + std::to_string(set), 4);
         const auto weights = attributes.find("WEIGHTS_" + std::to_string(set), 4);
@@ -178,9 +180,6 @@ std::vector<std::array<std::size_t, 3>> make_triangles(const std::vector<std::si
     return triangles;
 }
 
-/// Programs write no numbers where they have nothing to say of a vertex, and refuse to read them: nothing is lost by 0.
-float finite_float(double value) { return std::isfinite(value) ? static_cast<float>(value) : 0.0F; }
-
 } // namespace
 
 bool has_triangles(const GltfValue& primitive) { return mode_of(primitive) >= Mode::triangles; }
@@ -208,6 +207,15 @@ std::vector<TextureCoordinates> read_texture_coordinates(GltfData& data, const G
         sets.push_back(std::move(set));
     }
     return sets;
+}
+
+std::vector<Eigen::Vector3d> read_normals(GltfData& data, const GltfValue& primitive,
+                                          const std::vector<double>& morph_weights) {
+    const auto array = Attributes(data, primitive, true).find("NORMAL", 3);
+    if (!array) return {};
+    std::vector<Eigen::Vector3d> normals(array->rows);
+    for (std::size_t i = 0; i < array->rows; ++i) normals[i] = Eigen::Map<const Eigen::Vector3d>(array->row(i));
+    return morphed(std::move(normals), "NORMAL", data, primitive, morph_weights);
 }
 
 VertexColours read_colours(GltfData& data, const GltfValue& primitive) {

@@ -41,6 +41,11 @@ struct GltfPrimitive {
 [[nodiscard]] GltfPrimitive read_primitive(GltfData& data, const GltfValue& primitive,
                                            const std::vector<double>& morph_weights);
 
+/// The normals of a primitive's vertices, morphed, not yet skinned; none where it has none. \throws Error bad_input
+/// when their parts do not hold together.
+[[nodiscard]] std::vector<Eigen::Vector3d> read_normals(GltfData& data, const GltfValue& primitive,
+                                                        const std::vector<double>& morph_weights);
+
 /// One row per vertex.
 using TextureCoordinates = Eigen::Matrix<float, Eigen::Dynamic, 2, Eigen::RowMajor>;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include <skelgen/io/polygon_mesh.hpp>
 
@@ -26,6 +27,16 @@ namespace skelgen::io::detail {
 
 /// PLY 1.0, text and binary of either byte order, with any further elements and properties.
 [[nodiscard]] PolygonMesh parse_ply(std::string_view bytes);
+
+/// A PLY file's mesh, and what it says of the vertices beside, one after another; none where it says nothing.
+struct PlyFile {
+    PolygonMesh mesh;
+    std::vector<float> normals; ///< nx, ny, nz: three each, zero where one is no number
+    std::vector<float> colours; ///< red, green, blue, alpha: four each, 0 to 1 as they are shown
+};
+
+/// Reads all that. \throws Error as `parse_ply`.
+[[nodiscard]] PlyFile parse_ply_file(std::string_view bytes);
 
 /// STL: corners at exactly the same position (0 and -0 are the same) become one vertex, numbered as they appear.
 [[nodiscard]] PolygonMesh parse_stl_text(std::string_view text);

@@ -1,6 +1,7 @@
 #include "mesh_primitives.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -25,90 +26,228 @@ FloatRows float_weights(const Skin<double>& skin) {
     return weights;
 }
 
-/// What every vertex of a mesh has, as floats; without a skin neither weights nor joints.
+/// The rows of the mesh's vertices, and behind them those of their copies.
+template <typename Rows>
+Rows with_copies(const Rows& rows, const std::vector<int>& copies) {
+    Rows all(rows.rows() + static_cast<Eigen::Index>(copies.size()), rows.cols());
+    all.topRows(rows.rows()) = rows;
+    for (std::size_t i = 0; i < copies.size(); ++i)
+        all.row(rows.rows() + static_cast<Eigen::Index>(i)) = rows.row(copies[i]);
+    return all;
+}
+
+/// What every vertex of a mesh has, and every copy of one, as floats; without a skin neither weights nor joints.
 struct VertexRows {
     FloatRows positions, normals, weights;
     Eigen::Matrix<std::uint16_t, Eigen::Dynamic, 4, Eigen::RowMajor> joints;
 
-    VertexRows(const TriangleMesh<double>& mesh, const Skin<double>* skin)
-        : positions(mesh.vertices.cast<float>()), normals(shading_normals(mesh).cast<float>().rowwise().normalized()) {
+    VertexRows(const TriangleMesh<double>& mesh, const Skin<double>* skin, const std::vector<int>& copies)
+        : positions(with_copies<FloatRows>(mesh.vertices.cast<float>(), copies)),
+          normals(with_copies<FloatRows>(shading_normals(mesh).cast<float>().rowwise().normalized(), copies)) {
         if (skin != nullptr) {
-            weights = float_weights(*skin);
-            joints = skin->joints.cast<std::uint16_t>();
+            weights = with_copies(float_weights(*skin), copies);
+            joints = with_copies<decltype(joints)>(skin->joints.cast<std::uint16_t>(), copies);
         }
         if (!positions.allFinite()) refuse_to_write_mesh("a coordinate is too large for a float; scale the mesh down");
     }
 };
 
-Json describe_attributes(GltfBuffer& buffer, const VertexRows& rows, const ScenePart& part) {
-    const auto of_part = [&](const FloatRows& all) { return all.middleRows(part.first_vertex, part.vertices); };
-    Json attributes;
-    attributes["POSITION"] = buffer.add_floats(of_part(rows.positions), GltfTarget::vertices, true);
-    attributes["NORMAL"] = buffer.add_floats(of_part(rows.normals), GltfTarget::vertices);
-    if (rows.joints.size() == 0) return attributes;
-    attributes["JOINTS_0"] =
-        buffer.add_joints({rows.joints.data() + 4 * part.first_vertex, static_cast<std::size_t>(4 * part.vertices)});
-    attributes["WEIGHTS_0"] = buffer.add_floats(of_part(rows.weights), GltfTarget::vertices);
-    return attributes;
+[[noreturn]] void refuse_looks() { refuse_to_write_mesh("its looks are those of another mesh"); }
+
+/// Whether the looks' copies are of vertices that there are, and each part has them.
+bool has_sound_copies(const SceneLooks& looks, Eigen::Index vertices) {
+    const auto all = vertices + static_cast<Eigen::Index>(looks.copies.size());
+    const auto is_vertex = [&](int v) { return v >= 0 && v < vertices; };
+    if (!std::all_of(looks.copies.begin(), looks.copies.end(), is_vertex)) return false;
+    return looks.copies.empty() || std::all_of(looks.parts.begin(), looks.parts.end(), [&](const ScenePart& part) {
+               return part.first_vertex == 0 && part.vertices == all;
+           });
+}
+
+/// The mesh's faces by the vertices and copies that the looks have there, each turned as in the mesh.
+Triangles drawn_faces(const TriangleMesh<double>& mesh, const SceneLooks& looks) {
+    const Eigen::Index vertices = mesh.vertices.rows();
+    if (!has_sound_copies(looks, vertices)) refuse_looks();
+    if (looks.faces.rows() == 0) return mesh.faces;
+    const auto all = vertices + static_cast<Eigen::Index>(looks.copies.size());
+    if (looks.faces.rows() != mesh.faces.rows() || looks.faces.minCoeff() < 0 || looks.faces.maxCoeff() >= all)
+        refuse_looks();
+    Triangles faces(mesh.faces.rows(), 3);
+    for (Eigen::Index f = 0; f < faces.rows(); ++f)
+        for (int k = 0; k < 3; ++k) {
+            faces(f, k) = -1;
+            for (const int drawn : looks.faces.row(f)) {
+                const int source = drawn < vertices ? drawn : looks.copies[static_cast<std::size_t>(drawn - vertices)];
+                if (source == mesh.faces(f, k)) faces(f, k) = drawn;
+            }
+            if (faces(f, k) < 0) refuse_looks();
+        }
+    return faces;
+}
+
+/// The looks' own normals of a part, in the mesh's pose; smooth ones where it has none. Those of a mesh that has been
+/// turned inside out look the other way, as then most of them do.
+FloatRows own_normals(const WrittenMesh& written, const ScenePart& part, const FloatRows& smooth) {
+    FloatRows normals = smooth;
+    std::vector<bool> is_own(static_cast<std::size_t>(part.vertices), false);
+    Eigen::Index outwards = 0, inwards = 0;
+    for (Eigen::Index i = 0; i < part.vertices; ++i) {
+        const Eigen::Index v = part.first_vertex + i, copy = v - written.mesh.vertices.rows();
+        const auto source =
+            static_cast<std::size_t>(copy < 0 ? v : written.looks.copies[static_cast<std::size_t>(copy)]);
+        const Eigen::Vector3d own = written.turns[source] * part.normals.row(i).transpose().cast<double>();
+        const double length = own.norm();
+        constexpr double least = 1e-6; // shorter ones, whose length should be 1, have no direction
+        if (!(length > least) || !std::isfinite(length)) continue;
+        is_own[static_cast<std::size_t>(i)] = true;
+        const Eigen::Vector3f unit = (own / length).cast<float>();
+        normals.row(i) = unit.normalized().transpose();
+        (normals.row(i).dot(smooth.row(i)) < 0 ? inwards : outwards) += 1;
+    }
+    if (inwards > outwards)
+        for (Eigen::Index i = 0; i < part.vertices; ++i)
+            if (is_own[static_cast<std::size_t>(i)]) normals.row(i) = -normals.row(i);
+    return normals;
 }
 
 /// The set of texture coordinates that a material's normal map goes by; none where it has no such map.
-std::optional<std::size_t> normal_map_set(const Json& materials, const ScenePart& part) {
-    if (!part.material || !materials[*part.material].contains("normalTexture")) return std::nullopt;
-    const auto set = materials[*part.material]["normalTexture"].value("texCoord", std::size_t{0});
+std::optional<std::size_t> normal_map_set(const Json& materials, std::optional<std::size_t> material,
+                                          const ScenePart& part) {
+    if (!material || !materials[*material].contains("normalTexture")) return std::nullopt;
+    const auto set = materials[*material]["normalTexture"].value("texCoord", std::size_t{0});
     if (set >= part.texture_coordinates.size()) return std::nullopt;
     return set;
 }
 
-/// The parts, which must be of this mesh: all of its faces, one after the other.
-std::vector<ScenePart> checked(std::vector<ScenePart> parts, const TriangleMesh<double>& mesh) {
-    if (parts.empty()) return {{0, mesh.vertices.rows(), 0, mesh.faces.rows(), std::nullopt, {}, {}}};
+bool has_same_vertices(const ScenePart& a, const ScenePart& b) {
+    return a.first_vertex == b.first_vertex && a.vertices == b.vertices;
+}
+
+/// The parts, which must be of the mesh that has these faces: all of them, one after the other.
+std::vector<ScenePart> checked(std::vector<ScenePart> parts, const Triangles& drawn, Eigen::Index vertices) {
+    if (parts.empty()) return {{0, vertices, 0, drawn.rows(), std::nullopt, {}, {}}};
     Eigen::Index faces = 0;
-    for (const ScenePart& part : parts) {
-        const auto corners = mesh.faces.middleRows(std::min(part.first_face, mesh.faces.rows()),
-                                                   std::min(part.faces, mesh.faces.rows() - faces));
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const ScenePart& part = parts[i];
+        const auto corners =
+            drawn.middleRows(std::min(part.first_face, drawn.rows()), std::min(part.faces, drawn.rows() - faces));
         const bool own = part.faces == 0 || (corners.minCoeff() >= part.first_vertex &&
                                              corners.maxCoeff() < part.first_vertex + part.vertices);
-        if (part.first_face != faces || corners.rows() != part.faces || !own ||
-            part.first_vertex + part.vertices > mesh.vertices.rows())
-            refuse_to_write_mesh("its looks are those of another mesh");
+        const bool shares = !part.same_as || (*part.same_as < i && !parts[*part.same_as].same_as &&
+                                              has_same_vertices(part, parts[*part.same_as]));
+        if (part.first_face != faces || corners.rows() != part.faces || !own || !shares ||
+            part.first_vertex + part.vertices > vertices)
+            refuse_looks();
         faces += part.faces;
     }
-    if (faces != mesh.faces.rows()) refuse_to_write_mesh("its looks are those of another mesh");
+    if (faces != drawn.rows()) refuse_looks();
     return parts;
 }
 
+/// Faces that are written together: of one material and one part's vertices.
+struct Batch {
+    std::size_t part; ///< the one that has what the vertices look like
+    std::optional<std::size_t> material;
+    std::vector<std::uint32_t> corners; ///< counted from the part's first vertex
+};
+
+/// Parts that share their vertices may take turns: their faces are brought together by material.
+std::vector<Batch> batches_of(const std::vector<ScenePart>& parts, const Triangles& drawn) {
+    std::vector<Batch> batches;
+    std::map<std::pair<std::size_t, std::optional<std::size_t>>, std::size_t> known;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const ScenePart& part = parts[i];
+        if (part.faces == 0) continue;
+        const std::size_t owner = part.same_as.value_or(i);
+        const auto [place, is_new] = known.emplace(std::pair(owner, part.material), batches.size());
+        if (is_new) batches.push_back({owner, part.material, {}});
+        for (const int corner : drawn.middleRows(part.first_face, part.faces).reshaped<Eigen::RowMajor>())
+            batches[place->second].corners.push_back(static_cast<std::uint32_t>(corner - part.first_vertex));
+    }
+    return batches;
+}
+
+/// Writes what the vertices of parts have, each once.
+class AttributeWriter {
+public:
+    AttributeWriter(GltfBuffer& buffer, const WrittenMesh& written)
+        : buffer_(&buffer), written_(&written), rows_(written.mesh, written.skin, written.looks.copies) {}
+
+    struct Written {
+        Json attributes;
+        FloatRows normals;
+    };
+
+    const Written& of(std::size_t number, const ScenePart& part) {
+        const auto known = by_part_.find(number);
+        if (known != by_part_.end()) return known->second;
+        Written out{places_of(part), rows_.normals.middleRows(part.first_vertex, part.vertices)};
+        if (part.normals.rows() > 0 && !written_->turns.empty()) {
+            out.normals = own_normals(*written_, part, out.normals);
+            out.attributes["NORMAL"] = buffer_->add_floats(out.normals, GltfTarget::vertices);
+        } else {
+            const auto [normals, is_new] = smooth_normals_.emplace(part.first_vertex, 0);
+            if (is_new) normals->second = buffer_->add_floats(out.normals, GltfTarget::vertices);
+            out.attributes["NORMAL"] = normals->second;
+        }
+        for (std::size_t set = 0; set < part.texture_coordinates.size(); ++set)
+            out.attributes["TEXCOORD_" + std::to_string(set)] =
+                buffer_->add_floats(part.texture_coordinates[set], GltfTarget::vertices);
+        if (part.colours.rows() > 0)
+            out.attributes["COLOR_0"] = buffer_->add_floats(part.colours, GltfTarget::vertices);
+        return by_part_.emplace(number, std::move(out)).first->second;
+    }
+
+    [[nodiscard]] auto positions(const ScenePart& part) const {
+        return rows_.positions.middleRows(part.first_vertex, part.vertices);
+    }
+
+private:
+    /// What all parts of the same vertices have in common.
+    const Json& places_of(const ScenePart& part) {
+        const auto [known, is_new] = places_.emplace(part.first_vertex, Json());
+        Json& attributes = known->second;
+        if (!is_new) return attributes;
+        attributes["POSITION"] = buffer_->add_floats(positions(part), GltfTarget::vertices, true);
+        if (rows_.joints.size() == 0) return attributes;
+        attributes["JOINTS_0"] = buffer_->add_joints(
+            {rows_.joints.data() + 4 * part.first_vertex, static_cast<std::size_t>(4 * part.vertices)});
+        attributes["WEIGHTS_0"] =
+            buffer_->add_floats(rows_.weights.middleRows(part.first_vertex, part.vertices), GltfTarget::vertices);
+        return attributes;
+    }
+
+    GltfBuffer* buffer_;
+    const WrittenMesh* written_;
+    VertexRows rows_;
+    std::map<Eigen::Index, Json> places_;                ///< by the first vertex
+    std::map<Eigen::Index, std::size_t> smooth_normals_; ///< their accessors, by the first vertex
+    std::map<std::size_t, Written> by_part_;
+};
+
 } // namespace
 
-Json describe_primitives(GltfBuffer& buffer, const TriangleMesh<double>& mesh, const Skin<double>* skin,
-                         const SceneLooks& looks) {
+Json describe_primitives(GltfBuffer& buffer, const WrittenMesh& written) {
+    const TriangleMesh<double>& mesh = written.mesh;
     if (mesh.faces.rows() == 0) refuse_to_write_mesh("it has no faces");
-    const std::vector<ScenePart> parts = checked(looks.parts, mesh);
-    const Json materials = parse_json(looks.json).value("materials", Json::array());
-    const VertexRows rows(mesh, skin);
-    std::map<Eigen::Index, Json> attributes_from; // by the first vertex
+    if (!written.turns.empty() && static_cast<Eigen::Index>(written.turns.size()) != mesh.vertices.rows())
+        refuse_to_write_mesh("the turns of its vertices are those of another mesh");
+    const Triangles drawn = drawn_faces(mesh, written.looks);
+    const auto vertices = mesh.vertices.rows() + static_cast<Eigen::Index>(written.looks.copies.size());
+    const std::vector<ScenePart> parts = checked(written.looks.parts, drawn, vertices);
+    const Json materials = parse_json(written.looks.json).value("materials", Json::array());
+    AttributeWriter writer(buffer, written);
     Json primitives = Json::array();
-    for (const ScenePart& part : parts) {
-        if (part.faces == 0) continue;
-        auto known = attributes_from.find(part.first_vertex);
-        if (known == attributes_from.end())
-            known = attributes_from.emplace(part.first_vertex, describe_attributes(buffer, rows, part)).first;
-        Json attributes = known->second;
-        for (std::size_t set = 0; set < part.texture_coordinates.size(); ++set)
-            attributes["TEXCOORD_" + std::to_string(set)] =
-                buffer.add_floats(part.texture_coordinates[set], GltfTarget::vertices);
-        if (part.colours.rows() > 0) attributes["COLOR_0"] = buffer.add_floats(part.colours, GltfTarget::vertices);
-        std::vector<std::uint32_t> corners;
-        for (const int corner : mesh.faces.middleRows(part.first_face, part.faces).reshaped<Eigen::RowMajor>())
-            corners.push_back(static_cast<std::uint32_t>(corner - part.first_vertex));
-        if (const auto set = normal_map_set(materials, part)) // of the rest pose: those of the input have been turned
-            attributes["TANGENT"] =
-                buffer.add_floats(tangents(rows.positions.middleRows(part.first_vertex, part.vertices),
-                                           rows.normals.middleRows(part.first_vertex, part.vertices), corners,
-                                           part.texture_coordinates[*set]),
-                                  GltfTarget::vertices);
-        Json primitive{{"attributes", std::move(attributes)}, {"indices", buffer.add_indices(corners)}};
-        if (part.material) primitive["material"] = *part.material;
+    for (const Batch& batch : batches_of(parts, drawn)) {
+        const ScenePart& part = parts[batch.part];
+        const AttributeWriter::Written& vertex = writer.of(batch.part, part);
+        Json attributes = vertex.attributes;
+        if (const auto set = normal_map_set(materials, batch.material, part)) // the input's own have been turned
+            attributes["TANGENT"] = buffer.add_floats(
+                tangents(writer.positions(part), vertex.normals, batch.corners, part.texture_coordinates[*set]),
+                GltfTarget::vertices);
+        Json primitive{{"attributes", std::move(attributes)}, {"indices", buffer.add_indices(batch.corners)}};
+        if (batch.material) primitive["material"] = *batch.material;
         primitives.push_back(std::move(primitive));
     }
     return primitives;

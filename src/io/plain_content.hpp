@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,16 @@ namespace skelgen::io::detail {
     }
     if (content.starts_with(byte_order_mark)) content.remove_prefix(byte_order_mark.size());
     return content;
+}
+
+/// Text whose lines end in a carriage return alone (old Macs), as lines that the parsers know: then it lies in
+/// `storage`, which must outlive the result. All other content as it is.
+[[nodiscard]] inline std::string_view with_line_feeds(std::string_view content, std::string& storage) {
+    const auto has = [content](char c) { return content.find(c) != std::string_view::npos; };
+    if (has('\n') || !has('\r') || has('\0')) return content;
+    storage = content;
+    std::replace(storage.begin(), storage.end(), '\r', '\n');
+    return storage;
 }
 
 } // namespace skelgen::io::detail

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -29,6 +30,11 @@ public:
     template <typename Number = double>
     Number number(PlyType) {
         return scanner_.number<Number>("value");
+    }
+    /// NaN where it is no finite number.
+    double number_or_nan(PlyType) {
+        if (scanner_.at_line_end()) fail("a value is missing");
+        return scanner_.try_number().value_or(std::numeric_limits<double>::quiet_NaN());
     }
     std::int64_t integer(PlyType) { return scanner_.whole_integer("whole number"); }
     void skip(PlyType, std::int64_t count) {
@@ -64,6 +70,7 @@ public:
             return static_cast<Number>(integer(type));
         }
     }
+    double number_or_nan(PlyType type) { return number(type); }
     std::int64_t integer(PlyType type) {
         switch (type) {
         case PlyType::int8:

@@ -216,13 +216,16 @@ void copy_distinct(std::span<const int> corners, std::vector<int>& distinct) {
     while (distinct.size() > 1 && distinct.front() == distinct.back()) distinct.pop_back();
 }
 
-std::vector<Triangle> cut_into_triangles(const PolygonMesh& mesh) {
+/// Calls `take(triangles, face)` with what each face becomes, in their order. Triangles may name a vertex twice.
+template <typename Take>
+void cut_into_triangles(const PolygonMesh& mesh, const Take& take) {
     std::vector<Triangle> triangles;
-    triangles.reserve(mesh.corners.size() - 2 * mesh.sizes.size());
     EarClipper clipper(mesh);
     std::vector<int> distinct;
     const int* corner = mesh.corners.data();
-    for (const int size : mesh.sizes) {
+    for (std::size_t face = 0; face < mesh.sizes.size(); ++face) {
+        const int size = mesh.sizes[face];
+        triangles.clear();
         if (size == 3) {
             triangles.push_back({corner[0], corner[1], corner[2]});
         } else {
@@ -230,10 +233,24 @@ std::vector<Triangle> cut_into_triangles(const PolygonMesh& mesh) {
             if (distinct.size() == 3) triangles.push_back({distinct[0], distinct[1], distinct[2]});
             if (distinct.size() > 3) clipper.clip(distinct, triangles);
         }
+        take(triangles, static_cast<int>(face));
         corner += size;
     }
-    std::erase_if(triangles, names_a_vertex_twice);
-    return triangles;
+}
+
+/// The triangles in a row, without those that name a vertex twice. \throws Error bad_input when there are none.
+Triangles sound_triangles(const PolygonMesh& mesh, std::vector<int>* source) {
+    std::vector<Triangle> all;
+    all.reserve(mesh.corners.size() - 2 * mesh.sizes.size());
+    cut_into_triangles(mesh, [&](const std::vector<Triangle>& triangles, int face) {
+        for (const Triangle& triangle : triangles) {
+            if (names_a_vertex_twice(triangle)) continue;
+            all.push_back(triangle);
+            if (source != nullptr) source->push_back(face);
+        }
+    });
+    if (all.empty()) throw_bad_mesh("there are no faces with three different corners");
+    return Eigen::Map<const Triangles>(all.data()->data(), static_cast<Eigen::Index>(all.size()), 3);
 }
 
 } // namespace
@@ -243,10 +260,15 @@ TriangleMesh<Scalar> triangulate(const PolygonMesh& polygons) {
     check(polygons);
     TriangleMesh<Scalar> mesh;
     mesh.vertices = cast_vertices<Scalar>(polygons.coordinates);
-    const std::vector<Triangle> triangles = cut_into_triangles(polygons);
-    if (triangles.empty()) throw_bad_mesh("there are no faces with three different corners");
-    mesh.faces = Eigen::Map<const Triangles>(triangles.data()->data(), static_cast<Eigen::Index>(triangles.size()), 3);
+    mesh.faces = sound_triangles(polygons, nullptr);
     return mesh;
+}
+
+CutPolygons cut_polygons(const PolygonMesh& polygons) {
+    check(polygons);
+    CutPolygons cut;
+    cut.triangles = sound_triangles(polygons, &cut.source);
+    return cut;
 }
 
 template TriangleMesh<float> triangulate<float>(const PolygonMesh&);

@@ -43,7 +43,7 @@ FloatRows inverse_bind_matrices(const Rig<double>& rig) {
 
 RigScene make_rig_scene(const Rig<double>& rig, const std::vector<std::string>& names, const SceneLooks& looks) {
     RigScene scene;
-    Json primitives = describe_primitives(scene.buffer, rig.mesh, &rig.skin, looks);
+    Json primitives = describe_primitives(scene.buffer, {rig.mesh, &rig.skin, rig.turns, looks});
     const std::size_t inverses = scene.buffer.add_floats(inverse_bind_matrices(rig), GltfTarget::none);
 
     Json nodes = Json::array({{{"name", "body"}, {"mesh", 0}, {"skin", 0}}});

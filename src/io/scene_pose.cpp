@@ -184,4 +184,29 @@ Eigen::Vector3d skinned(const Eigen::Vector3d& point, std::span<const Influence>
     return moved;
 }
 
+Eigen::Vector3d transformed_normal(const Eigen::Vector3d& normal, const Eigen::Matrix4d& matrix) {
+    const Eigen::Matrix3d linear = matrix.topLeftCorner<3, 3>();
+    // Along the cofactors, which are there where the inverse is not: they are it, transposed, times the determinant.
+    Eigen::Matrix3d cofactors;
+    for (int axis = 0; axis < 3; ++axis)
+        cofactors.col(axis) = linear.col((axis + 1) % 3).cross(linear.col((axis + 2) % 3));
+    const Eigen::Vector3d turned = (linear.determinant() < 0 ? -1.0 : 1.0) * (cofactors * normal);
+    const double length = turned.stableNorm();
+    if (!std::isfinite(length) || length == 0) return Eigen::Vector3d::Zero();
+    return turned / length;
+}
+
+Eigen::Vector3d skinned_normal(const Eigen::Vector3d& normal, std::span<const Influence> influences,
+                               const std::vector<Eigen::Matrix4d>& joint_matrices) {
+    double sum = 0;
+    for (const Influence& influence : influences) sum += influence.weight;
+    if (influences.empty() || sum == 0)
+        return transformed_normal(normal, influences.empty() ? Eigen::Matrix4d::Identity()
+                                                             : joint_matrices[influences.front().joint]);
+    Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
+    for (const Influence& influence : influences)
+        if (influence.weight != 0) matrix += influence.weight / sum * joint_matrices[influence.joint];
+    return transformed_normal(normal, matrix);
+}
+
 } // namespace skelgen::io::detail

@@ -56,6 +56,14 @@ struct Influence {
 [[nodiscard]] Eigen::Vector3d skinned(const Eigen::Vector3d& point, std::span<const Influence> influences,
                                       const std::vector<Eigen::Matrix4d>& joint_matrices);
 
+/// The direction across a surface once the matrix has moved it, of unit length; zero where it has none, or the surface
+/// none. A surface that the matrix mirrors is taken to be turned over, as its faces are.
+[[nodiscard]] Eigen::Vector3d transformed_normal(const Eigen::Vector3d& normal, const Eigen::Matrix4d& matrix);
+
+/// The same of a surface that joints move, as `skinned`.
+[[nodiscard]] Eigen::Vector3d skinned_normal(const Eigen::Vector3d& normal, std::span<const Influence> influences,
+                                             const std::vector<Eigen::Matrix4d>& joint_matrices);
+
 /// The point as the matrix moves it. The matrix is affine.
 [[nodiscard]] inline Eigen::Vector3d transformed(const Eigen::Vector3d& point, const Eigen::Matrix4d& matrix) {
     return matrix.topLeftCorner<3, 3>() * point + matrix.topRightCorner<3, 1>();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -79,6 +80,32 @@ public:
         return value;
     }
 
+    /// The next word of this line as a number, where it is a finite one; else none, and the word is skipped.
+    std::optional<double> try_number() {
+        skip_blanks();
+        if (at_ != end_ && *at_ == '+') ++at_;
+        double value = 0;
+        const char* const stop = fast_float::from_chars(at_, end_, value).ptr;
+        const bool is_number = stop != at_ && (stop == end_ || is_space(*stop) || *stop == '#');
+        at_ = is_number ? stop : at_;
+        if (!is_number) skip_rest_of_word();
+        return is_number && std::isfinite(value) ? std::optional(value) : std::nullopt;
+    }
+
+    /// What is left of this line, as names of files have it: blanks within, none around; up to a comment behind a
+    /// blank.
+    [[nodiscard]] std::string_view rest_of_line() {
+        skip_blanks();
+        const char* const start = at_;
+        skip_line();
+        const char* stop = start;
+        for (const char* c = start; c != at_ && *c != '\n'; ++c) {
+            if (*c == '#' && (c == start || is_space(c[-1]))) break;
+            if (!is_space(*c)) stop = c + 1;
+        }
+        return {start, static_cast<std::size_t>(stop - start)};
+    }
+
     /// The next three words of this line as the coordinates of a point.
     template <typename Number = double>
     std::array<Number, 3> coordinates() {
@@ -98,6 +125,20 @@ public:
         constexpr int most_digits = 18; // what always fits
         while (at_ != end_ && is_digit(*at_) && at_ - digits < most_digits) value = 10 * value + (*at_++ - '0');
         if (at_ == digits || (at_ != end_ && is_digit(*at_))) fail_to_read(start, what);
+        return negative ? -value : value;
+    }
+
+    /// An integer that comes at once and is no longer than one may be; none, without moving, where there is none.
+    std::optional<std::int64_t> try_integer() {
+        const char* at = at_;
+        const bool negative = at != end_ && *at == '-';
+        if (negative) ++at;
+        const char* const digits = at;
+        std::int64_t value = 0;
+        constexpr int most_digits = 18; // what always fits
+        while (at != end_ && is_digit(*at) && at - digits < most_digits) value = 10 * value + (*at++ - '0');
+        if (at == digits || (at != end_ && is_digit(*at))) return std::nullopt;
+        at_ = at;
         return negative ? -value : value;
     }
 

@@ -158,10 +158,11 @@ void write_mesh(const std::filesystem::path& path, const TriangleMesh<Scalar>& m
     write_bytes(path, format_mesh(mesh, *format));
 }
 
-void write_mesh(const std::filesystem::path& path, const TriangleMesh<double>& mesh, const SceneLooks& looks) {
+void write_mesh(const std::filesystem::path& path, const TriangleMesh<double>& mesh, const SceneLooks& looks,
+                const applications::VertexTurns<double>& turns) {
     if (mesh_format_of(path) != MeshFormat::glb || looks.parts.empty()) return write_mesh(path, mesh);
     check(mesh);
-    write_bytes(path, detail::format_glb(mesh, looks));
+    write_bytes(path, detail::format_glb(mesh, looks, turns));
 }
 
 template std::string format_mesh<float>(const TriangleMesh<float>&, MeshFormat);

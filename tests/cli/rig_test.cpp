@@ -130,6 +130,69 @@ TEST_CASE("rig and pose: one of several bodies comes without the others, with it
     }
 }
 
+TEST_CASE("rig and pose: an OBJ keeps materials, texture coordinates and normals, its vertices come first",
+          "[cli][rig][pose]") {
+    // The same man twice. All vertices have two texture coordinates, one in the first half of the faces; all normals
+    // are those of a faceted body, which no smooth one has.
+    const auto mesh = read_mesh(sample_body);
+    std::string obj = "mtllib missing paints.mtl\nvt 0 0\nvt 0.5 1\n";
+    const auto add = [&](const std::string& start, const Eigen::RowVector3d& row) {
+        obj += start;
+        for (const double x : row) obj += ' ' + std::to_string(x);
+        obj += '\n';
+    };
+    for (const double shift : {0.0, 3.0})
+        for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v)
+            add("v", (shift > 0 ? 0.8 : 1.0) * mesh.vertices.row(v) + Eigen::RowVector3d(shift, 0, 0));
+    const auto corner = [&](Eigen::Index f, int k) { return mesh.vertices.row(mesh.faces(f, k)).head<3>(); };
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
+        add("vn", (corner(f, 1) - corner(f, 0)).cross(corner(f, 2) - corner(f, 0)).normalized());
+    for (const Eigen::Index first : {Eigen::Index{0}, mesh.vertices.rows()}) {
+        obj += first == 0 ? "usemtl large man\n" : "usemtl small man\n";
+        for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+            obj += 'f';
+            for (const int vertex : mesh.faces.row(f))
+                obj += ' ' + std::to_string(first + vertex + 1) + (2 * f < mesh.faces.rows() ? "/1/" : "/2/") +
+                       std::to_string(f + 1);
+            obj += '\n';
+        }
+    }
+    const TemporaryFolder folder;
+    test::write_file(folder / "men.obj", obj);
+    for (const auto& arguments :
+         {std::vector<std::string>{"rig", "men.obj", "-o", "out.glb", "--component", "2"},
+          std::vector<std::string>{"pose", "men.obj", "--like", sample_body, "-o", "out.glb", "--component", "2"}}) {
+        const CliResult result = run_cli(folder.path(), arguments);
+        INFO(result.err);
+        REQUIRE(result.status == 0);
+        CHECK(result.err.find("1 file of materials is left out: the scene's file 'missing paints.mtl'") !=
+              std::string::npos);
+        const auto out = read_mesh(folder / "out.glb");
+        CHECK(out.faces.rows() == mesh.faces.rows());
+        REQUIRE(out.vertices.rows() > mesh.vertices.rows());
+        const auto size = [](const auto& of) { return (of.row(0) - of.row(99)).norm(); };
+        CHECK(size(out.vertices) == Approx(0.8 * size(mesh.vertices)).epsilon(0.02));
+        const auto looks = io::read_looks(folder / "out.glb");
+        REQUIRE(looks);
+        REQUIRE(looks->parts.size() == 1);
+        const io::ScenePart& part = looks->parts[0];
+        CHECK(looks->json.find("small man") != std::string::npos);
+        CHECK(part.material == 1);
+        REQUIRE(part.texture_coordinates.size() == 1);
+        double away = 0;
+        for (Eigen::Index f = 0; f < out.faces.rows(); ++f) {
+            const auto place = [&](int k) { return out.vertices.row(out.faces(f, k)); };
+            const Eigen::RowVector3d across =
+                Eigen::RowVector3d(place(1) - place(0)).cross(Eigen::RowVector3d(place(2) - place(0))).normalized();
+            for (const int v : out.faces.row(f)) {
+                CHECK(part.texture_coordinates[0](v, 0) == (2 * f < out.faces.rows() ? 0.0F : 0.5F));
+                away += (part.normals.row(v).cast<double>() - across).norm();
+            }
+        }
+        CHECK(away / static_cast<double>(out.faces.size()) < 0.05); // bent a little where skin is
+    }
+}
+
 TEST_CASE("rig: what cannot be done is one line and no file", "[cli][rig]") {
     const TemporaryFolder folder;
     write_mesh(folder / "capsule.off", capsule(0.2, 2));

@@ -6,6 +6,9 @@
 
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/mesh.hpp>
+#include <skelgen/io/scene_looks.hpp>
+
+#include "io/mesh_primitives.hpp"
 
 /// What all fuzz targets share. A target is one reader: whatever the bytes, it gives a sound value or an Error about
 /// the input; anything else ends the run as a finding.
@@ -18,6 +21,15 @@ inline void expect(bool condition) {
 inline void expect_sound(const TriangleMesh<double>& mesh) {
     expect(mesh.faces.rows() > 0 && mesh.vertices.allFinite());
     expect(mesh.faces.minCoeff() >= 0 && mesh.faces.maxCoeff() < mesh.vertices.rows());
+}
+
+/// Whether a mesh's looks can be written with it.
+inline void expect_looks_of(const TriangleMesh<double>& mesh, const io::SceneLooks& looks) {
+    if (mesh.vertices.cwiseAbs().maxCoeff() > 1e30) return; // beyond single precision, or near it
+    io::detail::GltfBuffer buffer;
+    const applications::VertexTurns<double> turns(static_cast<std::size_t>(mesh.vertices.rows()),
+                                                  Eigen::Quaterniond::Identity());
+    static_cast<void>(io::detail::describe_primitives(buffer, {mesh, nullptr, turns, looks}));
 }
 
 /// Gives the bytes to `read`; the value is for libFuzzer.

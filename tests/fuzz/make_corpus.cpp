@@ -99,8 +99,16 @@ void make_corpus(const fs::path& folder) {
     off.add("OFF BINARY\n" + std::string("\0\0\0\3\0\0\0\1\0\0\0\0", 12) + std::string(36, '\0') +
             std::string("\0\0\0\3\0\0\0\0\0\0\0\1\0\0\0\2\0\0\0\0", 20));
     obj.add(format_mesh(mesh, MeshFormat::obj));
+    obj.add(
+        "mtllib a b.mtl\nv 0 0 0 1 0 0\nv 1 0 0 0 255 0\nv 1 1 0\nvt 0 0\nvt 1 .5\nvn 0 0 1\nvn 0 1 nan\nusemtl a b\n"
+        "f 1/1/1 2/2/2 3/-1/-1\nusemtl c\nf 3/2/1 2/1 1/9/9\n");
     obj.add("v 0 0 0\nv 1 0 0\nvt 0 0\nv 1 1 \\\n 0\nv 0 1 0\ng a\nf 1/1 2//3 3/1/1 -1\n");
     ply.add(format_mesh(mesh, MeshFormat::ply));
+    ply.add(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "property float nx\nproperty float ny\nproperty float nz\nproperty uchar red\nproperty uchar green\n"
+        "property uchar blue\nproperty uchar alpha\nelement face 1\nproperty list uchar int vertex_index\nend_header\n"
+        "0 0 0 0 0 1 255 0 9 9\n1 0 0 nan 0 1 0 0 0 0\n0 1 0 0 0 0 1 1 1 1\n3 0 1 2\n");
     ply.add("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
             "property list uchar int more\nelement face 1\nproperty list uchar int vertex_index\nend_header\n"
             "0 0 0 0\n1 0 0 1 7\n0 1 0 0\n3 0 1 2\n");

@@ -3,9 +3,12 @@
 
 #include "expect.hpp"
 #include "io/mesh_parsers.hpp"
+#include "io/obj_looks.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     return skelgen::fuzz::run(data, size, [](std::string_view bytes) {
-        skelgen::fuzz::expect_sound(skelgen::io::triangulate(skelgen::io::detail::parse_ply(bytes)));
+        const auto mesh = skelgen::io::triangulate(skelgen::io::detail::parse_ply(bytes));
+        skelgen::fuzz::expect_sound(mesh);
+        if (const auto looks = skelgen::io::detail::read_ply_looks(bytes)) skelgen::fuzz::expect_looks_of(mesh, *looks);
     });
 }

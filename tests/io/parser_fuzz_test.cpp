@@ -10,6 +10,7 @@
 
 #include <skelgen/io/bvh.hpp>
 #include <skelgen/io/curve_formats.hpp>
+#include <skelgen/io/scene_looks.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
 #include "mesh_expectations.hpp"
@@ -65,6 +66,19 @@ bool accepted_by(const Parse& parse) {
     }
 }
 
+/// What a mesh that is read looks like can be written with it, or is refused.
+void check_looks(const std::string& bytes, std::optional<MeshFormat> extension, const TriangleMesh<double>& mesh) {
+    try {
+        const auto looks = parse_looks(bytes, {extension, "", 0});
+        if (!looks || mesh.vertices.cwiseAbs().maxCoeff() > 1e30) return;
+        Eigen::Index faces = 0;
+        for (const ScenePart& part : looks->parts) faces += part.faces;
+        REQUIRE(faces == mesh.faces.rows());
+    } catch (const Error& error) {
+        REQUIRE(error.code() == ErrorCode::bad_input);
+    }
+}
+
 /// Whether a mesh came out; then it must be a sound one.
 bool parses(const std::string& bytes, std::optional<MeshFormat> extension) {
     return accepted_by([&] {
@@ -73,6 +87,7 @@ bool parses(const std::string& bytes, std::optional<MeshFormat> extension) {
         REQUIRE(mesh.vertices.allFinite());
         REQUIRE(mesh.faces.minCoeff() >= 0);
         REQUIRE(mesh.faces.maxCoeff() < mesh.vertices.rows());
+        check_looks(bytes, extension, mesh);
     });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <skelgen/applications/floor.hpp>
+#include <skelgen/applications/skinning.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/core/skeleton_template.hpp>
@@ -13,6 +14,7 @@ template <typename Scalar = double>
 struct PosedBody {
     TriangleMesh<Scalar> mesh;          ///< the input's vertices and faces in their order, faces as `outward_faces`
     KinematicSkeleton<Scalar> skeleton; ///< where its joints went; bones have kept their lengths
+    VertexTurns<Scalar> turns = {};     ///< from the input's pose to this one
 };
 
 /// Holds a body as a model holds itself, whatever the shape, proportions and unit of both: each bone is turned as the

@@ -36,6 +36,8 @@ struct Rig {
     TriangleMesh<Scalar> mesh;            ///< the input's vertices and faces in their order, faces as `outward_faces`
     std::vector<RigJoint<Scalar>> joints; ///< in the template's order, parents before children
     Skin<Scalar> skin;
+    /// From the input's pose to the rest pose: what the input's normals are turned by. Empty: not known.
+    VertexTurns<Scalar> turns = {};
     RestPose rest = RestPose::as_is;
     Scalar metres_per_unit = 1; ///< what the input's coordinates were multiplied by
     bool unit_is_known = false; ///< else they keep the input's unit

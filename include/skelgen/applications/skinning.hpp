@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include <skelgen/applications/canonical_frame.hpp>
 #include <skelgen/core/mesh.hpp>
 
@@ -27,6 +29,14 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] Points<Scalar> skinned(const Points<Scalar>& points, const Skin<Scalar>& skin,
                                      const std::vector<RigidMotion<Scalar>>& motions);
+
+/// How each vertex of a mesh has been turned, from one pose to another.
+template <typename Scalar = double>
+using VertexTurns = std::vector<Eigen::Quaternion<Scalar>>;
+
+/// How `skinned` turns what is at each point, as the surface's normals. O(n).
+template <typename Scalar>
+[[nodiscard]] VertexTurns<Scalar> skin_turns(const Skin<Scalar>& skin, const std::vector<RigidMotion<Scalar>>& motions);
 
 /// Linear blend skinning: points moved to the mean of where their joints move them, as viewers of glTF do it. O(n).
 template <typename Scalar>

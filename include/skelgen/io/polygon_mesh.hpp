@@ -27,4 +27,14 @@ inline constexpr int max_face_corners = 10000;
 template <typename Scalar = double>
 [[nodiscard]] TriangleMesh<Scalar> triangulate(const PolygonMesh& polygons);
 
+/// The triangles of polygons, and which polygon each is cut from.
+struct CutPolygons {
+    Triangles triangles;
+    std::vector<int> source; ///< per triangle
+};
+
+/// The faces that `triangulate` gives, with where they come from. \throws Error as that, but for what `Scalar` cannot
+/// hold.
+[[nodiscard]] CutPolygons cut_polygons(const PolygonMesh& polygons);
+
 } // namespace skelgen::io

@@ -9,6 +9,9 @@
 
 #include <Eigen/Core>
 
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/io/read_mesh.hpp>
+
 namespace skelgen::io {
 
 /// A run of a scene's vertices and faces that look alike.
@@ -21,12 +24,23 @@ struct ScenePart {
     /// Vertices x 4: red, green, blue (linear) and alpha, 0 to 1, by which the material's colour is multiplied; no rows
     /// where there are none.
     Eigen::Matrix<float, Eigen::Dynamic, 4, Eigen::RowMajor> colours = {};
+    /// Vertices x 3: where the file has them, as it shows the mesh; zero where a vertex has none. No rows: none has.
+    Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> normals = {};
+    /// An earlier part that has the same vertices, and has what they look like for both; then all of the above are
+    /// empty.
+    std::optional<std::size_t> same_as = std::nullopt;
 };
 
 /// What a scene's mesh looks like, beside its shape: the part of a glTF file that other programs need to draw it alike.
 struct SceneLooks {
     /// All faces, in their order. Several may have the same vertices.
     std::vector<ScenePart> parts;
+    /// Where corners at one vertex look different (an OBJ's at a seam or a hard edge): further vertices, behind the
+    /// mesh's own, each by the number of the mesh's vertex that it is a copy of. Then each part has all of the
+    /// vertices.
+    std::vector<int> copies = {};
+    /// Faces of the mesh, by its vertices and their copies; no rows: as they are in the mesh.
+    Triangles faces = {};
     /// JSON, an object with the file's "materials", "textures", "samplers", "images", and with those of
     /// "extensionsUsed" and "extensionsRequired" that these need. Images have a "mimeType" and no bytes.
     std::string json = "{}";
@@ -34,13 +48,24 @@ struct SceneLooks {
     /// Why images of the file are not there, one reason each: they are missing or damaged. What would show them has the
     /// plain colour that the file has beside them.
     std::vector<std::string> lost_pictures = {};
+    /// Why files of materials (an OBJ's MTL) are not there, one reason each: materials have their names alone then.
+    std::vector<std::string> lost_materials = {};
 };
 
-/// Reads how the mesh of a glTF, GLB or VRM file looks: of the vertices and faces that `read_mesh` gives. None for
-/// other files, which have looks of other kinds. \throws Error as `read_mesh`.
-[[nodiscard]] std::optional<SceneLooks> read_looks(const std::filesystem::path& path);
+/// Reads how the mesh of a file looks: of the vertices and faces that `read_mesh` gives with these options. O(n log n).
+///
+/// - GLB, glTF, VRM: materials and all they need, texture coordinates, colours, normals.
+/// - OBJ: normals, texture coordinates, colours behind vertices, and of the materials of its MTL files colour (Kd),
+///   opacity (d, Tr), roughness (Pr, else Ns), metalness (Pm) and picture (map_Kd, PNG or JPEG). These files are looked
+///   for as the OBJ names them, in its folder or below; a picture also beside the MTL, or by its bare name.
+/// - PLY: normals and colours of vertices.
+///
+/// Colours of OBJ and PLY are taken for sRGB where vertices have them, those of MTL for linear ones, as Blender does.
+/// None for other files, and for those that say nothing of looks. \throws Error as `read_mesh`.
+[[nodiscard]] std::optional<SceneLooks> read_looks(const std::filesystem::path& path,
+                                                   const ReadMeshOptions& options = {});
 
-/// The same of a file's content, as `parse_mesh`: pictures in files of their own are lost.
-[[nodiscard]] std::optional<SceneLooks> parse_looks(std::string_view content);
+/// The same of a file's content, as `parse_mesh`: what is in files of their own is lost.
+[[nodiscard]] std::optional<SceneLooks> parse_looks(std::string_view content, const ReadMeshOptions& options = {});
 
 } // namespace skelgen::io

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include <skelgen/applications/skinning.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/io/mesh_format.hpp>
 #include <skelgen/io/scene_looks.hpp>
@@ -26,8 +27,10 @@ template <typename Scalar>
 void write_mesh(const std::filesystem::path& path, const TriangleMesh<Scalar>& mesh);
 
 /// The same with the looks of the scene whose vertices and faces these are, however they have moved: kept by GLB, by no
-/// other format. \throws Error usage also when the looks are those of another mesh.
-void write_mesh(const std::filesystem::path& path, const TriangleMesh<double>& mesh, const SceneLooks& looks);
+/// other format. `turns`: how each vertex has been turned since, as `PosedBody::turns`; then the looks' own normals are
+/// written, else smooth ones. \throws Error usage also when looks or turns are those of another mesh.
+void write_mesh(const std::filesystem::path& path, const TriangleMesh<double>& mesh, const SceneLooks& looks,
+                const applications::VertexTurns<double>& turns = {});
 
 } // namespace skelgen::io
 

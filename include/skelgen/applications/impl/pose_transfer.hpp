@@ -63,7 +63,8 @@ PosedBody<Scalar> pose_like(const TriangleMesh<Scalar>& mesh, const Body<Scalar>
     const Vector3<Scalar> way = detail::median_way(moved(skeleton, skeleton_template, motion), model);
     for (RigidMotion<Scalar>& of_joint : motion) of_joint.translation += way;
     return {{skinned(mesh.vertices, skin, motion), outward_faces(mesh, body)},
-            moved(skeleton, skeleton_template, motion)};
+            moved(skeleton, skeleton_template, motion),
+            skin_turns(skin, motion)};
 }
 
 template <typename Scalar>

@@ -74,6 +74,7 @@ Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
     const auto to_canonical = rotation_to_canonical(skeleton.frame.left, upright(mesh, skeleton, skeleton_template));
     const auto motion = rest_motions(rest, skeleton, skeleton_template, now, to_canonical);
     rig.mesh = {skinned(mesh.vertices, rig.skin, motion), outward_faces(mesh, body)};
+    rig.turns = skin_turns(rig.skin, motion);
 
     const Orientations<Scalar> axes = bone_axes(skeleton, skeleton_template, now);
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {

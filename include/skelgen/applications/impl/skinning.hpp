@@ -43,33 +43,60 @@ Skin<Scalar> strongest_influences(const Eigen::MatrixX<Scalar>& weights) {
     return skin;
 }
 
+namespace detail {
+
+/// The motions of joints as dual quaternions, of which those of a vertex are mixed.
 template <typename Scalar>
-Points<Scalar> skinned(const Points<Scalar>& points, const Skin<Scalar>& skin,
-                       const std::vector<RigidMotion<Scalar>>& motions) {
-    using Vector4 = Eigen::Matrix<Scalar, 4, 1>;
+class DualQuaternionBlend {
+public:
     using Rotation = Eigen::Quaternion<Scalar>;
-    std::vector<Vector4> turns, shifts; // real and dual parts
-    for (const RigidMotion<Scalar>& motion : motions) {
-        const Vector3<Scalar>& t = motion.translation;
-        turns.push_back(motion.rotation.coeffs());
-        shifts.push_back(Scalar(0.5) * (Rotation(0, t[0], t[1], t[2]) * motion.rotation).coeffs());
+
+    explicit DualQuaternionBlend(const std::vector<RigidMotion<Scalar>>& motions) {
+        for (const RigidMotion<Scalar>& motion : motions) {
+            const Vector3<Scalar>& t = motion.translation;
+            turns_.push_back(motion.rotation.coeffs());
+            shifts_.push_back(Scalar(0.5) * (Rotation(0, t[0], t[1], t[2]) * motion.rotation).coeffs());
+        }
     }
-    Points<Scalar> out(points.rows(), 3);
-    for (Eigen::Index v = 0; v < points.rows(); ++v) {
-        const Vector4& first = turns[static_cast<std::size_t>(skin.joints(v, 0))];
+
+    [[nodiscard]] RigidMotion<Scalar> operator()(const Skin<Scalar>& skin, Eigen::Index v) const {
+        const Vector4& first = turns_[static_cast<std::size_t>(skin.joints(v, 0))];
         Vector4 turn = Vector4::Zero(), shift = Vector4::Zero();
         for (int k = 0; k < Skin<Scalar>::influences; ++k) {
             const auto joint = static_cast<std::size_t>(skin.joints(v, k));
             // Of the two quaternions of a rotation, that on the strongest one's side: the shorter way round.
-            const Scalar weight = turns[joint].dot(first) < 0 ? -skin.weights(v, k) : skin.weights(v, k);
-            turn += weight * turns[joint];
-            shift += weight * shifts[joint];
+            const Scalar weight = turns_[joint].dot(first) < 0 ? -skin.weights(v, k) : skin.weights(v, k);
+            turn += weight * turns_[joint];
+            shift += weight * shifts_[joint];
         }
         const Scalar length = turn.norm();
         const Rotation rotation(Vector4(turn / length)), dual(Vector4(shift / length));
-        const Vector3<Scalar> translation = Scalar(2) * (dual * rotation.conjugate()).vec();
-        core::set_point<Scalar>(out, v, rotation * core::point(points, v) + translation);
+        return {rotation, Scalar(2) * (dual * rotation.conjugate()).vec()};
     }
+
+private:
+    using Vector4 = Eigen::Matrix<Scalar, 4, 1>;
+    std::vector<Vector4> turns_, shifts_; ///< real and dual parts
+};
+
+} // namespace detail
+
+template <typename Scalar>
+Points<Scalar> skinned(const Points<Scalar>& points, const Skin<Scalar>& skin,
+                       const std::vector<RigidMotion<Scalar>>& motions) {
+    const detail::DualQuaternionBlend<Scalar> blend(motions);
+    Points<Scalar> out(points.rows(), 3);
+    for (Eigen::Index v = 0; v < points.rows(); ++v)
+        core::set_point<Scalar>(out, v, blend(skin, v)(core::point(points, v)));
+    return out;
+}
+
+template <typename Scalar>
+VertexTurns<Scalar> skin_turns(const Skin<Scalar>& skin, const std::vector<RigidMotion<Scalar>>& motions) {
+    const detail::DualQuaternionBlend<Scalar> blend(motions);
+    VertexTurns<Scalar> out;
+    out.reserve(static_cast<std::size_t>(skin.weights.rows()));
+    for (Eigen::Index v = 0; v < skin.weights.rows(); ++v) out.push_back(blend(skin, v).rotation);
     return out;
 }
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace skelgen::io::detail {
+
+/// The media type of a picture that glTF knows, by its first bytes; none where it is another one, or none.
+[[nodiscard]] inline std::optional<std::string_view> picture_kind(std::string_view bytes) {
+    constexpr std::string_view png_magic = "\x89PNG", jpeg_magic = "\xFF\xD8\xFF", webp_magic = "RIFF";
+    if (bytes.starts_with(png_magic)) return "image/png";
+    if (bytes.starts_with(jpeg_magic)) return "image/jpeg";
+    if (bytes.starts_with(webp_magic)) return "image/webp";
+    return std::nullopt;
+}
+
+} // namespace skelgen::io::detail
