@@ -44,6 +44,27 @@ struct Model {
 
 const SkeletonTemplate& human() { return builtin_template("human21"); }
 
+/// \throws Error bad_input, naming the joint, when one is farther from its parent than in any body.
+void require_bones_of_a_body(const KinematicSkeleton<double>& skeleton) {
+    // People's longest bone is three times the middle one, those of figures with odd limbs some ten times.
+    constexpr double most = 100;
+    const auto length_of = [&](const Joint<double>& joint) {
+        return joint.parent < 0
+                   ? 0.0
+                   : (joint.position - skeleton.joints[static_cast<std::size_t>(joint.parent)].position).norm();
+    };
+    std::vector<double> lengths;
+    for (const Joint<double>& joint : skeleton.joints)
+        if (const double length = length_of(joint); length > 0) lengths.push_back(length);
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    for (const Joint<double>& joint : skeleton.joints)
+        if (length_of(joint) > most * *middle)
+            throw Error(ErrorCode::bad_input,
+                        "its joint " + joint.name + " is more than " + std::to_string(static_cast<int>(most)) +
+                            " times as far from its parent as joints are there; " + "write it with `skelgen extract`");
+}
+
 /// Whether a file's skeleton says how someone is held. \throws Error bad_input when it does not.
 void require_pose(const KinematicSkeleton<double>& skeleton) {
     if (skeleton.template_name != human().name)
@@ -56,11 +77,17 @@ void require_pose(const KinematicSkeleton<double>& skeleton) {
                     is_same))
         throw Error(ErrorCode::bad_input,
                     "its joints are not those of the template " + human().name + "; write it with `skelgen extract`");
+    for (const Joint<double>& joint : skeleton.joints)
+        if (!(joint.position.cwiseAbs().maxCoeff() <= std::numeric_limits<float>::max()))
+            throw Error(ErrorCode::bad_input, "its joint " + joint.name +
+                                                  " is at no place that can be reckoned with; " +
+                                                  "write it with `skelgen extract`");
     const auto has_length = [&](const Joint<double>& joint) {
         return joint.parent >= 0 && joint.position != skeleton.joints[static_cast<std::size_t>(joint.parent)].position;
     };
     if (std::none_of(skeleton.joints.begin(), skeleton.joints.end(), has_length))
         throw Error(ErrorCode::bad_input, "its bones have no length; write it with `skelgen extract`");
+    require_bones_of_a_body(skeleton);
 }
 
 Model load_model(const PoseCommand& command) {

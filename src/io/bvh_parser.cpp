@@ -12,6 +12,7 @@
 #include <skelgen/core/error.hpp>
 #include <skelgen/io/read_file.hpp>
 
+#include "plain_content.hpp"
 #include "text_scanner.hpp"
 
 namespace skelgen::io {
@@ -269,6 +270,8 @@ MotionClip with_offsets_in_positions(MotionClip clip) {
 
 MotionClip parse_bvh(std::string_view text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3); // the byte order mark that some editors write
+    std::string converted;
+    text = detail::with_line_feeds(text, converted);
     return with_offsets_in_positions(BvhParser(text).parse());
 }
 

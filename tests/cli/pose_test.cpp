@@ -58,6 +58,12 @@ TEST_CASE("pose: a skeleton's file that shows no pose is what is to blame", "[cl
     for (auto& joint : odd["joints"]) joint["position"] = {1, 2, 3};
     is_refused(odd, "its bones have no length");
     odd = body;
+    odd["joints"][7]["position"] = {0, 1e300, 0};
+    const std::string name = odd["joints"][7]["name"];
+    is_refused(odd, "its joint " + name + " is at no place");
+    odd["joints"][7]["position"] = {0, 1e20, 0};
+    is_refused(odd, "its joint " + name + " is more than 100 times as far from its parent");
+    odd = body;
     odd["template"] = "pinocchio18";
     is_refused(odd, "is a skeleton of the template pinocchio18");
 }

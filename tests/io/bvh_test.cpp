@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -79,6 +80,10 @@ TEST_CASE("BVH: as programs write it", "[io][bvh]") {
     const MotionClip clip = io::parse_bvh(text);
     CHECK(clip.joints[0].name == "Upper Arm");
     CHECK(clip.frames == io::parse_bvh(arm).frames);
+
+    std::string old = arm; // lines that end as old Macs have them
+    std::replace(old.begin(), old.end(), '\n', '\r');
+    CHECK(io::parse_bvh(old).frames == io::parse_bvh(arm).frames);
 }
 
 TEST_CASE("BVH: what is written reads back as the same", "[io][bvh]") {
