@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -102,6 +103,29 @@ TEST_CASE("BVH: what is written reads back as the same", "[io][bvh]") {
     }
     // The sample is this clip.
     CHECK(io::read_bvh(SKELGEN_DATA "/sample/walk.bvh").frames == test::walking_clip().frames);
+}
+
+TEST_CASE("the sample clip's feet stay where they stand", "[io][bvh]") {
+    const MotionClip clip = io::read_bvh(SKELGEN_DATA "/sample/walk.bvh");
+    int standing = 0;
+    for (const char* name : {"LeftToeBase", "RightToeBase"}) {
+        const auto joint = static_cast<std::size_t>(
+            std::find_if(clip.joints.begin(), clip.joints.end(), [&](const auto& j) { return j.name == name; }) -
+            clip.joints.begin());
+        std::optional<Eigen::Vector3d> place;
+        for (std::size_t f = 0; f < 30; ++f) {
+            const Eigen::Vector3d now = pose_in(clip, f).positions[joint];
+            CHECK(now.y() > 0.9); // centimetres; its sole is 1 below
+            if (now.y() > 1.1) {
+                place.reset();
+                continue;
+            }
+            if (!place) place = now;
+            CHECK((now - *place).norm() < 0.1);
+            ++standing;
+        }
+    }
+    CHECK(standing == 36); // of 60: both do for 6 frames
 }
 
 TEST_CASE("BVH: positions stand for offsets or come on top of them", "[io][bvh]") {
