@@ -85,7 +85,7 @@ TEST_CASE("OBJ: materials, texture coordinates and normals; corners that differ 
     REQUIRE(again);
     REQUIRE(again->parts.size() == 2);
     CHECK(again->parts[0].faces == 3);
-    CHECK(again->json == looks->json);
+    CHECK(json_of(*again) == json); // keys may come in another order
     CHECK(again->pictures == looks->pictures);
     CHECK(again->parts[0].texture_coordinates == looks->parts[0].texture_coordinates);
     CHECK((again->parts[0].normals.row(6) - Eigen::RowVector3f(0, 0.6F, 0.8F)).norm() < 1e-6F); // of length 1
