@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/refinement/headgear.hpp>
+#include <skelgen/refinement/impl/refine.hpp>
 
 #include "catch.hpp"
 #include "limb_shapes.hpp"
@@ -111,4 +113,40 @@ TEMPLATE_TEST_CASE("headgear: a child's head has its joint where an adult's is, 
     CHECK(head_joint_growth(Scalar(2)) == Scalar(2));
     CHECK(head_joint_growth(Scalar(3)) == Scalar(3));
     CHECK(head_joint_growth(Scalar(1.75)) == Approx(1 + 0.5 * 0.75));
+}
+
+TEST_CASE("a head that shows none so near the top is looked for as far down as the arms, not below them") {
+    const auto body = body_of<double>(level_set(bust, Vec3(-0.25, -0.25, -0.55), Vec3(0.25, 0.25, 0.55), 0.01));
+    const Slicer<double> slicer(body);
+    const auto end = end_point_near(body, Vec3(0, 0, top_of_head));
+    Limb<double> limb;
+    limb.joints = {joint_of(JointRole::neck), joint_of(JointRole::head)};
+    limb.from_tip = {0.055, 0.04}; // its head is more than twice as broad as that
+    limb = draw_limb(std::move(limb), slicer, end);
+    const RefinementOptions options;
+    REQUIRE_FALSE(refinement::detail::head_of(limb, slicer, options.head));
+
+    const double to_arms = std::numeric_limits<double>::infinity(), to_face = 0.1;
+    const auto larger = refinement::detail::with_far_larger_head(limb, slicer, end, to_arms, options);
+    REQUIRE(larger);
+    CHECK(larger->from_tip.front() > to_face);
+    CHECK_FALSE(refinement::detail::with_far_larger_head(limb, slicer, end, to_face, options));
+}
+
+TEST_CASE("how far it is to the nearest arm") {
+    const auto body = body_of<double>(sphere(1, 4));
+    const Slicer<double> slicer(body);
+    const auto end = end_point_near(body, Vec3::UnitZ());
+    const auto arm = [](const Vec3& from) {
+        return limb_along({0.5 * from, 2 * from},
+                          {joint_of(JointRole::shoulder, Side::left), joint_of(JointRole::elbow, Side::left)},
+                          {1.0, 0.5});
+    };
+    const SkeletonTemplate& human = builtin_template("human21");
+    const auto distance = [&](const std::vector<Limb<double>>& limbs) {
+        return refinement::detail::distance_to_arms(end, limbs, slicer, human);
+    };
+    CHECK(distance({arm(Vec3::UnitX())}) == Approx(pi / 2).epsilon(0.03));
+    CHECK(distance({arm(-Vec3::UnitZ()), arm(Vec3(0, 1, 1).normalized())}) == Approx(pi / 4).epsilon(0.03));
+    CHECK(std::isinf(distance({})));
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -55,12 +56,14 @@ bool is_below_face(const Limb<Scalar>& limb, const HeadShape<Scalar>& head) {
 
 /// A head may be so much larger than the template's that its slices, above the place where the template has the neck,
 /// show no head at all: the limb drawn for the first of ever larger heads that is seen to end in a throat, and is no
-/// smaller than that. None where there is no such one, as with hair, hats and hands on heads.
+/// smaller than that. None where there is no such one, as with hair, hats and hands on heads. Its neck is no farther
+/// from the top than `lowest`: what is thin lower down is a waist.
 template <typename Scalar>
 std::optional<Limb<Scalar>> with_far_larger_head(const Limb<Scalar>& limb, const Slicer<Scalar>& slicer,
-                                                 const EndPoint<Scalar>& end, const RefinementOptions& options) {
+                                                 const EndPoint<Scalar>& end, Scalar lowest,
+                                                 const RefinementOptions& options) {
     constexpr Scalar step = Scalar(1.25), most = Scalar(3.5); // times the template's
-    for (Scalar factor = step; factor < most; factor *= step) {
+    for (Scalar factor = step; factor < most && factor * limb.from_tip.front() < lowest; factor *= step) {
         Limb<Scalar> larger = stretched(limb, factor, slicer, end, options.centreline);
         const auto head = head_of(larger, slicer, options.head);
         if (head && head->throat && head->size >= 1 && is_below_face(larger, *head)) return larger;
@@ -69,15 +72,16 @@ std::optional<Limb<Scalar>> with_far_larger_head(const Limb<Scalar>& limb, const
 }
 
 /// The head's limb, drawn again where the head is plainly larger than the template's, a child's or a drawn figure's:
-/// the neck lies that much lower. A larger head is measured once more, from where its neck then is.
+/// the neck lies that much lower. A larger head is measured once more, from where its neck then is. `lowest`: how far
+/// from the top a neck may be that no head was seen above at first.
 template <typename Scalar>
 Limb<Scalar> with_fitting_head(Limb<Scalar> limb, const Slicer<Scalar>& slicer, const EndPoint<Scalar>& end,
-                               const RefinementOptions& options) {
+                               Scalar lowest, const RefinementOptions& options) {
     constexpr int most_rounds = 3;
     const Scalar neck = limb.from_tip.front(), joint = limb.from_tip.back();
     auto head = head_of(limb, slicer, options.head);
     if (!head) {
-        auto larger = with_far_larger_head(limb, slicer, end, options);
+        auto larger = with_far_larger_head(limb, slicer, end, lowest, options);
         if (!larger) return limb;
         limb = *std::move(larger);
         head = head_of(limb, slicer, options.head);
@@ -93,13 +97,26 @@ Limb<Scalar> with_fitting_head(Limb<Scalar> limb, const Slicer<Scalar>& slicer, 
     return limb;
 }
 
+/// How far over the surface it is from a head's end to where the nearest arm leaves the trunk; infinite without arms.
+template <typename Scalar>
+Scalar distance_to_arms(const EndPoint<Scalar>& head, const std::vector<Limb<Scalar>>& limbs,
+                        const Slicer<Scalar>& slicer, const SkeletonTemplate& skeleton_template) {
+    Scalar least = std::numeric_limits<Scalar>::infinity();
+    for (const Limb<Scalar>& limb : limbs) {
+        if (part_of(skeleton_template.joint(limb.joints.front()).role) != BodyPart::arm) continue;
+        const Vector3<Scalar> armpit = point_on(limb, std::max(limb.attachment, arc_of(limb, 0)));
+        least = std::min(least, head.distance[core::nearest_vertex(slicer.mesh(), armpit)]);
+    }
+    return least;
+}
+
 /// The head's limb, of a head that may be larger than the template's, or wear something; an adapted template, which
 /// tells no lengths, does not show the latter.
 template <typename Scalar>
 Limb<Scalar> head_limb(const Limb<Scalar>& limb, const Slicer<Scalar>& slicer, const EndPoint<Scalar>& end,
-                       const CurveSkeleton<Scalar>& curve, const embedding::Embedding& embedding,
+                       Scalar lowest, const CurveSkeleton<Scalar>& curve, const embedding::Embedding& embedding,
                        const SkeletonTemplate& skeleton_template, const RefinementOptions& options) {
-    Limb<Scalar> fitting = with_fitting_head(limb, slicer, end, options);
+    Limb<Scalar> fitting = with_fitting_head(limb, slicer, end, lowest, options);
     if (skeleton_template.is_adapted) return fitting;
     const auto throat = find_throat_on_curve(limb.joints.back(), curve, embedding, slicer);
     if (throat && has_neck_in_head(fitting, *throat, limb.from_tip.front()))
@@ -204,7 +221,8 @@ ScaledLimbs<Scalar> find_limbs(const Slicer<Scalar>& slicer, const std::vector<E
     for (std::size_t i = 0; i < limbs.size(); ++i) {
         if (!is_head(limbs[i], skeleton_template)) continue;
         for (Scalar& from_tip : limbs[i].from_tip) from_tip *= ratio;
-        limbs[i] = head_limb(limbs[i], slicer, ends[i], curve, embedding, skeleton_template, options);
+        const Scalar lowest = distance_to_arms(ends[i], limbs, slicer, skeleton_template);
+        limbs[i] = head_limb(limbs[i], slicer, ends[i], lowest, curve, embedding, skeleton_template, options);
     }
     return {std::move(limbs), ratio * scale, axis};
 }
