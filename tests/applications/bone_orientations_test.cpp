@@ -123,6 +123,7 @@ TEST_CASE("orientations: a bent elbow or knee shows how its limb is turned about
         if (part_of(human().joints[j].role) != BodyPart::trunk)
             CHECK((found[j] * axes[j] * y - along.normalized()).norm() < 1e-9);
     }
+    CHECK_THROWS_AS(bone_axes(skeleton, human(), {}), Error);
 }
 
 TEST_CASE("orientations: a joint of pelvis or neck that is found off turns them little", "[applications][pose]") {

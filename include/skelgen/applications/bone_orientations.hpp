@@ -33,7 +33,7 @@ template <typename Scalar>
 
 /// Axes of each joint where it is: those of the rest pose turned by the joint's `orientation`, then by the least that
 /// lays y along the bone. A joint without a bone has the turned ones. O(joints^2).
-/// \throws Error usage when the skeleton's joints are not the template's.
+/// \throws Error usage when the skeleton's joints are not the template's, or there are not as many orientations.
 template <typename Scalar>
 [[nodiscard]] Orientations<Scalar> bone_axes(const KinematicSkeleton<Scalar>& skeleton,
                                              const SkeletonTemplate& skeleton_template,

@@ -8,6 +8,7 @@
 
 #include <skelgen/applications/bones.hpp>
 #include <skelgen/applications/canonical_frame.hpp>
+#include <skelgen/core/error.hpp>
 #include <skelgen/core/precision.hpp>
 
 namespace skelgen::applications {
@@ -192,6 +193,8 @@ Orientations<Scalar> bone_orientations(const KinematicSkeleton<Scalar>& skeleton
 template <typename Scalar>
 Orientations<Scalar> bone_axes(const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
                                const Orientations<Scalar>& orientations) {
+    if (orientations.size() != skeleton.joints.size())
+        throw Error(ErrorCode::usage, "a pose must have as many orientations as the skeleton has joints");
     const Orientations<Scalar> rest = rest_axes<Scalar>(skeleton_template);
     const detail::BoneDirections<Scalar> bones{skeleton, skeleton_template};
     Orientations<Scalar> out;
