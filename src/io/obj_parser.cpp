@@ -31,7 +31,7 @@ public:
             else if (with_looks_)
                 read_looks(keyword);
             else
-                scanner_.skip_line(); // normals, texture coordinates, groups, materials, lines, curves
+                scanner_.skip_continued_line(); // normals, texture coordinates, groups, materials, lines, curves
         }
         check_forward_references();
         for (ObjCorner& corner : file_.corners) { // faces may come before what they name
@@ -45,7 +45,7 @@ private:
     void read_vertex() {
         for (const double coordinate : scanner_.coordinates()) mesh_.coordinates.push_back(coordinate);
         if (with_looks_) read_colour();
-        scanner_.skip_line(); // weight, colour
+        scanner_.skip_continued_line(); // weight, colour
     }
 
     /// Red, green and blue, and perhaps alpha; one number alone is a weight.
@@ -76,10 +76,10 @@ private:
         else if (keyword == "vn")
             read_numbers(file_.normals, 3);
         else if (keyword == "mtllib")
-            return static_cast<void>(file_.libraries.emplace_back(scanner_.rest_of_line())); // up to the line's end
+            file_.libraries.emplace_back(scanner_.peek_rest_of_line());
         else if (keyword == "usemtl")
-            return use_material(std::string(scanner_.rest_of_line()));
-        scanner_.skip_line();
+            use_material(std::string(scanner_.peek_rest_of_line()));
+        scanner_.skip_continued_line();
     }
 
     void use_material(const std::string& name) {

@@ -50,6 +50,14 @@ public:
         at_ = line_end == nullptr ? end_ : static_cast<const char*>(line_end) + 1;
     }
 
+    /// Moves to the beginning of the next line that does not continue this one.
+    void skip_continued_line() {
+        for (const char* start = at_;; start = at_) {
+            skip_line();
+            if (!is_continued({start, static_cast<std::size_t>(at_ - start)})) return;
+        }
+    }
+
     /// The next word of this line; empty when there is none.
     [[nodiscard]] std::string_view word() {
         if (at_line_end()) return {};
@@ -59,7 +67,7 @@ public:
     }
 
     /// The next word of this line, without moving.
-    [[nodiscard]] std::string_view peek_word() {
+    [[nodiscard]] std::string_view peek_word() const {
         TextScanner ahead = *this;
         return ahead.word();
     }
@@ -104,6 +112,12 @@ public:
             if (!is_space(*c)) stop = c + 1;
         }
         return {start, static_cast<std::size_t>(stop - start)};
+    }
+
+    /// What `rest_of_line` gives, without moving.
+    [[nodiscard]] std::string_view peek_rest_of_line() const {
+        TextScanner ahead = *this;
+        return ahead.rest_of_line();
     }
 
     /// The next three words of this line as the coordinates of a point.
@@ -198,6 +212,16 @@ private:
 
     void skip_blanks() {
         while (at_ != end_ && (is_blank(*at_) || (*at_ == '\\' && take_continuation()))) ++at_;
+    }
+
+    /// Whether the line ends with a backslash that is a word of its own, and in no comment.
+    [[nodiscard]] static bool is_continued(std::string_view line) {
+        if (!line.ends_with('\n')) return false;
+        line.remove_suffix(1);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        if (!line.ends_with('\\')) return false;
+        line.remove_suffix(1);
+        return (line.empty() || is_space(line.back())) && line.find('#') == std::string_view::npos;
     }
 
     /// At a backslash: if the line ends after it, moves to that end.

@@ -146,6 +146,21 @@ TEST_CASE("OBJ: libraries in folders, several in a line, pictures by their bare 
     CHECK(json.at("materials").at(2).at("pbrMetallicRoughness").at("baseColorFactor") == nlohmann::json({1, 0, 0, 1}));
 }
 
+TEST_CASE("OBJ: looks are read from the lines that the shape is read from", "[io][looks]") {
+    const std::string text = "mtllib a.mtl \\\nv 9 9 9\nv 0 0 0 1 \\\nv 9 9 9\nv 1 0 0 1 0 0 # \\\nv 0 1 0\n"
+                             "vt 0 1#2 \\\nv 0 0 1\nusemtl C:\\\nvt 1 \\\n0.5\nvn 0 0 \\\nf 1 2 3\nvn 0 0\\\n"
+                             "f 1/1 2/2 \\\n 4/2\nf 1/2 2 4\n";
+    const auto mesh = io::parse_mesh(text);
+    const auto looks = io::parse_looks(text);
+    CHECK(mesh.vertices.rows() == 4);
+    REQUIRE(looks);
+    REQUIRE(looks->parts.size() == 1);
+    CHECK(looks->parts[0].vertices == 4 + static_cast<Eigen::Index>(looks->copies.size()));
+    CHECK(looks->faces.rows() == mesh.faces.rows());
+    REQUIRE(looks->parts[0].texture_coordinates.size() == 1);
+    CHECK(looks->parts[0].texture_coordinates[0].row(1) == Eigen::RowVector2f(1, 0.5F));
+}
+
 TEST_CASE("OBJ and PLY: colours of vertices are light, and get a material that shows them", "[io][looks]") {
     const std::string faces = "f 1 2 3\n";
     const std::string ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"

@@ -38,6 +38,12 @@ TEST_CASE("OBJ: vertex colours and weights, continued lines, comments behind val
         "v 0 0 0 1 0 0\nv 1 0 0 1.0\nv 0 1 \\\n 0\nv 0 0 1 # top\nf 1 \\\r\n 3 2\nf 1 2 4# base\n\tf 1 4 3\nf 2 3 4");
 }
 
+TEST_CASE("OBJ: lines that are skipped may be continued, too; comments and words may not", "[io][obj]") {
+    check_is_tetrahedron("g left \\\nv 9 9 9\nv 0 0 0 1 0 \\\r\nv 9 9 9\n# to C:\\ \\\nv 1 0 0\nusemtl C:\\\nv 0 1 0\n"
+                         "v 0 0 1\nvt 0 \\\n \\\nf 1 2 3\n" +
+                         faces + "g \\");
+}
+
 TEST_CASE("OBJ: faces may come before their vertices", "[io][obj]") { check_is_tetrahedron(faces + vertices); }
 
 TEST_CASE("OBJ: is known by its content or by its extension", "[io][obj]") {
