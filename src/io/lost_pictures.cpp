@@ -69,7 +69,10 @@ void renumber_textures(LooksJson& value, const NewNumbers& textures, const std::
     }
 }
 
+std::size_t count(const LooksJson& looks, const char* list) { return looks.contains(list) ? looks.at(list).size() : 0; }
+
 void take_out(LooksJson& looks, const char* list, const std::set<std::size_t>& lost) {
+    if (lost.empty()) return;
     LooksJson kept = LooksJson::array();
     for (std::size_t i = 0; i < looks[list].size(); ++i)
         if (!lost.contains(i)) kept.push_back(std::move(looks[list][i]));
@@ -80,18 +83,15 @@ void take_out(LooksJson& looks, const char* list, const std::set<std::size_t>& l
 } // namespace
 
 LooksJson without_pictures(LooksJson looks, const std::set<std::size_t>& lost) {
-    if (lost.empty()) return looks;
-    const NewNumbers images = numbers_without(looks.at("images").size(), lost);
+    const NewNumbers images = numbers_without(count(looks, "images"), lost);
     take_out(looks, "images", lost);
-    if (!looks.contains("textures")) return looks;
     std::set<std::size_t> bare;
-    for (std::size_t i = 0; i < looks["textures"].size(); ++i)
+    for (std::size_t i = 0; i < count(looks, "textures"); ++i)
         if (loses_all(looks["textures"][i], images, "textures[" + std::to_string(i) + "]")) bare.insert(i);
-    const NewNumbers textures = numbers_without(looks["textures"].size(), bare);
+    const NewNumbers textures = numbers_without(count(looks, "textures"), bare);
     take_out(looks, "textures", bare);
-    if (looks.contains("materials"))
-        for (std::size_t i = 0; i < looks["materials"].size(); ++i)
-            renumber_textures(looks["materials"][i], textures, "materials[" + std::to_string(i) + "]");
+    for (std::size_t i = 0; i < count(looks, "materials"); ++i)
+        renumber_textures(looks["materials"][i], textures, "materials[" + std::to_string(i) + "]");
     return looks;
 }
 

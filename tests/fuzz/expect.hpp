@@ -29,7 +29,10 @@ inline void expect_looks_of(const TriangleMesh<double>& mesh, const io::SceneLoo
     io::detail::GltfBuffer buffer;
     const applications::VertexTurns<double> turns(static_cast<std::size_t>(mesh.vertices.rows()),
                                                   Eigen::Quaterniond::Identity());
-    static_cast<void>(io::detail::describe_primitives(buffer, {mesh, nullptr, turns, looks}));
+    io::detail::Json scene;
+    scene["meshes"] = {{{"primitives", io::detail::describe_primitives(buffer, {mesh, nullptr, turns, looks})}}};
+    io::detail::add_materials(scene, buffer, looks);
+    expect(!scene.dump().empty());
 }
 
 /// Gives the bytes to `read`; the value is for libFuzzer.

@@ -5,6 +5,7 @@
 #include <skelgen/io/read_mesh.hpp>
 
 #include "expect.hpp"
+#include "io/gltf_looks.hpp"
 #include "io/gltf_parser.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -15,11 +16,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         };
         const std::string first_animation =
             bytes.find("\"animations\"") == std::string_view::npos ? "" : "1"; // none would be wrong usage
+        const io::ReadMeshOptions options{io::MeshFormat::glb, first_animation, 0.5};
+        TriangleMesh<double> mesh;
         try {
-            fuzz::expect_sound(io::triangulate(
-                io::detail::parse_gltf(bytes, {io::MeshFormat::glb, first_animation, 0.5}, no_companion)));
+            mesh = io::triangulate(io::detail::parse_gltf(bytes, options, no_companion));
         } catch (const Error& error) {
-            if (error.code() != ErrorCode::usage) throw; // its list of animations is empty
+            if (error.code() == ErrorCode::usage) return; // its list of animations is empty
+            throw;
         }
+        fuzz::expect_sound(mesh);
+        fuzz::expect_looks_of(mesh, io::detail::read_gltf_looks(bytes, options, no_companion));
     });
 }

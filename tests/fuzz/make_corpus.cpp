@@ -91,6 +91,27 @@ std::string full_scene() {
     return scene.glb();
 }
 
+/// With a normal map and its texture coordinates, colours and normals.
+test::GltfBuilder painted_scene() {
+    test::GltfBuilder scene;
+    scene.add_tetrahedron();
+    auto& attributes = scene.primitive()["attributes"];
+    attributes["TEXCOORD_0"] = scene.add<float>("VEC2", {0, 0, 1, 0, 0, 1, 1, 1});
+    attributes["COLOR_0"] = scene.add<float>("VEC3", {1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1});
+    attributes["NORMAL"] = scene.add<float>("VEC3", {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 0});
+    scene.primitive()["material"] = 0;
+    scene.json["images"] = {{{"mimeType", "image/png"},
+                             {"bufferView", scene.add_view(test::GltfBuilder::raw<std::uint8_t>({137, 80, 78, 71}))}},
+                            {{"uri", "missing.png"}}};
+    scene.json["samplers"] = {{{"wrapS", 10497}}};
+    scene.json["textures"] = {{{"source", 0}, {"sampler", 0}}, {{"source", 1}}};
+    scene.json["materials"] = {{{"normalTexture", {{"index", 0}, {"texCoord", 0}}},
+                                {"emissiveTexture", {{"index", 1}, {"extensions", {{"a", {{"b", 1}}}}}}},
+                                {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 1}}}}}}};
+    scene.json["extensionsUsed"] = {"a", "c"};
+    return scene;
+}
+
 void make_corpus(const fs::path& folder) {
     const auto mesh = tetrahedron();
     Corpus off(folder, "off"), obj(folder, "obj"), ply(folder, "ply"), stl(folder, "stl"), gltf(folder, "gltf");
@@ -103,6 +124,11 @@ void make_corpus(const fs::path& folder) {
         "mtllib a b.mtl\nv 0 0 0 1 0 0\nv 1 0 0 0 255 0\nv 1 1 0\nvt 0 0\nvt 1 .5\nvn 0 0 1\nvn 0 1 nan\nusemtl a b\n"
         "f 1/1/1 2/2/2 3/-1/-1\nusemtl c\nf 3/2/1 2/1 1/9/9\n");
     obj.add("v 0 0 0\nv 1 0 0\nvt 0 0\nv 1 1 \\\n 0\nv 0 1 0\ng a\nf 1/1 2//3 3/1/1 -1\n");
+    obj.add("mtllib a.mtl \\\nv 9 9 9\nv 0 0 0 1 \\\nv 9 9 9\nv 1 0 0 1 0 0 # \\\nv 0 1 0\nvt 0 1#2 \\\nusemtl C:\\\n"
+            "vt 1 \\\n0.5\nf 1/1 2/2 \\\n 3/2\n");
+    Corpus(folder, "mtl")
+        .add("newmtl a\nKd 0.5 0.25 0\nd 0.5\nNs 250\nTr 1\nnewmtl b\nKd 0\n"
+             "map_Kd -s 2 2 -bm 0.5 .\\a picture.png\nPr 0.75\nPm 1\nmap_d \"a\"\n");
     ply.add(format_mesh(mesh, MeshFormat::ply));
     ply.add(
         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
@@ -120,6 +146,9 @@ void make_corpus(const fs::path& folder) {
     gltf.add(scene.glb());
     gltf.add(scene.gltf(scene.data_uri()));
     gltf.add(full_scene());
+    const auto painted = painted_scene();
+    gltf.add(painted.glb());
+    gltf.add(painted.gltf(painted.data_uri()));
 
     Corpus any(folder, "mesh");
     for (const MeshFormat format :

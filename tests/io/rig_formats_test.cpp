@@ -188,6 +188,35 @@ TEST_CASE("glTF: a picture that is missing or damaged is left out with what show
     CHECK_THROWS_WITH(io::read_looks(folder / "scene.glb"), Catch::Matchers::Contains("textures[0].source"));
 }
 
+TEST_CASE("glTF: materials that are none, or refer to what is not there, are named", "[io][rig]") {
+    const auto failure = [](const char* materials, const char* textures) {
+        test::GltfBuilder scene;
+        scene.add_tetrahedron();
+        scene.json["materials"] = nlohmann::json::parse(materials);
+        scene.json["textures"] = nlohmann::json::parse(textures);
+        scene.json["images"] = {{{"uri", "data:image/png;base64,iVBORw0KGgo="}}};
+        try {
+            static_cast<void>(io::parse_looks(scene.glb()));
+        } catch (const Error& error) {
+            CHECK(error.code() == ErrorCode::bad_input);
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    using Catch::Matchers::Contains;
+    const char* const sound = R"([{"normalTexture": {"index": 0}}])";
+    CHECK(failure(sound, R"([{"source": 0}])").empty());
+    CHECK_THAT(failure("[7]", "[]"), Contains("materials[0] is no object"));
+    CHECK_THAT(failure(R"([{"normalTexture": 5}])", "[]"), Contains("materials[0].normalTexture is no object"));
+    CHECK_THAT(failure(R"([{"normalTexture": {"index": 0, "texCoord": "x"}}])", "[{}]"), Contains("texCoord"));
+    CHECK_THAT(failure(R"([{"pbrMetallicRoughness": {"baseColorTexture": {}}}])", "[]"), Contains("index"));
+    CHECK_THAT(failure(sound, "[]"), Contains("textures"));
+    CHECK_THAT(failure(sound, "[3]"), Contains("textures[0] is no object"));
+    CHECK_THAT(failure(sound, R"([{"source": 1}])"), Contains("textures[0].source refers to what is not there"));
+    CHECK_THAT(failure(sound, R"([{"sampler": 0}])"), Contains("samplers"));
+    CHECK_THAT(failure(R"([{"extensions": {"a": {"bTexture": {"index": 1}}}}])", "[{}]"), Contains("bTexture.index"));
+}
+
 TEST_CASE("glTF: looks in a file's content, also behind a byte order mark", "[io][rig]") {
     test::GltfBuilder scene;
     scene.add_tetrahedron();
