@@ -94,6 +94,25 @@ TEST_CASE("heat: bones of a limb warm that limb's region alone", "[applications]
     }
 }
 
+TEST_CASE("heat: a limb's bones warm nothing that is far beyond the limb along the surface",
+          "[applications][weights]") {
+    // The limb's bone, which ends at z = 4, lies in the capsule beside the trunk's.
+    const std::vector<Bone<double>> bones{{0, {0, 0, 0}, {0, 0, 4}, 1, 1}, {1, {0.2, 0, 0}, {0.2, 0, 4}, 1, 1}};
+    const auto body = test::body_of<double>(test::capsule(0.5, 4));
+    const auto n = static_cast<std::size_t>(body.mesh.vertices.rows());
+    LimbRegions regions{{-1, 1}, std::vector<int>(n, 1), std::vector<double>(n), {{}, {4, 4, 0}}};
+    const auto way = [](double z) { return z < 2 ? 8 - z : 4 - z; }; // as if one came to the lower half over others
+    for (std::size_t v = 0; v < n; ++v) regions.from_end[v] = way(body.mesh.vertices(static_cast<Eigen::Index>(v), 2));
+    const Heat heat = heat_in(body, bones, 2, regions);
+    for (Eigen::Index v = 0; v < heat.of_joint.rows(); ++v) {
+        const bool is_nearer = body.mesh.vertices(v, 0) > 0.1;
+        CHECK((heat.of_joint(v, 1) > 0) == (is_nearer && body.mesh.vertices(v, 2) >= 2));
+    }
+    regions.from_end.assign(n, 4.3); // what limb and trunk share
+    const Heat shared = heat_in(body, bones, 2, regions);
+    CHECK(shared.of_joint.col(1) == heat_in(body, bones, 2).of_joint.col(1));
+}
+
 TEST_CASE("heat: two poses alike give the weights of one", "[applications][weights]") {
     const auto body = test::body_of<double>(test::capsule(0.5, 4));
     const Heat heat = heat_in(body, two_bones<double>(), 2);

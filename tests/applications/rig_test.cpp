@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/applications/skinning.hpp>
 #include <skelgen/core/error.hpp>
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/extract.hpp>
 
 #include "catch.hpp"
@@ -184,6 +186,48 @@ TEST_CASE("pieces and seams are bound like what they lie on", "[applications][ri
     }
     for (Eigen::Index v = soup.vertices.rows(); v < skin.weights.rows(); ++v)
         CHECK(part_of(human().joint(skin.joints(v, 0)).role) == BodyPart::trunk);
+}
+
+TEST_CASE("a flank stays with the trunk, also where an arm goes into it", "[applications][rig]") {
+    const auto& [sample, found, in_sample, in_body] = test::sample_body();
+    const KinematicSkeleton<double> skeleton = surface::to_body(in_body, in_sample);
+    const auto at = [&](const char* name) { return static_cast<std::size_t>(find_joint(skeleton, name)); };
+    const auto place = [&](const char* name) { return skeleton.joints[at(name)].position; };
+    const Skin<double> skin = bind(sample, in_body, in_sample, human());
+    std::vector<int> vertices(in_body.source.size());
+    std::iota(vertices.begin(), vertices.end(), 0);
+
+    // The arm points at the hip's outside.
+    const Vector3<double> shoulder = place("left_shoulder");
+    RigidMotion<double> inwards;
+    inwards.rotation.setFromTwoVectors(place("left_elbow") - shoulder,
+                                       place("left_hip") + (place("left_hip") - place("right_hip")) / 2 - shoulder);
+    inwards.translation = shoulder - inwards.rotation * shoulder;
+    std::vector<RigidMotion<double>> motions(skeleton.joints.size());
+    const std::vector<bool> is_arm = joints_below(human(), static_cast<int>(at("left_shoulder")));
+    for (std::size_t j = 0; j < motions.size(); ++j)
+        if (is_arm[j]) motions[j] = inwards;
+    const Skin<double> own{skin.joints(in_body.source, Eigen::all), skin.weights(in_body.source, Eigen::all)};
+    TriangleMesh<double> mesh{skinned(in_body.mesh.vertices, own, motions), in_body.mesh.faces};
+    const Body<double> body = surface::make_body(mesh, Similarity<double>{}, vertices, 0);
+    const Skin<double> posed = bind(mesh, body, moved(skeleton, human(), motions), human());
+
+    const auto share_of_arm = [&](const Skin<double>& of, Eigen::Index v) {
+        double share = 0;
+        for (int k = 0; k < 4; ++k)
+            if (is_arm[static_cast<std::size_t>(of.joints(v, k))]) share += of.weights(v, k);
+        return share;
+    };
+    int touched = 0, strayed = 0;
+    for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v) {
+        if (share_of_arm(own, v) > 0.01) continue;
+        const Vector3<double> elbow = inwards(place("left_elbow"));
+        touched += core::nearest_on_segment<double, 3>(core::point(mesh.vertices, v), shoulder, elbow).distance <
+                   skeleton.joints[at("left_elbow")].radius;
+        strayed += share_of_arm(posed, v) > 0.5;
+    }
+    CHECK(touched > 5);
+    CHECK(strayed < 20); // 37 where the arm warms whatever sees it; the rest is close to the armpit
 }
 
 TEST_CASE("heels follow feet", "[applications][rig]") {

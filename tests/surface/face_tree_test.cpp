@@ -127,6 +127,25 @@ TEST_CASE("the nearest vertex is that of all, and no distance is larger than ask
           nearest_vertex<double>(mesh, Vec3::Zero())); // many are equally near
 }
 
+TEST_CASE("the nearest corner is one of the nearest face, though another vertex may be nearer") {
+    Mesh mesh;
+    mesh.vertices.resize(6, 3);
+    mesh.vertices << -3, -3, 0, 3, -3, 0, 0, 5, 0, 0, 0, 0.1, 1, 0, 1, 0, 1, 1;
+    mesh.faces.resize(2, 3);
+    mesh.faces << 0, 1, 2, 3, 4, 5;
+    const FaceTree<double> tree(mesh);
+    CHECK(tree.nearest_vertex(mesh, Vec3(0.1, 0, 0.01)) == 3);
+    CHECK(tree.nearest_corner(mesh, Vec3(0.1, 0, 0.01)) == 1);
+    CHECK(tree.nearest_corner(mesh, Vec3(0.1, 0, 0.09)) == 3);
+
+    const Mesh round = torus(2, 0.7, 40, 16);
+    const FaceTree<double> of_round(round);
+    for (int f = 0; f < static_cast<int>(round.faces.rows()); ++f) {
+        const Vec3 place = 0.98 * corner(round, f, 0) + 0.01 * (corner(round, f, 1) + corner(round, f, 2));
+        CHECK(of_round.nearest_corner(round, place) == round.faces(f, 0));
+    }
+}
+
 TEST_CASE("a ray meets all faces in its way, the first one among them") {
     const Mesh mesh = torus(2, 0.7, 40, 16);
     const FaceTree<double> tree(mesh);
@@ -349,6 +368,7 @@ TEST_CASE("a mesh without faces is met and cut nowhere, and one of a single face
         CHECK(tree.faces_across(none, Vec3::UnitX(), 0.0).empty());
         CHECK(tree.distance(none, Vec3::Zero()) == infinity);
         CHECK(tree.nearest_vertex(none, Vec3::Zero()) == -1);
+        CHECK(tree.nearest_corner(none, Vec3::Zero()) == -1);
         CHECK(tree.first_along(none, Vec3::Zero(), Vec3::UnitX()).face == -1);
     }
     const FaceTree<double> tree(one);

@@ -25,8 +25,9 @@ struct Heat {
 /// That of a body (BP07 section 4): each vertex is heated by the bone that is nearest to it, as seen through the body,
 /// the stronger the nearer. A trunk's bone is nearer than a limb's at the same distance: distances count relative to
 /// how thick the body is around the bone. `bones` in the body's coordinates. A limb's bones heat no vertex of another
-/// limb's region; without `regions` every bone heats any. `joints`: more than any bone's. O(n joints) looks through the
-/// body.
+/// limb's region, and none that is much farther from the limb's end along the surface than they are, as the flank is
+/// that an arm lies against; without `regions` every bone heats any. `joints`: more than any bone's. O(n joints) looks
+/// through the body.
 template <typename Scalar>
 [[nodiscard]] Heat heat_in(const Body<Scalar>& body, const std::vector<Bone<Scalar>>& bones, int joints,
                            const LimbRegions& regions = {});

@@ -39,6 +39,11 @@ public:
     /// The vertex of a face that is nearest to a place, the lowest of equals; -1 when there is no face. As above.
     [[nodiscard]] int nearest_vertex(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place) const;
 
+    /// The corner, nearest to a place, of the face that is nearest to it; -1 when there is no face. Of a place on a
+    /// surface one beside it on that surface: the nearest vertex of all may be of a part that lies against it. As
+    /// above.
+    [[nodiscard]] int nearest_corner(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place) const;
+
     /// The first face that a ray from a place in a direction of length 1 meets within `reach`, and how far that is; -1
     /// and infinity when it meets none. O(log faces) for each face that the ray comes near.
     struct Hit {

@@ -43,8 +43,22 @@ inline bool may_heat(const LimbRegions& regions, int joint, std::size_t vertex) 
     return limb < 0 || limb == regions.of_vertex[vertex];
 }
 
-/// The nearest bones in sight of a vertex, of those that `is_candidate` names: several where it is as near to them, as
-/// beside the joint where they meet. Those behind several others are not looked for: they would hardly warm it.
+/// Is a vertex on the surface of the limb, or near it, beside a place on a joint's bone, so far along it and so far
+/// from the vertex? Not where the vertex is clearly beyond the limb along the surface, and the way there much longer
+/// than to the place: a flank that an arm touches, or goes into, may see the arm's bones, and a belly the thighs.
+inline bool is_beside(const LimbRegions& regions, int joint, std::size_t vertex, core::Accumulator along,
+                      core::Accumulator distance) {
+    if (regions.bones.empty()) return true;
+    constexpr core::Accumulator shared = 1.1; // of limbs: what armpits, groins and buttocks share with the trunk
+    constexpr core::Accumulator longest = 4;  // of distances: ways over shoulders and buttocks are shorter
+    const BoneOfLimb& bone = regions.bones[static_cast<std::size_t>(joint)];
+    const core::Accumulator way = regions.from_end[vertex], place = bone.begin + along * (bone.end - bone.begin);
+    return way <= shared * bone.limb || way <= place + longest * distance || !(bone.limb > 0);
+}
+
+/// The nearest bones in sight of a vertex, of those that `is_candidate` names, given where on them, from 0 to 1, and
+/// how far from the vertex the nearest place is: several where it is as near to them, as beside the joint where they
+/// meet. Those behind several others are not looked for: they would hardly warm it.
 template <typename Scalar, typename Candidate>
 HeatSources<Scalar> nearest_bones_in_sight(const Vector3<Scalar>& vertex, const std::vector<Bone<Scalar>>& bones,
                                            const Body<Scalar>& body, const Candidate& is_candidate) {
@@ -57,8 +71,8 @@ HeatSources<Scalar> nearest_bones_in_sight(const Vector3<Scalar>& vertex, const 
     };
     std::vector<Near> candidates;
     for (const Bone<Scalar>& bone : bones) {
-        if (!is_candidate(bone.joint)) continue;
         const auto near = core::nearest_on_segment<Scalar, 3>(vertex, bone.from, bone.to);
+        if (!is_candidate(bone.joint, near.along, near.distance)) continue;
         const Scalar radius = bone.radius_from + near.along * (bone.radius_to - bone.radius_from);
         const Vector3<Scalar> place = bone.from + near.along * (bone.to - bone.from);
         candidates.push_back({radius > 0 ? near.distance / radius : near.distance, near.distance, bone.joint, place});
@@ -115,9 +129,11 @@ Heat heat_in(const Body<Scalar>& body, const std::vector<Bone<Scalar>>& bones, i
              Eigen::MatrixX<Accumulator>::Zero(n, joints)};
     for (Eigen::Index v = 0; v < n; ++v) {
         const Vector3<Scalar> vertex = core::point(body.mesh.vertices, v);
-        const auto sources = detail::nearest_bones_in_sight(vertex, bones, body, [&](int joint) {
-            return detail::may_heat(regions, joint, static_cast<std::size_t>(v));
-        });
+        const auto at = static_cast<std::size_t>(v);
+        const auto sources =
+            detail::nearest_bones_in_sight(vertex, bones, body, [&](int joint, Scalar along, Scalar distance) {
+                return detail::may_heat(regions, joint, at) && detail::is_beside(regions, joint, at, along, distance);
+            });
         if (sources.joints.empty()) continue;
         const auto distance = static_cast<Accumulator>(sources.distance), squared = distance * distance;
         out.supply[v] = areas[v] < largest_supply * squared ? areas[v] / squared : largest_supply;

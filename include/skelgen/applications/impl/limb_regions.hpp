@@ -33,21 +33,30 @@ LimbRegions limb_regions(const Body<Scalar>& body, const KinematicSkeleton<Scala
     LimbRegions out;
     out.of_joint.assign(skeleton.joints.size(), -1);
     out.of_vertex.assign(static_cast<std::size_t>(body.mesh.vertices.rows()), -1);
+    out.from_end.assign(out.of_vertex.size(), 0);
+    out.bones.resize(skeleton.joints.size());
     std::vector<Scalar> least(out.of_vertex.size(), std::numeric_limits<Scalar>::infinity());
     for (std::size_t end = 0; end < skeleton.joints.size(); ++end) {
         if (!ends_limb(skeleton_template.joints[end].role)) continue;
         const std::vector<int> joints = detail::joints_of_limb(skeleton_template, static_cast<int>(end));
         const Vector3<Scalar> tip = bone_end(skeleton, skeleton_template, static_cast<int>(end));
+        const bool is_limb = part_of(skeleton_template.joints[end].role) != BodyPart::trunk;
         Scalar length = 0;
         Vector3<Scalar> last = tip;
         for (const int j : joints) {
             const Vector3<Scalar> place = skeleton.joints[static_cast<std::size_t>(j)].position;
+            const Scalar before = length;
             length += (place - last).norm();
             last = place;
+            BoneOfLimb& bone = out.bones[static_cast<std::size_t>(j)];
+            bone.begin = static_cast<core::Accumulator>(length);
+            bone.end = static_cast<core::Accumulator>(j == static_cast<int>(end) ? length : before);
         }
+        for (const int j : joints)
+            if (is_limb) out.bones[static_cast<std::size_t>(j)].limb = static_cast<core::Accumulator>(length);
         if (!(length > 0)) continue;
         for (const int j : joints) out.of_joint[static_cast<std::size_t>(j)] = static_cast<int>(end);
-        const int source = core::nearest_vertex(body.mesh, tip);
+        const int source = body.tree.nearest_corner(body.mesh, tip);
         const std::vector<Scalar> distances = core::distances_from(body.graph, {source});
         if (skeleton_template.joints[end].role == JointRole::head) {
             const Scalar over_surface = distances[static_cast<std::size_t>(core::nearest_vertex(body.mesh, last))];
@@ -57,6 +66,7 @@ LimbRegions limb_regions(const Body<Scalar>& body, const KinematicSkeleton<Scala
             if (!(distances[v] < least[v] * length)) continue;
             least[v] = distances[v] / length;
             out.of_vertex[v] = static_cast<int>(end);
+            out.from_end[v] = static_cast<core::Accumulator>(distances[v]);
         }
     }
     return out;

@@ -33,7 +33,7 @@ std::vector<int> end_vertices(const Body<Scalar>& body, const KinematicSkeleton<
     for (const auto& [name, joint] : {std::pair("head_top", "head"), std::pair("left_fingertip", "left_hand"),
                                       std::pair("right_fingertip", "right_hand"), std::pair("left_toe", "left_foot"),
                                       std::pair("right_toe", "right_foot")})
-        out.push_back(core::nearest_vertex(body.mesh, end_place(skeleton, name, joint)));
+        out.push_back(body.tree.nearest_corner(body.mesh, end_place(skeleton, name, joint)));
     return out;
 }
 

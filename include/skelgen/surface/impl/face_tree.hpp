@@ -160,6 +160,7 @@ struct NearestFace {
     const TriangleMesh<Scalar>& mesh;
     Vector3<Scalar> place;
     Scalar least;
+    int nearest = -1; ///< the first of those that are nearest
 
     [[nodiscard]] Scalar way_to(const Box<Scalar>& box) const { return squared_distance_to_box<Scalar>(place, box); }
     [[nodiscard]] bool may_be_nearer(Scalar squared) const { return squared < least * least; }
@@ -167,7 +168,10 @@ struct NearestFace {
         const auto corner = [&](int k) { return core::point(mesh.vertices, mesh.faces(face, k)); };
         const Vector3<Scalar> a = corner(0), b = corner(1), c = corner(2);
         if (is_beyond_plane(b - a, c - a, place - a)) return;
-        least = std::min(least, distance_to_triangle<Scalar>(place, a, b, c));
+        const Scalar distance = distance_to_triangle<Scalar>(place, a, b, c);
+        if (!(distance < least)) return;
+        least = distance;
+        nearest = face;
     }
 
     /// Is all of the plane of two edges farther? Not that of a needle's, which rounding would turn.
@@ -377,6 +381,16 @@ int FaceTree<Scalar>::nearest_vertex(const TriangleMesh<Scalar>& mesh, const Vec
     detail::NearestVertex<Scalar> query{mesh, place};
     ask_nearest_first(query);
     return query.vertex;
+}
+
+template <typename Scalar>
+int FaceTree<Scalar>::nearest_corner(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place) const {
+    detail::NearestFace<Scalar> query{mesh, place, std::numeric_limits<Scalar>::infinity()};
+    ask_nearest_first(query);
+    if (query.nearest < 0) return -1;
+    const auto squared = [&](int v) { return (core::point(mesh.vertices, v) - place).squaredNorm(); };
+    const auto corners = mesh.faces.row(query.nearest);
+    return *std::min_element(corners.begin(), corners.end(), [&](int a, int b) { return squared(a) < squared(b); });
 }
 
 template <typename Scalar>
