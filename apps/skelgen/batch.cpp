@@ -16,6 +16,7 @@
 #include "console.hpp"
 #include "extract_file.hpp"
 #include "fingerprint.hpp"
+#include "number_range.hpp"
 #include "progress_bar.hpp"
 #include "worker_pool.hpp"
 
@@ -344,7 +345,7 @@ void add_batch_command(CLI::App& app) {
                     "Do part K of N only, for several machines: each into a folder of its own; see merge")
         ->type_name("K/N");
     sub->add_option("--timeout", command->timeout_seconds, "Seconds after which a mesh is given up; 0: never")
-        ->check(CLI::Range(0.0, 1e9))
+        ->check(number_range(0, 1e9))
         ->capture_default_str();
     sub->add_option("--memory", command->memory, "Mebibytes of memory that each worker may take; 0: no limit")
         ->check(CLI::Range(std::size_t{0}, std::size_t{1} << 40U))

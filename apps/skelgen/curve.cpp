@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "mesh_input.hpp"
+#include "number_range.hpp"
 #include "waiting_line.hpp"
 
 namespace skelgen::cli {
@@ -76,7 +77,7 @@ void add_curve_command(CLI::App& app) {
         ->required();
     sub->add_option("--spacing", command->spacing,
                     "Distance between nodes along the curve, relative to the diagonal of the mesh's bounding box")
-        ->check(CLI::Range(0.0005, 1.0))
+        ->check(number_range(0.0005, 1))
         ->capture_default_str();
     sub->add_option("--detail", command->detail,
                     "limbs: trunk and limbs (5 ends on a body); digits: also fingers, tails, horns, table legs; "

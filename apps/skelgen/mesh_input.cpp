@@ -8,6 +8,8 @@
 #include <skelgen/io/mesh_format.hpp>
 #include <skelgen/io/read_file.hpp>
 
+#include "number_range.hpp"
+
 namespace skelgen::cli {
 namespace {
 
@@ -50,7 +52,7 @@ void add_mesh_input(CLI::App& command, MeshInput& input, const std::string& help
         "Pose a scene by its animation of this name or number (from 1); else it is posed as it is stored");
     command.add_option("--time", input.options.time, "Seconds from the animation's beginning")
         ->needs(animation)
-        ->check(CLI::Range(-1e9, 1e9))
+        ->check(number_range(-1e9, 1e9))
         ->capture_default_str();
 }
 
@@ -74,7 +76,8 @@ KeptLooks keep_looks(const MeshInput& input) {
     try {
         KeptLooks kept{load_looks(input), ""};
         const std::string pictures = what_is_lost(kept.looks.lost_pictures, "picture", "pictures");
-        kept.warning = what_is_lost(kept.looks.lost_materials, "file of materials", "files of materials");
+        kept.warning =
+            what_is_lost(kept.looks.lost_materials, "material or file of materials", "materials or files of materials");
         if (!kept.warning.empty() && !pictures.empty()) kept.warning += "; ";
         kept.warning += pictures;
         return kept;

@@ -16,11 +16,13 @@
 namespace skelgen::io::detail {
 namespace {
 
-/// An image's kind by its own bytes; what the file says of it where they are of none that glTF knows.
+/// An image's kind by its own bytes; what the file says of it where they are of none that glTF knows, as extensions
+/// have them.
 std::string mime_type(std::string_view bytes, const GltfValue& image) {
     if (const auto kind = picture_kind(bytes)) return std::string(*kind);
     const auto named = image.find("mimeType");
-    if (!named) image.fail("is no picture of a known kind; save it as PNG or JPEG");
+    if (bytes.empty() || !named || is_known_kind(named->text()))
+        image.fail("is no picture of a known kind; save it as PNG or JPEG");
     return named->text();
 }
 

@@ -34,13 +34,21 @@ public:
 
     SceneLooks read(const ObjFile& file) {
         for (const std::string& library : file.libraries) read_library(library);
+        const bool has_all_files = looks_.lost_materials.empty();
+        has_coordinates_ = !file.texture_coordinates.empty();
+        std::vector<std::string> undefined;
         Json json = Json::object();
         for (const std::string& name : file.materials) {
             const auto known = by_name_.find(name);
+            if (known == by_name_.end() && !name.empty() && name != "(null)") undefined.push_back(name);
             json["materials"].push_back(describe(known == by_name_.end() ? PlacedMaterial{{name}, ""} : known->second));
         }
         for (auto* list : {&textures_, &images_})
             if (!list->empty()) json[list == &textures_ ? "textures" : "images"] = std::move(*list);
+        for (const std::string& name : undefined)
+            if (has_all_files)
+                looks_.lost_materials.push_back(
+                    valid_utf8("no file that the mesh names has the material '" + name + "'"));
         looks_.json = json.dump();
         return std::move(looks_);
     }
@@ -68,7 +76,7 @@ private:
     /// What is behind one mtllib: a name, which may have blanks, or several names.
     void read_library(const std::string& line) {
         constexpr std::size_t most = 1000; // each may be the same large file
-        if (++libraries_ > most) return;
+        if (line.empty() || ++libraries_ > most) return;
         std::string failure;
         if (read_library_file(line, failure)) return;
         std::vector<std::string> names;
@@ -104,8 +112,8 @@ private:
         const MtlMaterial& material = placed.material;
         Json surface{{"metallicFactor", material.metalness}, {"roughnessFactor", material.roughness.value_or(1)}};
         std::array<double, 4> colour{1, 1, 1, material.opacity};
-        const auto texture =
-            material.colour_map.empty() ? std::nullopt : texture_of(material.colour_map, placed.folder);
+        const bool has_picture = has_coordinates_ && !material.colour_map.empty();
+        const auto texture = has_picture ? texture_of(material.colour_map, placed.folder) : std::nullopt;
         if (texture) // Kd would darken it: programs leave there what they have
             surface["baseColorTexture"] = {{"index", *texture}};
         else if (material.colour)
@@ -145,6 +153,7 @@ private:
     const LoadCompanion* load_;
     std::size_t bytes_left_ = max_file_bytes;
     std::size_t libraries_ = 0;
+    bool has_coordinates_ = false; ///< of textures: no picture is shown without
     std::map<std::string, PlacedMaterial> by_name_;
     std::map<std::pair<std::string, std::string>, std::optional<std::size_t>> texture_numbers_; ///< by name and folder
     Json textures_ = Json::array(), images_ = Json::array();

@@ -14,4 +14,9 @@ namespace skelgen::io::detail {
     return std::nullopt;
 }
 
+/// Is that one of those types?
+[[nodiscard]] inline bool is_known_kind(std::string_view type) {
+    return type == "image/png" || type == "image/jpeg" || type == "image/webp";
+}
+
 } // namespace skelgen::io::detail

@@ -38,7 +38,8 @@ FloatRows tangents(const FloatRows& positions, const FloatRows& normals, const s
         constexpr double none = 1e-6; // of what rounding leaves of a direction along the normal
         if (!(tangent.norm() > none * length)) tangent = normal.unitOrthogonal();
         tangent.normalize();
-        const bool mirrored = normal.cross(tangent).dot(along_second.row(v).transpose()) < 0;
+        // The picture's up, which normal maps go by, is where the second coordinate falls.
+        const bool mirrored = normal.cross(tangent).dot(along_second.row(v).transpose()) > 0;
         out.row(v) << tangent.transpose().cast<float>(), mirrored ? -1.0F : 1.0F;
         out.row(v).head<3>().normalize();
     }

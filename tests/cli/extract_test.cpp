@@ -92,6 +92,8 @@ TEST_CASE("wrong usage ends with status 2 and one line") {
                  std::vector<std::string>{"batch", "a.off", "-o", "out", "--jobs", "0"},
                  std::vector<std::string>{"batch", "a.off", "-o", "out", "--jobs", "-1"},
                  std::vector<std::string>{"batch", "a.off", "-o", "out", "--timeout", "-1"},
+                 std::vector<std::string>{"batch", "a.off", "-o", "out", "--timeout", "nan"},
+                 std::vector<std::string>{"extract", "a.glb", "--animation", "1", "--time", "nan"},
                  std::vector<std::string>{"batch", "a.off", "-o", "out", "--shard", "0/2"},
                  std::vector<std::string>{"batch", "a.off", "-o", "out", "--shard", "3/2"},
                  std::vector<std::string>{"batch", "a.off", "-o", "out", "--shard", "1/2x"},

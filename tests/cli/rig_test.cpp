@@ -165,7 +165,7 @@ TEST_CASE("rig and pose: an OBJ keeps materials, texture coordinates and normals
         const CliResult result = run_cli(folder.path(), arguments);
         INFO(result.err);
         REQUIRE(result.status == 0);
-        CHECK(result.err.find("1 file of materials is left out: the scene's file 'missing paints.mtl'") !=
+        CHECK(result.err.find("1 material or file of materials is left out: the scene's file 'missing paints.mtl'") !=
               std::string::npos);
         const auto out = read_mesh(folder / "out.glb");
         CHECK(out.faces.rows() == mesh.faces.rows());

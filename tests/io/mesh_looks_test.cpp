@@ -134,7 +134,7 @@ TEST_CASE("OBJ: libraries in folders, several in a line, pictures by their bare 
     write(folder / "c.mtl", "newmtl c\rKd 1 0 0\rKd 0 x 0\r");
     write(folder / "mats/skin.png", png);
     write(folder / "body.obj", "mtllib mats/a.mtl c.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"
-                               "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n");
+                               "vt 0 0\nusemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n");
     const auto looks = io::read_looks(folder / "body.obj");
     REQUIRE(looks);
     CHECK(looks->lost_materials.empty());
@@ -144,6 +144,25 @@ TEST_CASE("OBJ: libraries in folders, several in a line, pictures by their bare 
     CHECK_FALSE(json.at("materials").at(0).contains("alphaMode"));
     CHECK(json.at("materials").at(1).at("alphaMode") == "BLEND"); // the picture's own
     CHECK(json.at("materials").at(2).at("pbrMetallicRoughness").at("baseColorFactor") == nlohmann::json({1, 0, 0, 1}));
+}
+
+TEST_CASE("OBJ: materials that no file has are named; pictures take texture coordinates", "[io][looks]") {
+    const test::TemporaryFolder folder;
+    write(folder / "a.mtl", "newmtl a\nKd 1 0 0\nmap_Kd a.png\n");
+    write(folder / "a.png", png);
+    const std::string body =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl (null)\nf 1 2 3\n";
+    write(folder / "body.obj", "mtllib a.mtl\n" + body);
+    const auto looks = io::read_looks(folder / "body.obj");
+    REQUIRE(looks);
+    REQUIRE(looks->lost_materials.size() == 1);
+    CHECK_THAT(looks->lost_materials[0], Contains("'b'"));
+    CHECK(looks->pictures.empty());
+    CHECK(json_of(*looks).at("materials").at(0).at("pbrMetallicRoughness").at("baseColorFactor") ==
+          nlohmann::json({1, 0, 0, 1}));
+    write(folder / "lost.obj", "mtllib lost.mtl\n" + body); // which says it all
+    CHECK(io::read_looks(folder / "lost.obj")->lost_materials.size() == 1);
+    CHECK(io::parse_looks("mtllib\n" + body)->lost_materials.size() == 2);
 }
 
 TEST_CASE("OBJ: looks are read from the lines that the shape is read from", "[io][looks]") {

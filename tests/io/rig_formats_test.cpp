@@ -217,6 +217,22 @@ TEST_CASE("glTF: materials that are none, or refer to what is not there, are nam
     CHECK_THAT(failure(R"([{"extensions": {"a": {"bTexture": {"index": 1}}}}])", "[{}]"), Contains("bTexture.index"));
 }
 
+TEST_CASE("glTF: pictures that are none are left out, whatever the file calls them", "[io][rig]") {
+    for (const char* const bytes : {"", "dmVyc2lvbiBodHRwczo=", "R0lGODlh"}) { // none, a text, a GIF
+        test::GltfBuilder scene;
+        scene.add_tetrahedron();
+        scene.primitive()["material"] = 0;
+        scene.json["materials"] = {{{"normalTexture", {{"index", 0}}}}};
+        scene.json["textures"] = {{{"source", 0}}};
+        scene.json["images"] = {{{"uri", std::string("data:image/png;base64,") + bytes}, {"mimeType", "image/png"}}};
+        const auto looks = io::parse_looks(scene.glb());
+        REQUIRE(looks);
+        REQUIRE(looks->lost_pictures.size() == 1);
+        CHECK_THAT(looks->lost_pictures[0], Catch::Matchers::Contains("no picture of a known kind"));
+        CHECK(looks->json == R"({"materials":[{}]})");
+    }
+}
+
 TEST_CASE("glTF: looks in a file's content, also behind a byte order mark", "[io][rig]") {
     test::GltfBuilder scene;
     scene.add_tetrahedron();
@@ -262,11 +278,11 @@ TEST_CASE("GLB and VRM: names that are no UTF-8 are written as such", "[io][rig]
     CHECK(avatar.at("extensions").at("VRMC_vrm").at("meta").at("name") == "body\xEF\xBF\xBD");
 }
 
-TEST_CASE("tangents: along the first texture coordinate, and which way the second one goes", "[io][rig]") {
+TEST_CASE("tangents: along the first texture coordinate, and whether the picture is mirrored", "[io][rig]") {
     io::detail::FloatRows places(4, 3), normals(4, 3), coordinates(4, 2);
     places << 0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0;
     normals << 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1;
-    coordinates << 0, 0, 1, 0, 1, 1, 0, 1;
+    coordinates << 0, 1, 1, 1, 1, 0, 0, 0; // the picture upright: glTF counts from its top
     const std::vector<std::uint32_t> faces{0, 1, 2, 0, 2, 3};
     const auto plain = io::detail::tangents(places, normals, faces, coordinates);
     coordinates.col(0) = 1 - coordinates.col(0).array();

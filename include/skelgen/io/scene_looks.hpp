@@ -48,7 +48,8 @@ struct SceneLooks {
     /// Why images of the file are not there, one reason each: they are missing or damaged. What would show them has the
     /// plain colour that the file has beside them.
     std::vector<std::string> lost_pictures = {};
-    /// Why files of materials (an OBJ's MTL) are not there, one reason each: materials have their names alone then.
+    /// Why files of materials (an OBJ's MTL) are not there, or materials not in them, one reason each: these have their
+    /// names alone then.
     std::vector<std::string> lost_materials = {};
 };
 
