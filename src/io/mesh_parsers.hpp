@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct PlyFile {
     PolygonMesh mesh;
     std::vector<float> normals; ///< nx, ny, nz: three each, zero where one is no number
     std::vector<float> colours; ///< red, green, blue, alpha: four each, 0 to 1 as they are shown
+    std::string texture_file;   ///< the picture's name, as MeshLab has it; empty: none
 };
 
 /// Reads all that. \throws Error as `parse_ply`.

@@ -228,7 +228,7 @@ std::optional<SceneLooks> read_obj_looks(std::string_view text, const LoadCompan
 
 std::optional<SceneLooks> read_ply_looks(std::string_view bytes) {
     const PlyFile file = parse_ply_file(bytes);
-    if (file.normals.empty() && file.colours.empty()) return std::nullopt;
+    if (file.normals.empty() && file.colours.empty() && file.texture_file.empty()) return std::nullopt;
     const auto vertices = file.mesh.coordinates.size() / 3;
     const auto itself = [](std::size_t v) { return static_cast<std::ptrdiff_t>(v); };
     SceneLooks looks;
@@ -237,6 +237,9 @@ std::optional<SceneLooks> read_ply_looks(std::string_view bytes) {
     ScenePart& part = looks.parts.front();
     if (file.normals.size() == 3 * vertices) part.normals = rows_by<Normals>(file.normals, vertices, itself);
     if (file.colours.size() == 4 * vertices) part.colours = as_light(rows_by<Colours>(file.colours, vertices, itself));
+    if (!file.texture_file.empty())
+        looks.lost_pictures.push_back("'" + valid_utf8(file.texture_file) +
+                                      "' is a PLY's, whose texture is not read; export the mesh as OBJ or GLB");
     return with_painted_material(std::move(looks));
 }
 

@@ -90,7 +90,9 @@ PlyHeader parse_ply_header(TextScanner& scanner) {
         } else if (keyword == "property") {
             if (header.elements.empty()) scanner.fail("a property comes before the first element");
             header.elements.back().properties.push_back(parse_property(scanner));
-        } else if (keyword != "comment" && keyword != "obj_info") {
+        } else if (keyword == "comment") {
+            if (scanner.word() == "TextureFile") header.texture_file = scanner.peek_rest_of_line();
+        } else if (keyword != "obj_info") {
             scanner.fail("the header's line begins with no word that PLY knows");
         }
         scanner.skip_line();

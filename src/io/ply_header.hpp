@@ -50,6 +50,7 @@ struct PlyElement {
 struct PlyHeader {
     PlyEncoding encoding = PlyEncoding::text;
     std::vector<PlyElement> elements; ///< in the order of their rows
+    std::string texture_file;         ///< "comment TextureFile NAME", as MeshLab has it; empty: none
 };
 
 /// Reads up to and with the line `end_header`. \throws Error bad_input

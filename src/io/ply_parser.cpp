@@ -184,6 +184,7 @@ PolygonMesh parse(std::string_view bytes, PlyFile* looks) {
     TextScanner scanner(bytes);
     const PlyHeader header = parse_ply_header(scanner);
     const std::size_t vertices = vertex_count(header);
+    if (looks != nullptr) looks->texture_file = header.texture_file;
     if (header.encoding == PlyEncoding::text) return PlyBody(TextSource(scanner), vertices, looks).parse(header);
 
     const std::string_view body = bytes.substr(bytes.size() - scanner.bytes_left());

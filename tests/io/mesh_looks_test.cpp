@@ -229,6 +229,16 @@ TEST_CASE("PLY: normals are kept; what is no number is left out", "[io][looks]")
     CHECK(looks->json == "{}");
 }
 
+TEST_CASE("PLY: a picture is said to be lost", "[io][looks]") {
+    const auto looks = io::parse_looks("ply\nformat ascii 1.0\ncomment made by hand\ncomment TextureFile my skin.png\n"
+                                       "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                                       "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                                       "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    REQUIRE(looks);
+    REQUIRE(looks->lost_pictures.size() == 1);
+    CHECK_THAT(looks->lost_pictures[0], Contains("'my skin.png'"));
+}
+
 TEST_CASE("normals: of a glTF as its nodes and skin hold it, turned with the mesh", "[io][looks]") {
     test::GltfBuilder scene;
     scene.add_tetrahedron();

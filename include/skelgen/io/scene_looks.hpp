@@ -59,7 +59,7 @@ struct SceneLooks {
 /// - OBJ: normals, texture coordinates, colours behind vertices, and of the materials of its MTL files colour (Kd),
 ///   opacity (d, Tr), roughness (Pr, else Ns), metalness (Pm) and picture (map_Kd, PNG or JPEG). These files are looked
 ///   for as the OBJ names them, in its folder or below; a picture also beside the MTL, or by its bare name.
-/// - PLY: normals and colours of vertices.
+/// - PLY: normals and colours of vertices; a picture that it names is said to be lost.
 ///
 /// Colours of OBJ and PLY are taken for sRGB where vertices have them, those of MTL for linear ones, as Blender does.
 /// None for other files, and for those that say nothing of looks. \throws Error as `read_mesh`.
