@@ -7,7 +7,7 @@
 
 namespace skelgen::cli {
 
-/// Checks that an option's number is in a range. CLI::Range lets pass what is no number: it compares as in any range.
+/// Checks that an option's number is in a range; CLI::Range takes NaN for in any.
 inline CLI::Validator number_range(double least, double most) {
     const CLI::Range range(least, most);
     const auto check = [range](const std::string& text) {

@@ -57,26 +57,24 @@ GltfValue::Json still_needed(const GltfFile& file, const char* list, const std::
 }
 
 /// A material's reference to a texture and to the texture coordinates that it goes by.
-void check_texture(const GltfFile& file, const GltfValue& holder, const char* key) {
+void check_texture(const GltfValue& holder, const char* key) {
     const auto texture = holder.find(key);
     if (!texture) return;
-    static_cast<void>(file.referred("textures", texture->at("index")));
+    static_cast<void>(texture->at("index"));
     static_cast<void>(texture->whole_number("texCoord", 0));
 }
 
 /// Whether materials and textures are what glTF calls so, as far as it has names for it (2.0, section 5); what
-/// extensions add is theirs.
+/// extensions add is theirs, and `without_pictures` looks whether the textures that materials name are there.
 void check_materials(const GltfFile& file) {
     for (std::size_t i = 0; i < file.count("textures"); ++i)
         if (const auto sampler = file.root().at("textures")[i].find("sampler"))
             static_cast<void>(file.referred("samplers", *sampler));
     for (std::size_t i = 0; i < file.count("materials"); ++i) {
         const GltfValue material = file.root().at("materials")[i];
-        for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture"})
-            check_texture(file, material, key);
+        for (const char* key : {"normalTexture", "occlusionTexture", "emissiveTexture"}) check_texture(material, key);
         if (const auto metallic = material.find("pbrMetallicRoughness"))
-            for (const char* key : {"baseColorTexture", "metallicRoughnessTexture"})
-                check_texture(file, *metallic, key);
+            for (const char* key : {"baseColorTexture", "metallicRoughnessTexture"}) check_texture(*metallic, key);
     }
 }
 

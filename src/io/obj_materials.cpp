@@ -36,19 +36,17 @@ public:
         for (const std::string& library : file.libraries) read_library(library);
         const bool has_all_files = looks_.lost_materials.empty();
         has_coordinates_ = !file.texture_coordinates.empty();
-        std::vector<std::string> undefined;
         Json json = Json::object();
         for (const std::string& name : file.materials) {
             const auto known = by_name_.find(name);
-            if (known == by_name_.end() && !name.empty() && name != "(null)") undefined.push_back(name);
-            json["materials"].push_back(describe(known == by_name_.end() ? PlacedMaterial{{name}, ""} : known->second));
+            const bool is_missing = known == by_name_.end();
+            if (is_missing && has_all_files && !name.empty() && name != "(null)") // as writers say none
+                looks_.lost_materials.push_back(
+                    valid_utf8("no file that the mesh names has the material '" + name + "'"));
+            json["materials"].push_back(describe(is_missing ? PlacedMaterial{{name}, ""} : known->second));
         }
         for (auto* list : {&textures_, &images_})
             if (!list->empty()) json[list == &textures_ ? "textures" : "images"] = std::move(*list);
-        for (const std::string& name : undefined)
-            if (has_all_files)
-                looks_.lost_materials.push_back(
-                    valid_utf8("no file that the mesh names has the material '" + name + "'"));
         looks_.json = json.dump();
         return std::move(looks_);
     }

@@ -1,7 +1,10 @@
 #include <skelgen/applications/limb_regions.hpp>
 #include <skelgen/applications/segmentation.hpp>
 
+#include <algorithm>
 #include <string>
+
+#include <skelgen/core/geometry.hpp>
 
 #include "catch.hpp"
 #include "human.hpp"
@@ -53,6 +56,28 @@ TEST_CASE("regions: a head that is wider than high is all the head's", "[applica
     for (Eigen::Index v = 0; v < body.mesh.vertices.rows(); ++v)
         if (body.mesh.vertices(v, 2) > head.z())
             CHECK(regions.of_vertex[static_cast<std::size_t>(v)] == find_joint(skeleton, "head"));
+}
+
+TEST_CASE("regions: a limb's end is on its own surface, whatever vertex lies against it", "[applications][weights]") {
+    const test::SampleBody& sample = test::sample_body();
+    TriangleMesh<double> mesh = sample.body.mesh;
+    KinematicSkeleton<double> skeleton = surface::to_body(sample.body, sample.skeleton);
+    const auto tip = std::find_if(skeleton.end_points.begin(), skeleton.end_points.end(),
+                                  [](const auto& end) { return end.first == "left_fingertip"; });
+    REQUIRE(tip != skeleton.end_points.end());
+    const int finger = core::nearest_vertex(mesh, tip->second);
+    Eigen::Index face = 0;
+    while (!(mesh.faces.row(face).array() == finger).any()) ++face;
+    tip->second.setZero();
+    for (const int v : mesh.faces.row(face)) tip->second += core::point(mesh.vertices, v) / 3;
+    const int belly =
+        core::nearest_vertex(mesh, skeleton.joints[static_cast<std::size_t>(find_joint(skeleton, "waist"))].position);
+    mesh.vertices.row(belly) = tip->second.transpose().array() + 1e-5;
+    const Body<double> touched = surface::make_body(mesh, Similarity<double>{}, {}, 0);
+    REQUIRE(core::nearest_vertex(touched.mesh, tip->second) == belly);
+    const LimbRegions regions = limb_regions(touched, skeleton, human());
+    CHECK(regions.of_vertex[static_cast<std::size_t>(finger)] == find_joint(skeleton, "left_hand"));
+    CHECK(regions.from_end[static_cast<std::size_t>(finger)] < 0.05);
 }
 
 TEST_CASE("regions: a limb without length has none, and binds nobody", "[applications][weights]") {

@@ -32,7 +32,7 @@ inline void expect_looks_of(const TriangleMesh<double>& mesh, const io::SceneLoo
     io::detail::Json scene;
     scene["meshes"] = {{{"primitives", io::detail::describe_primitives(buffer, {mesh, nullptr, turns, looks})}}};
     io::detail::add_materials(scene, buffer, looks);
-    expect(!scene.dump().empty());
+    static_cast<void>(scene.dump()); // throws where a text is no UTF-8
 }
 
 /// Gives the bytes to `read`; the value is for libFuzzer.

@@ -137,6 +137,8 @@ TEST_CASE("the nearest corner is one of the nearest face, though another vertex 
     CHECK(tree.nearest_vertex(mesh, Vec3(0.1, 0, 0.01)) == 3);
     CHECK(tree.nearest_corner(mesh, Vec3(0.1, 0, 0.01)) == 1);
     CHECK(tree.nearest_corner(mesh, Vec3(0.1, 0, 0.09)) == 3);
+    for (const double none : {infinity, std::numeric_limits<double>::quiet_NaN()})
+        CHECK(tree.nearest_corner(mesh, Vec3(0, 0, none)) >= 0);
 
     const Mesh round = torus(2, 0.7, 40, 16);
     const FaceTree<double> of_round(round);

@@ -40,8 +40,8 @@ public:
     [[nodiscard]] int nearest_vertex(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place) const;
 
     /// The corner, nearest to a place, of the face that is nearest to it; -1 when there is no face. Of a place on a
-    /// surface one beside it on that surface: the nearest vertex of all may be of a part that lies against it. As
-    /// above.
+    /// surface one beside it on that surface: the nearest vertex of all may be of a part that lies against it. Any
+    /// one where the place is not finite. As above.
     [[nodiscard]] int nearest_corner(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place) const;
 
     /// The first face that a ray from a place in a direction of length 1 meets within `reach`, and how far that is; -1

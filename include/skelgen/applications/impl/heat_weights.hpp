@@ -48,13 +48,13 @@ inline bool may_heat(const LimbRegions& regions, int joint, std::size_t vertex) 
 /// than to the place: a flank that an arm touches, or goes into, may see the arm's bones, and a belly the thighs.
 inline bool is_beside(const LimbRegions& regions, int joint, std::size_t vertex, core::Accumulator along,
                       core::Accumulator distance) {
-    if (regions.bones.empty()) return true;
+    if (regions.bones.empty() || !(regions.bones[static_cast<std::size_t>(joint)].limb > 0)) return true;
     // Calibrated: with less of either, arms of more of 86 registered bodies are off level in the T-pose, found anew.
     constexpr core::Accumulator shared = 1.1; // of limbs: what armpits, groins and buttocks share with the trunk
     constexpr core::Accumulator longest = 4;  // of distances: ways over shoulders and buttocks are shorter
     const BoneOfLimb& bone = regions.bones[static_cast<std::size_t>(joint)];
     const core::Accumulator way = regions.from_end[vertex], place = bone.begin + along * (bone.end - bone.begin);
-    return way <= shared * bone.limb || way <= place + longest * distance || !(bone.limb > 0);
+    return way <= shared * bone.limb || way <= place + longest * distance;
 }
 
 /// The nearest bones in sight of a vertex, of those that `is_candidate` names, given where on them, from 0 to 1, and

@@ -48,6 +48,7 @@ LimbRegions limb_regions(const Body<Scalar>& body, const KinematicSkeleton<Scala
             const Scalar before = length;
             length += (place - last).norm();
             last = place;
+            if (!is_limb) continue;
             BoneOfLimb& bone = out.bones[static_cast<std::size_t>(j)];
             bone.begin = static_cast<core::Accumulator>(length);
             bone.end = static_cast<core::Accumulator>(j == static_cast<int>(end) ? length : before);

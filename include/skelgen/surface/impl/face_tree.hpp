@@ -385,9 +385,9 @@ int FaceTree<Scalar>::nearest_vertex(const TriangleMesh<Scalar>& mesh, const Vec
 
 template <typename Scalar>
 int FaceTree<Scalar>::nearest_corner(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place) const {
-    detail::NearestFace<Scalar> query{mesh, place, std::numeric_limits<Scalar>::infinity()};
+    if (mesh.faces.rows() == 0) return -1;
+    detail::NearestFace<Scalar> query{mesh, place, std::numeric_limits<Scalar>::infinity(), 0};
     ask_nearest_first(query);
-    if (query.nearest < 0) return -1;
     const auto squared = [&](int v) { return (core::point(mesh.vertices, v) - place).squaredNorm(); };
     const auto corners = mesh.faces.row(query.nearest);
     return *std::min_element(corners.begin(), corners.end(), [&](int a, int b) { return squared(a) < squared(b); });
