@@ -1,6 +1,50 @@
 # Every file that is built or installed, by name: a file more or less is then a change that CMake sees. The tests are
 # listed in tests/CMakeLists.txt.
 
+# What users are meant to include; no more than 40. What these declare stays as it is within a major version. All other
+# headers are details: installed, since these include them, and free to change or go.
+set(skelgen_public_headers
+    include/skelgen/skelgen.hpp
+    include/skelgen/extract.hpp
+    include/skelgen/version.hpp
+    include/skelgen/core/builtin_templates.hpp
+    include/skelgen/core/curve_skeleton.hpp
+    include/skelgen/core/error.hpp
+    include/skelgen/core/kinematic_skeleton.hpp
+    include/skelgen/core/mesh.hpp
+    include/skelgen/core/skeleton_template.hpp
+    include/skelgen/search/extract_options.hpp
+    include/skelgen/applications/alignment.hpp
+    include/skelgen/applications/animation.hpp
+    include/skelgen/applications/body_coordinates.hpp
+    include/skelgen/applications/correspondence.hpp
+    include/skelgen/applications/measurement.hpp
+    include/skelgen/applications/motion_clip.hpp
+    include/skelgen/applications/pose_transfer.hpp
+    include/skelgen/applications/retarget.hpp
+    include/skelgen/applications/rig.hpp
+    include/skelgen/applications/segmentation.hpp
+    include/skelgen/io/bvh.hpp
+    include/skelgen/io/cgal_adaptor.hpp
+    include/skelgen/io/correspondence_json.hpp
+    include/skelgen/io/curve_formats.hpp
+    include/skelgen/io/measurements_text.hpp
+    include/skelgen/io/openmesh_adaptor.hpp
+    include/skelgen/io/read_mesh.hpp
+    include/skelgen/io/rig_formats.hpp
+    include/skelgen/io/scene_looks.hpp
+    include/skelgen/io/segmentation_json.hpp
+    include/skelgen/io/skeleton_json.hpp
+    include/skelgen/io/template_json.hpp
+    include/skelgen/io/transform_json.hpp
+    include/skelgen/io/write_mesh.hpp
+    include/skelgen/render/png.hpp
+    include/skelgen/render/render_scene.hpp
+    include/skelgen/evaluation/evaluate.hpp
+    include/skelgen/synth/body.hpp
+    include/skelgen/synth/sets.hpp
+)
+
 # Those that declare, and those that define: each of the former includes its counterpart in header-only use.
 set(skelgen_core_headers
     include/skelgen/anatomy/complete.hpp
@@ -23,6 +67,7 @@ set(skelgen_core_headers
     include/skelgen/applications/correspondence.hpp
     include/skelgen/applications/curve_skin.hpp
     include/skelgen/applications/deep_shoulders.hpp
+    include/skelgen/applications/finger_bones.hpp
     include/skelgen/applications/floor.hpp
     include/skelgen/applications/heat_weights.hpp
     include/skelgen/applications/joint_weights.hpp
@@ -36,6 +81,7 @@ set(skelgen_core_headers
     include/skelgen/applications/mirror_plane.hpp
     include/skelgen/applications/motion_clip.hpp
     include/skelgen/applications/outward_faces.hpp
+    include/skelgen/applications/own_part.hpp
     include/skelgen/applications/part_axes.hpp
     include/skelgen/applications/part_shares.hpp
     include/skelgen/applications/pose_transfer.hpp
@@ -67,6 +113,7 @@ set(skelgen_core_headers
     include/skelgen/core/parallel.hpp
     include/skelgen/core/polyline.hpp
     include/skelgen/core/precision.hpp
+    include/skelgen/core/refusal.hpp
     include/skelgen/core/shoulder_height.hpp
     include/skelgen/core/skeleton_template.hpp
     include/skelgen/core/sort_by_number.hpp
@@ -97,22 +144,15 @@ set(skelgen_core_headers
     include/skelgen/embedding/embed.hpp
     include/skelgen/embedding/loop_cuts.hpp
     include/skelgen/embedding/missing_limbs.hpp
-    include/skelgen/embedding/part_contacts.hpp
     include/skelgen/embedding/proportions.hpp
     include/skelgen/embedding/reduced_graph.hpp
     include/skelgen/embedding/spectral_matching.hpp
     include/skelgen/extract.hpp
-    include/skelgen/fitting/attempt.hpp
-    include/skelgen/fitting/best_surface.hpp
-    include/skelgen/fitting/extract_options.hpp
-    include/skelgen/fitting/finer_curves.hpp
-    include/skelgen/fitting/fit.hpp
-    include/skelgen/fitting/fitted_body.hpp
-    include/skelgen/fitting/held_things.hpp
-    include/skelgen/fitting/partial_body.hpp
-    include/skelgen/fitting/shape_gates.hpp
-    include/skelgen/fitting/touching_body.hpp
-    include/skelgen/fitting/trust.hpp
+    include/skelgen/hands/digit.hpp
+    include/skelgen/hands/digit_tubes.hpp
+    include/skelgen/hands/find_hands.hpp
+    include/skelgen/hands/hand_surface.hpp
+    include/skelgen/hands/phalanges.hpp
     include/skelgen/refinement/bare_joints.hpp
     include/skelgen/refinement/bend.hpp
     include/skelgen/refinement/bone_line.hpp
@@ -137,6 +177,17 @@ set(skelgen_core_headers
     include/skelgen/refinement/trunk_axis.hpp
     include/skelgen/refinement/trunk_joints.hpp
     include/skelgen/refinement/trunk_shape.hpp
+    include/skelgen/search/contacts.hpp
+    include/skelgen/search/evidence.hpp
+    include/skelgen/search/extract_options.hpp
+    include/skelgen/search/held_things.hpp
+    include/skelgen/search/hypothesis.hpp
+    include/skelgen/search/ladder.hpp
+    include/skelgen/search/line.hpp
+    include/skelgen/search/rest_fit.hpp
+    include/skelgen/search/trail.hpp
+    include/skelgen/search/trust.hpp
+    include/skelgen/search/trust_table.hpp
     include/skelgen/surface/body.hpp
     include/skelgen/surface/canonical_form.hpp
     include/skelgen/surface/clean.hpp
@@ -190,6 +241,7 @@ set(skelgen_core_definitions
     include/skelgen/applications/impl/correspondence.hpp
     include/skelgen/applications/impl/curve_skin.hpp
     include/skelgen/applications/impl/deep_shoulders.hpp
+    include/skelgen/applications/impl/finger_bones.hpp
     include/skelgen/applications/impl/floor.hpp
     include/skelgen/applications/impl/heat_weights.hpp
     include/skelgen/applications/impl/kept_volumes.hpp
@@ -201,6 +253,7 @@ set(skelgen_core_definitions
     include/skelgen/applications/impl/mirror_plane.hpp
     include/skelgen/applications/impl/motion_clip.hpp
     include/skelgen/applications/impl/outward_faces.hpp
+    include/skelgen/applications/impl/own_part.hpp
     include/skelgen/applications/impl/part_axes.hpp
     include/skelgen/applications/impl/part_shares.hpp
     include/skelgen/applications/impl/pose_transfer.hpp
@@ -242,19 +295,13 @@ set(skelgen_core_definitions
     include/skelgen/embedding/impl/embed.hpp
     include/skelgen/embedding/impl/loop_cuts.hpp
     include/skelgen/embedding/impl/missing_limbs.hpp
-    include/skelgen/embedding/impl/part_contacts.hpp
     include/skelgen/embedding/impl/proportions.hpp
     include/skelgen/embedding/impl/reduced_graph.hpp
     include/skelgen/embedding/impl/spectral_matching.hpp
-    include/skelgen/fitting/impl/attempt.hpp
-    include/skelgen/fitting/impl/best_surface.hpp
-    include/skelgen/fitting/impl/extract_options.hpp
-    include/skelgen/fitting/impl/finer_curves.hpp
-    include/skelgen/fitting/impl/fit.hpp
-    include/skelgen/fitting/impl/held_things.hpp
-    include/skelgen/fitting/impl/partial_body.hpp
-    include/skelgen/fitting/impl/shape_gates.hpp
-    include/skelgen/fitting/impl/touching_body.hpp
+    include/skelgen/hands/impl/digit_tubes.hpp
+    include/skelgen/hands/impl/find_hands.hpp
+    include/skelgen/hands/impl/hand_surface.hpp
+    include/skelgen/hands/impl/phalanges.hpp
     include/skelgen/impl/extract.hpp
     include/skelgen/refinement/impl/bare_joints.hpp
     include/skelgen/refinement/impl/bend.hpp
@@ -280,6 +327,15 @@ set(skelgen_core_definitions
     include/skelgen/refinement/impl/trunk_axis.hpp
     include/skelgen/refinement/impl/trunk_joints.hpp
     include/skelgen/refinement/impl/trunk_shape.hpp
+    include/skelgen/search/impl/contacts.hpp
+    include/skelgen/search/impl/evidence.hpp
+    include/skelgen/search/impl/extract_options.hpp
+    include/skelgen/search/impl/held_things.hpp
+    include/skelgen/search/impl/hypothesis.hpp
+    include/skelgen/search/impl/ladder.hpp
+    include/skelgen/search/impl/line.hpp
+    include/skelgen/search/impl/rest_fit.hpp
+    include/skelgen/search/impl/trust.hpp
     include/skelgen/surface/impl/body.hpp
     include/skelgen/surface/impl/canonical_form.hpp
     include/skelgen/surface/impl/clean.hpp
@@ -322,6 +378,7 @@ set(skelgen_io_headers
     include/skelgen/io/measurements_text.hpp
     include/skelgen/io/mesh_format.hpp
     include/skelgen/io/openmesh_adaptor.hpp
+    include/skelgen/io/part_looks.hpp
     include/skelgen/io/polygon_mesh.hpp
     include/skelgen/io/read_file.hpp
     include/skelgen/io/read_mesh.hpp
@@ -330,6 +387,7 @@ set(skelgen_io_headers
     include/skelgen/io/segmentation_json.hpp
     include/skelgen/io/skeleton_json.hpp
     include/skelgen/io/template_json.hpp
+    include/skelgen/io/trail_json.hpp
     include/skelgen/io/transform_json.hpp
     include/skelgen/io/truth_json.hpp
     include/skelgen/io/view_page.hpp
@@ -369,7 +427,8 @@ set(skelgen_synth_headers
     include/skelgen/synth/tubes.hpp
 )
 
-set(skelgen_sources
+# The core's templates, compiled once for each scalar.
+set(skelgen_instantiations
     src/instantiate/anatomy.cpp
     src/instantiate/animation.cpp
     src/instantiate/applications_correspondence.cpp
@@ -378,11 +437,16 @@ set(skelgen_sources
     src/instantiate/curve.cpp
     src/instantiate/embedding.cpp
     src/instantiate/extract.cpp
-    src/instantiate/fitting.cpp
+    src/instantiate/finger_bones.cpp
+    src/instantiate/hands.cpp
     src/instantiate/refinement.cpp
     src/instantiate/rigging.cpp
+    src/instantiate/search.cpp
     src/instantiate/surface.cpp
     src/instantiate/symmetry.cpp
+)
+
+set(skelgen_io_sources
     src/io/animation_choice.cpp
     src/io/atomic_file.cpp
     src/io/axis_json.cpp
@@ -423,6 +487,7 @@ set(skelgen_sources
     src/io/obj_materials.cpp
     src/io/obj_parser.cpp
     src/io/off_parser.cpp
+    src/io/part_looks.cpp
     src/io/ply_header.cpp
     src/io/ply_parser.cpp
     src/io/polygon_bytes.cpp
@@ -442,6 +507,7 @@ set(skelgen_sources
     src/io/tangents.cpp
     src/io/template_json.cpp
     src/io/temporary_name.cpp
+    src/io/trail_json.cpp
     src/io/transform_json.cpp
     src/io/truth_json.cpp
     src/io/view_page.cpp
@@ -541,13 +607,12 @@ set(skelgen_cli_sources
     merge.cpp
     merge_shards.cpp
     mesh_input.cpp
-    own_part.cpp
     parts.cpp
     pose.cpp
     progress_bar.cpp
     rig.cpp
     segment.cpp
-    stages.cpp
+    trail_text.cpp
     waiting_line.cpp
     worker_pool.cpp
 )
@@ -566,3 +631,18 @@ set(skelgen_cli_synth_sources
 set(skelgen_cli_view_sources
     view.cpp
 )
+
+# skelgen_split_headers(<list>): <list>_public, those that are named above, and <list>_detail, the others.
+function(skelgen_split_headers name)
+  set(public ${${name}})
+  set(detail ${${name}})
+  list(REMOVE_ITEM detail ${skelgen_public_headers})
+  if(detail)
+    list(REMOVE_ITEM public ${detail})
+  endif()
+  set(${name}_public ${public} PARENT_SCOPE)
+  set(${name}_detail ${detail} PARENT_SCOPE)
+endfunction()
+foreach(part IN ITEMS core io render evaluation synth)
+  skelgen_split_headers(skelgen_${part}_headers)
+endforeach()

@@ -13,7 +13,7 @@ int main(int argc, char** argv) try {
         return static_cast<int>(skelgen::ErrorCode::usage);
     }
     const auto mesh = skelgen::read_mesh(argv[1]); // OFF, OBJ, PLY, STL, GLB, glTF, VRM, FBX or DAE
-    const auto found = skelgen::extract_skeleton(mesh);
+    const auto found = skelgen::extract(mesh);
 
     for (const auto& joint : found.skeleton.joints)
         std::cout << joint.name << ' ' << joint.position.transpose() << '\n';

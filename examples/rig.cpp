@@ -15,8 +15,8 @@ int main(int argc, char** argv) try {
         return static_cast<int>(skelgen::ErrorCode::usage);
     }
     const auto mesh = skelgen::read_mesh(argv[1]);
-    const auto found = skelgen::extract_body(mesh);
-    const auto rig = make_rig(mesh, found.body, found.extraction.skeleton, skelgen::builtin_template("human21"),
+    const auto found = skelgen::extract(mesh);
+    const auto rig = make_rig(mesh, found.body, found.skeleton, skelgen::builtin_template("human21"),
                               skelgen::applications::RestPose::t_pose);
     skelgen::write_rig(argv[2], rig);
 

@@ -18,13 +18,14 @@ int main(int argc, char** argv) try {
     const auto curve = skelgen::find_curve(body); // takes most of the time
 
     for (const char* name : {"human21", "pinocchio18"}) {
-        const auto found = skelgen::fit(body, curve, skelgen::builtin_template(name));
+        const auto found = skelgen::skeleton_of(body, curve, skelgen::builtin_template(name));
         if (!found) { // to be expected of some meshes, and so no exception
             std::cerr << name << ": " << found.failure().what << '\n';
             return EXIT_FAILURE;
         }
         std::cout << name << ": " << found->skeleton.joints.size() << " joints\n";
-        for (const auto& joint : found->skeleton.joints)
+        const auto skeleton = skelgen::surface::to_input(body, found->skeleton); // in the mesh's coordinates
+        for (const auto& joint : skeleton.joints)
             std::cout << "  " << joint.name << ' ' << joint.position.transpose() << '\n';
     }
     return EXIT_SUCCESS;

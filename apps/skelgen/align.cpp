@@ -35,13 +35,14 @@ void align(const AlignCommand& command, const FittedInput& input) {
     applications::AlignmentOptions options;
     if (command.origin == "floor") options.origin = applications::AlignedOrigin::floor;
     if (command.to_unit_height) options.scale = 1 / applications::standing_height(input.found.body, skeleton);
-    const Eigen::Matrix4d transform = applications::alignment(input.found.body, skeleton, input.mesh.vertices, options);
+    const Eigen::Matrix4d transform =
+        applications::alignment(input.found.body, skeleton, input.mesh().vertices, options);
     const fs::path mesh_file = aligned_file(input.item);
     require_different_files(input.item.mesh, mesh_file.string());
     make_folder(mesh_file.parent_path());
     in_file(mesh_file, [&] {
-        write_mesh(mesh_file,
-                   TriangleMesh<double>{applications::transformed(input.mesh.vertices, transform), input.mesh.faces});
+        write_mesh(mesh_file, TriangleMesh<double>{applications::transformed(input.mesh().vertices, transform),
+                                                   input.mesh().faces});
     });
     write_result(fs::path(input.item.output).replace_extension(".transform.json"), io::transform_to_json(transform));
 }

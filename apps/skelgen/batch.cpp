@@ -138,6 +138,7 @@ SummaryLine process(const BatchItem& item, const ExtractOptions& options, std::s
     } catch (const Error& error) {
         if (line.status.empty()) line.status = to_status(error.code());
         line.error = error.what();
+        if (error.refusal() != Refusal::none) line.code = to_string(error.refusal());
         line.also = draw_failure(item, parts, error);
     }
     return line;

@@ -17,6 +17,7 @@
 #include <skelgen/io/segmentation_json.hpp>
 #include <skelgen/io/transform_json.hpp>
 
+#include "character.hpp"
 #include "console.hpp"
 #include "parts.hpp"
 
@@ -39,13 +40,13 @@ struct PartContent {
 using Format = PartContent (*)(const BatchItem&, const FittedFile&, const SkeletonTemplate&);
 
 PartContent rig_content(const BatchItem& item, const FittedFile& body, const SkeletonTemplate& skeleton_template) {
-    const auto rig = applications::make_rig(body.mesh, body.found.body, body.skeleton(), skeleton_template);
+    const auto rig = rig_of(body, skeleton_template, applications::RestPose::as_is, Fingers::automatic);
     KeptLooks kept = keep_looks({item.mesh, {}});
     return {io::rig_to_glb(rig, io::JointNames::skelgen, kept.looks), std::move(kept.warning)};
 }
 
 PartContent segmentation_content(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
-    return {io::segmentation_to_json(parts_of(body.mesh, body.found, "bones"), body.source, body.skeleton().quality)};
+    return {io::segmentation_to_json(parts_of(body.found, "bones"), body.source, body.skeleton().quality)};
 }
 
 PartContent measurements_content(const BatchItem& item, const FittedFile& body, const SkeletonTemplate&) {
@@ -57,11 +58,11 @@ PartContent measurements_content(const BatchItem& item, const FittedFile& body, 
 }
 
 PartContent transform_content(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
-    return {io::transform_to_json(applications::alignment(body.found.body, body.skeleton(), body.mesh.vertices))};
+    return {io::transform_to_json(applications::alignment(body.found.body, body.skeleton(), body.mesh().vertices))};
 }
 
 PartContent curve_content(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
-    return {io::curve_to_json(body.found.extraction.curve)};
+    return {io::curve_to_json(body.found.curve)};
 }
 
 #if SKELGEN_WITH_RENDER
@@ -73,9 +74,9 @@ std::string picture(const render::Scene& scene) {
 
 PartContent picture_content(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
     render::Scene scene;
-    scene.mesh = body.mesh;
+    scene.mesh = body.mesh();
     scene.skeleton = body.skeleton();
-    scene.curve = body.found.extraction.curve;
+    scene.curve = body.found.curve;
     return {picture(scene)};
 }
 #endif

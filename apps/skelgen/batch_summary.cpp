@@ -109,6 +109,7 @@ std::string to_json(const SummaryLine& line) {
     const Json json{{"file", line.file},
                     {"status", line.status},
                     {"error", text_or_null(line.error)},
+                    {"code", text_or_null(line.code)},
                     {"seconds", std::round(line.seconds * 1000) / 1000},
                     {"faces", line.faces},
                     {"warnings", line.warnings},
@@ -134,6 +135,7 @@ SummaryLine parse_summary_line(const std::string& json) {
         // Earlier versions did not write what follows.
         line.input = fields.value("input", std::string());
         line.output = fields.value("output", std::string());
+        if (fields.contains("code")) line.code = read_text(fields.at("code"));
         line.sides_confidence = read_number(fields, "sides_confidence");
         line.least_confidence = read_number(fields, "least_confidence");
         const Json also = fields.value("also", Json::object());

@@ -15,6 +15,7 @@ struct SummaryLine {
     std::string file;   ///< BatchItem::file
     std::string status; ///< "ok", an error's code ("bad_input", "no_skeleton", ...), "timeout", "memory" or "crash"
     std::string error;  ///< one sentence; empty when all is well
+    std::string code;   ///< why there is no skeleton, as a word: `to_string(Refusal)`; empty where that is not it
     double seconds = 0;
     std::int64_t faces = 0;
     std::vector<std::string> warnings;

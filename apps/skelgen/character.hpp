@@ -9,6 +9,7 @@
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/io/scene_looks.hpp>
 
+#include "extract_file.hpp"
 #include "mesh_input.hpp"
 
 namespace skelgen::cli {
@@ -24,7 +25,12 @@ struct Character {
 struct CharacterOptions {
     int component = 0; ///< as `PrepareOptions::component`
     applications::RestPose rest = applications::RestPose::as_is;
+    Fingers fingers = Fingers::off;
 };
+
+/// A body bound to its skeleton, with its fingers where they are wanted. \throws Error as `applications::make_rig`.
+[[nodiscard]] applications::Rig<double> rig_of(const FittedFile& body, const SkeletonTemplate& skeleton_template,
+                                               applications::RestPose rest, Fingers fingers);
 
 /// Reads a mesh, finds the body in it and binds it; where one of several is chosen, without the others. \throws Error
 /// as `fit_file`, without the file's name.

@@ -46,7 +46,7 @@ auto in_file(const std::filesystem::path& file, const Work& work) {
     try {
         return work();
     } catch (const Error& error) {
-        throw Error(error.code(), file.string() + ": " + error.what());
+        throw Error(error.code(), file.string() + ": " + error.what(), error.refusal());
     } catch (const std::bad_alloc&) {
         throw Error(ErrorCode::internal, file.string() + ": out of memory; use a smaller mesh or a larger machine");
     } catch (const std::exception& error) {

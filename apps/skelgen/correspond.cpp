@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -6,13 +7,13 @@
 
 #include <skelgen/applications/body_coordinates.hpp>
 #include <skelgen/applications/correspondence.hpp>
-#include <skelgen/core/geometry.hpp>
 #include <skelgen/io/coloured_ply.hpp>
 #include <skelgen/io/correspondence_json.hpp>
 
 #include "commands.hpp"
 #include "console.hpp"
 #include "fitted_file.hpp"
+#include "fitted_inputs.hpp"
 #include "waiting_line.hpp"
 
 namespace skelgen::cli {
@@ -21,36 +22,32 @@ namespace {
 namespace fs = std::filesystem;
 
 struct CorrespondCommand {
-    fs::path from, to;
+    fs::path from;
+    FittedInputs to;
     std::string output = "-";
     std::string ply; ///< folder
     bool confidence = false;
-    bool quiet = false;
 };
 
-/// One of the two bodies.
-struct ComparedFile : FittedFile {
+/// One of two bodies.
+struct ComparedFile {
+    FittedFile file;
     applications::ComparableBody<double> body;
-    std::vector<int> stands_for; ///< per vertex of the mesh that of the body
+    std::vector<int> stands_for;     ///< per vertex of the mesh that of the body
+    std::vector<int> of_body_vertex; ///< per vertex of the body one of the mesh
 };
 
-ComparedFile load(const fs::path& file) {
-    return in_file(file, [&] {
-        ComparedFile out{fit_file({file, {}}), {}, {}};
-        out.body = applications::comparable(out.found.body, out.skeleton());
-        out.stands_for = applications::standing_for(out.found.body, out.mesh.vertices);
-        return out;
-    });
+ComparedFile compared(FittedFile file) {
+    ComparedFile out{std::move(file), {}, {}, {}};
+    out.body = applications::comparable(out.file.found.body, out.file.skeleton());
+    out.stands_for = applications::standing_for(out.file.found.body, out.file.mesh().vertices);
+    out.of_body_vertex = applications::vertices_of_input(out.file.found.body, out.file.mesh());
+    return out;
 }
 
-/// For each vertex of a body one of its mesh that is at its place, or near it where the body has vertices of its own.
-std::vector<int> mesh_vertices(const ComparedFile& file) {
-    std::vector<int> out = applications::first_standing(file.found.body, file.stands_for);
-    for (std::size_t v = 0; v < out.size(); ++v)
-        if (out[v] < 0)
-            out[v] = core::nearest_vertex(file.mesh, file.found.body.similarity.to_input(core::point(
-                                                         file.found.body.mesh.vertices, static_cast<Eigen::Index>(v))));
-    return out;
+ComparedFile load(const CorrespondCommand& command) {
+    const WaitingLine waiting(command.from.string(), !command.to.quiet);
+    return in_file(command.from, [&] { return compared(fit_file({command.from, {}})); });
 }
 
 /// Each vertex in the colour of its place in the common pose: x red, y green, z blue.
@@ -68,70 +65,106 @@ std::vector<io::ByteColour> place_colours(const applications::ComparableBody<dou
     return out;
 }
 
-/// Where the two bodies go in colours.
-std::array<fs::path, 2> coloured_files(const CorrespondCommand& command) {
-    return {fs::path(command.ply) / "from.ply", fs::path(command.ply) / "to.ply"};
-}
+/// Where the two bodies go in colours, in a folder.
+std::array<fs::path, 2> coloured_files(const fs::path& folder) { return {folder / "from.ply", folder / "to.ply"}; }
 
-void write_coloured(const CorrespondCommand& command, const ComparedFile& from, const ComparedFile& to,
+void write_coloured(const fs::path& folder, const ComparedFile& from, const ComparedFile& to,
                     const std::vector<int>& to_body_of_from) {
-    make_folder(command.ply);
+    make_folder(folder);
     const std::vector<io::ByteColour> places = place_colours(to.body);
     const auto write = [&](const fs::path& file, const TriangleMesh<double>& mesh, const std::vector<int>& place_of) {
         io::MeshColours colours;
         for (const int place : place_of) colours.vertices.push_back(places[static_cast<std::size_t>(place)]);
         in_file(file, [&] { io::write_coloured_ply(file, mesh, colours); });
     };
-    const auto [from_file, to_file] = coloured_files(command);
-    write(from_file, from.mesh, to_body_of_from);
-    write(to_file, to.mesh, to.stands_for);
+    const auto [from_file, to_file] = coloured_files(folder);
+    write(from_file, from.file.mesh(), to_body_of_from);
+    write(to_file, to.file.mesh(), to.stands_for);
 }
 
-void run(const CorrespondCommand& command) {
-    if (command.from == "-" && command.to == "-")
-        throw Error(ErrorCode::usage, "two bodies cannot both come through standard input");
-    std::vector<std::string> outputs{command.output};
-    if (!command.ply.empty())
-        for (const fs::path& file : coloured_files(command)) outputs.push_back(file.string());
-    for (const std::string& output : outputs)
-        for (const fs::path& input : {command.from, command.to}) require_different_files(input, output);
-    require_folder_of(command.output);
-    WaitingLine waiting(command.from.string() + " and " + command.to.string(), !command.quiet);
-    const ComparedFile from = load(command.from), to = load(command.to);
+/// Where results go, of one body.
+struct Outputs {
+    std::string json;
+    fs::path coloured; ///< folder; empty: none
+};
+
+void require_inputs_kept(const CorrespondCommand& command, const BatchItem& to, const Outputs& outputs) {
+    std::vector<std::string> files{outputs.json};
+    if (!outputs.coloured.empty())
+        for (const fs::path& file : coloured_files(outputs.coloured)) files.push_back(file.string());
+    for (const std::string& file : files)
+        for (const fs::path& input : {command.from, to.mesh}) require_different_files(input, file);
+}
+
+void correspond(const CorrespondCommand& command, const ComparedFile& from, const ComparedFile& to,
+                const Outputs& outputs) {
     const applications::Correspondence found = applications::correspond(from.body, to.body);
-    const std::vector<int> to_mesh = mesh_vertices(to), from_mesh = mesh_vertices(from);
-    io::CorrespondenceFile file{from.source, to.source, from.skeleton().quality, to.skeleton().quality, {}, {}, {}};
+    io::CorrespondenceFile file{
+        from.file.source, to.file.source, from.file.skeleton().quality, to.file.skeleton().quality, {}, {}, {}};
     std::vector<int> to_body_of_from;
     for (const int v : from.stands_for) {
         to_body_of_from.push_back(found.map[static_cast<std::size_t>(v)]);
-        file.vertex_to_vertex.push_back(to_mesh[static_cast<std::size_t>(to_body_of_from.back())]);
+        file.vertex_to_vertex.push_back(to.of_body_vertex[static_cast<std::size_t>(to_body_of_from.back())]);
         if (command.confidence) file.confidence.push_back(found.confidence[static_cast<std::size_t>(v)]);
     }
     for (const applications::Landmark& landmark : applications::landmarks(from.body, found))
-        file.landmarks.push_back({landmark.name, from_mesh[static_cast<std::size_t>(landmark.from)],
-                                  to_mesh[static_cast<std::size_t>(landmark.to)]});
-    waiting.end();
-    if (!command.ply.empty()) write_coloured(command, from, to, to_body_of_from);
-    write_result(command.output, io::correspondence_to_json(file));
-    if (command.quiet) return;
-    print_warnings(command.from, from.skeleton());
-    print_warnings(command.to, to.skeleton());
+        file.landmarks.push_back({landmark.name, from.of_body_vertex[static_cast<std::size_t>(landmark.from)],
+                                  to.of_body_vertex[static_cast<std::size_t>(landmark.to)]});
+    if (!outputs.coloured.empty()) write_coloured(outputs.coloured, from, to, to_body_of_from);
+    write_result(outputs.json, io::correspondence_to_json(file));
+}
+
+bool is_folder_name(const std::string& output) { return output.ends_with('/') || fs::is_directory(output); }
+
+void run(const CorrespondCommand& command) {
+    const std::vector<BatchItem> items = find_items(command.to, command.output);
+    const bool reads_input = std::any_of(items.begin(), items.end(), [](const auto& item) { return item.mesh == "-"; });
+    if (command.from == "-" && reads_input)
+        throw Error(ErrorCode::usage, "two bodies cannot both come through standard input");
+    const bool into_folder = are_many(command.to, items) || is_folder_name(command.output);
+    if (into_folder && (command.output == "-" || fs::path(command.output).extension() == ".json"))
+        throw Error(ErrorCode::usage, "-o " + command.output + ": several meshes need a folder");
+    const auto outputs_of = [&](const BatchItem& item) {
+        if (!into_folder) return Outputs{command.output, command.ply};
+        if (command.ply.empty()) return Outputs{item.output.string(), {}};
+        const fs::path within = fs::path(item.output).replace_extension().lexically_relative(command.output);
+        return Outputs{item.output.string(), fs::path(command.ply) / within};
+    };
+    for (const BatchItem& item : items) require_inputs_kept(command, item, outputs_of(item));
+    if (into_folder)
+        make_folder(command.output);
+    else
+        require_folder_of(command.output);
+    const ComparedFile from = load(command);
+    for_each_fitted(command.to, items, [&](const FittedInput& input) {
+        const Outputs outputs = outputs_of(input.item);
+        if (into_folder) make_folder(fs::path(outputs.json).parent_path());
+        correspond(command, from, in_file(input.item.mesh, [&] { return compared(input); }), outputs);
+    });
+    if (!command.to.quiet) print_warnings(command.from, from.file.skeleton());
 }
 
 } // namespace
 
 void add_correspond_command(CLI::App& app) {
     auto command = std::make_shared<CorrespondCommand>();
-    CLI::App* sub = app.add_subcommand("correspond", "Find for each vertex of one body the same place on another one");
+    CLI::App* sub = app.add_subcommand("correspond", "Find for each vertex of one body the same place on other ones");
     sub->add_option("FROM", command->from, "Mesh of one body, any format that is read; - for standard input")
         ->required();
-    sub->add_option("TO", command->to, "Mesh of another one, or of the same in another pose")->required();
-    sub->add_option("-o,--output", command->output, "File to write (JSON): a vertex of TO for each of FROM")
+    sub->add_option("TO", command->to.inputs,
+                    "Meshes of other ones, or of the same in other poses; folders of meshes, patterns")
+        ->required();
+    sub->add_option("-o,--output", command->output,
+                    "File to write (JSON): a vertex of TO for each of FROM; a folder for several, with a file for each")
         ->capture_default_str();
-    sub->add_option("--ply", command->ply, "Folder for both bodies (from.ply, to.ply), like places in like colours");
+    sub->add_option(
+           "--ply", command->ply,
+           "Folder for both bodies (from.ply, to.ply), like places in like colours; of several TO one for each")
+        ->capture_default_str();
     sub->add_flag("--confidence", command->confidence, "Also how sure each vertex's place is, 0 to 1");
-    sub->add_flag("-q,--quiet", command->quiet, "No warnings");
-    sub->footer("Example:\n  skelgen correspond child.ply adult.obj -o map.json --ply coloured/");
+    sub->add_flag("-q,--quiet", command->to.quiet, "No warnings");
+    sub->footer("Examples:\n  skelgen correspond child.ply adult.obj -o map.json --ply coloured/\n"
+                "  skelgen correspond template.obj scans/ -o maps/");
     sub->callback([command] { run(*command); });
 }
 

@@ -1,14 +1,16 @@
 #include <cstdio>
 #include <memory>
 
+#include <skelgen/hands/find_hands.hpp>
 #include <skelgen/io/curve_formats.hpp>
 #include <skelgen/io/template_json.hpp>
+#include <skelgen/io/trail_json.hpp>
 
 #include "commands.hpp"
 #include "console.hpp"
 #include "extract_file.hpp"
 #include "fitted_file.hpp"
-#include "stages.hpp"
+#include "trail_text.hpp"
 #include "waiting_line.hpp"
 
 namespace skelgen::cli {
@@ -18,7 +20,9 @@ struct ExtractCommand {
     MeshInput mesh;
     std::string output = "-";
     std::string skeleton_template = "human21";
+    std::string fingers = "off";
     std::string curve;
+    std::string trail;
     int component = 0; ///< 0: the only one
     int threads = 1;
     bool verbose = false;
@@ -31,7 +35,7 @@ void print_details(const FileExtraction& result) {
     const auto& quality = result.skeleton().quality;
     std::fprintf(stderr, "%s: %lld vertices, %lld faces, geodesic diameter %.6g\n", mesh.file.c_str(),
                  static_cast<long long>(mesh.vertices), static_cast<long long>(mesh.faces), mesh.geodesic_diameter);
-    std::fprintf(stderr, "%s: %d template nodes matched, sides told apart with confidence %.2f\n", mesh.file.c_str(),
+    std::fprintf(stderr, "%s: %d template nodes matched, right with a probability of %.2f\n", mesh.file.c_str(),
                  quality.matched_nodes, quality.sides_confidence);
     std::fprintf(stderr,
                  "%s: read %.1f ms, surface %.1f, curve %.1f, embed %.1f, refine %.1f, sides %.1f, total %.1f\n",
@@ -39,32 +43,46 @@ void print_details(const FileExtraction& result) {
                  timings.stages.refine, timings.stages.sides, timings.stages.total);
 }
 
+void write_trail(const ExtractCommand& command, const Trail& trail) {
+    if (!command.trail.empty()) write_result(command.trail, io::trail_to_json(trail));
+}
+
 void run(const ExtractCommand& command) {
     require_different_files(command.mesh.file, command.output);
     require_different_files(command.mesh.file, command.curve);
-    for (const std::string& output : {command.output, command.curve}) require_folder_of(output);
+    require_different_files(command.mesh.file, command.trail);
+    for (const std::string& output : {command.output, command.curve, command.trail}) require_folder_of(output);
     require_different_outputs(command.output, "-o", command.curve, "--curve");
+    require_different_outputs(command.output, "-o", command.trail, "--trail");
+    require_different_outputs(command.curve, "--curve", command.trail, "--trail");
     ExtractOptions options;
-    options.skeleton_template = in_file("--template", [&] { return load_template(command.skeleton_template); });
+    const bool with_digits = command.skeleton_template == hands::template_with_digits;
+    const std::string skeleton_template = with_digits ? "human21" : command.skeleton_template;
+    const Fingers fingers = with_digits ? Fingers::on : fingers_by_name().at(command.fingers);
+    if (fingers != Fingers::off && skeleton_template != "human21")
+        throw Error(ErrorCode::usage, "--fingers " + command.fingers + ": fingers go with human21 alone");
+    options.skeleton_template = in_file("--template", [&] { return load_template(skeleton_template); });
     options.prepare.component = command.component;
     options.threads = command.threads;
     options.with_curve = !command.curve.empty();
     const auto result = in_file(command.mesh.file, [&] {
         try {
             const WaitingLine waiting(command.mesh.file.string(), !command.quiet);
-            return extract_file(command.mesh, options);
-        } catch (const Error& error) {
-            const bool is_there_still = command.mesh.file != "-";
-            if (command.verbose && is_there_still && error.code() == ErrorCode::no_skeleton)
-                print_stages(command.mesh, options);
+            return extract_file(command.mesh, options, fingers);
+        } catch (const NoSkeleton& refused) {
+            if (command.verbose) print_trail(command.mesh.file, refused.trail());
+            write_trail(command, refused.trail());
             throw;
         }
     });
 
-    if (!command.curve.empty())
-        in_file(command.curve, [&] { write_curve(command.curve, result.found.extraction.curve); });
+    if (!command.curve.empty()) in_file(command.curve, [&] { write_curve(command.curve, result.found.curve); });
+    write_trail(command, result.found.trail);
     write_result(command.output, result.json);
-    if (command.verbose) print_details(result);
+    if (command.verbose) {
+        print_trail(command.mesh.file, result.found.trail);
+        print_details(result);
+    }
     if (command.quiet) return;
     print_warnings(command.mesh.file, result.skeleton());
 }
@@ -76,16 +94,21 @@ void add_extract_command(CLI::App& app) {
     CLI::App* sub = app.add_subcommand("extract", "Find the skeleton in the mesh of a body");
     add_mesh_input(*sub, command->mesh, "Mesh of one body");
     sub->add_option("-o,--output", command->output, "Skeleton file to write (JSON); - for standard output");
-    sub->add_option("--template", command->skeleton_template, "Built-in template, or a template's file (JSON)")
+    sub->add_option("--template", command->skeleton_template,
+                    "Built-in template, or a template's file (JSON); human51: human21 with fingers")
+        ->capture_default_str();
+    sub->add_option("--fingers", command->fingers, "Joints of the fingers: none, all, or where the surface shows some")
+        ->check(CLI::IsMember({"auto", "off", "on"}))
         ->capture_default_str();
     sub->add_option("--curve", command->curve, "Also write the curve skeleton: .json, .obj, .ply or .swc");
+    sub->add_option("--trail", command->trail, "Also write what was tried and what came of it (JSON), found or not");
     add_component_option(*sub, command->component);
     sub->add_option("--threads", command->threads,
                     "Threads that work on it; the result does not depend on their number")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
     CLI::Option* verbose = sub->add_flag("-v,--verbose", command->verbose,
-                                         "Tell sizes, confidence and timings; of a refusal, what each stage saw");
+                                         "Tell sizes, confidence, timings, and what was tried and what came of it");
     sub->add_flag("-q,--quiet", command->quiet, "No warnings")->excludes(verbose);
     sub->footer("Example:\n  skelgen extract body.off -o body.json");
     sub->callback([command] { run(*command); });

@@ -34,7 +34,7 @@ void colour_parts(render::Scene& scene, const std::string& parts) {
     ExtractOptions options;
     options.with_curve = false;
     try {
-        scene.colours = vertex_colours(parts_of(scene.mesh, extract_body(scene.mesh, options), parts));
+        scene.colours = vertex_colours(parts_of(extract(scene.mesh, options), parts));
     } catch (const Error& error) {
         if (error.code() != ErrorCode::no_skeleton && error.code() != ErrorCode::bad_input) throw;
         scene.failure = std::string("no parts: ") + error.what();
@@ -44,7 +44,7 @@ void colour_parts(render::Scene& scene, const std::string& parts) {
 /// Extracts skeleton and curve into the scene, or says there why not.
 void extract_into(render::Scene& scene, const ExtractOptions& options) {
     try {
-        Extraction<double> extraction = extract_skeleton(scene.mesh, options);
+        Extraction<double> extraction = extract(scene.mesh, options);
         scene.skeleton = std::move(extraction.skeleton);
         scene.curve = std::move(extraction.curve);
     } catch (const Error& error) {
@@ -62,7 +62,7 @@ bool is_missing(const SceneSources& sources) {
 
 render::Scene load_scene(const SceneSources& sources) {
     render::Scene scene;
-    scene.mesh = in_file(sources.mesh, [&] { return read_mesh<double>(sources.mesh); });
+    scene.mesh = in_file(sources.mesh, [&] { return read_mesh<double>(sources.mesh, {.isolated = true}); });
     if (!sources.parts.empty()) {
         in_file(sources.mesh, [&] { colour_parts(scene, sources.parts); });
         return scene;

@@ -13,8 +13,8 @@ namespace skelgen::cli {
 
 /// The mesh that a command works on, and how it is read.
 struct MeshInput {
-    std::filesystem::path file; ///< "-": standard input
-    io::ReadMeshOptions options;
+    std::filesystem::path file;                    ///< "-": standard input
+    io::ReadMeshOptions options{.isolated = true}; ///< the program reads strangers' files
 };
 
 /// Adds the positional MESH, with `help` as what it says there, and the options --format, --animation and --time.

@@ -4,11 +4,9 @@
 
 namespace skelgen::cli {
 
-applications::Segmentation parts_of(const TriangleMesh<double>& mesh, const FittedBody<double>& found,
-                                    const std::string& set) {
+applications::Segmentation parts_of(const Extraction<double>& found, const std::string& set) {
     const auto which = set == "body" ? applications::PartSet::body : applications::PartSet::bones;
-    return applications::to_input(applications::segment(found.body, found.extraction.skeleton, which), found.body,
-                                  mesh);
+    return applications::to_input(applications::segment(found.body, found.skeleton, which), found.body, found.mesh);
 }
 
 std::vector<io::ByteColour> vertex_colours(const applications::Segmentation& parts) {

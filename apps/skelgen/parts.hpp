@@ -13,8 +13,7 @@ namespace skelgen::cli {
 inline const std::vector<std::string> part_sets{"bones", "body"};
 
 /// The parts of a mesh's vertices and faces; `set` is one of `part_sets`.
-[[nodiscard]] applications::Segmentation parts_of(const TriangleMesh<double>& mesh, const FittedBody<double>& found,
-                                                  const std::string& set);
+[[nodiscard]] applications::Segmentation parts_of(const Extraction<double>& found, const std::string& set);
 
 /// Each vertex in the colour of its part.
 [[nodiscard]] std::vector<io::ByteColour> vertex_colours(const applications::Segmentation& parts);

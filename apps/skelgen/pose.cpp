@@ -9,7 +9,9 @@
 
 #include <skelgen/applications/pose_transfer.hpp>
 #include <skelgen/applications/rig.hpp>
+#include <skelgen/hands/find_hands.hpp>
 #include <skelgen/io/mesh_format.hpp>
+#include <skelgen/io/part_looks.hpp>
 #include <skelgen/io/skeleton_json.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
@@ -17,7 +19,6 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "fitted_file.hpp"
-#include "own_part.hpp"
 #include "waiting_line.hpp"
 
 namespace skelgen::cli {
@@ -93,7 +94,7 @@ void require_pose(const KinematicSkeleton<double>& skeleton) {
 Model load_model(const PoseCommand& command) {
     if (command.like.empty()) {
         return in_file(command.pose, [&] {
-            Model model{read_skeleton(command.pose), std::nullopt};
+            Model model{hands::without_digits(read_skeleton(command.pose)), std::nullopt};
             require_pose(model.skeleton);
             return model;
         });
@@ -101,7 +102,7 @@ Model load_model(const PoseCommand& command) {
     return in_file(command.like, [&] {
         const FittedFile other = fit_file({command.like, {}});
         Model model{other.skeleton(), std::nullopt};
-        const Floor<double> floor = applications::floor_of(other.mesh, model.skeleton, human());
+        const Floor<double> floor = applications::floor_of(other.mesh(), model.skeleton, human());
         if (floor.is_stood_on) model.floor = floor;
         return model;
     });
@@ -115,7 +116,7 @@ struct Held {
 
 Held held_like_model(const PoseCommand& command, const FittedFile& body, const Model& model) {
     return in_file(command.mesh.file, [&] {
-        auto posed = applications::pose_like(body.mesh, body.found.body, body.skeleton(), model.skeleton, human());
+        auto posed = applications::pose_like(body.mesh(), body.found.body, body.skeleton(), model.skeleton, human());
         if (model.floor) posed = put_on(std::move(posed), *model.floor);
         return Held{std::move(posed.mesh), std::move(posed.turns)};
     });
@@ -133,7 +134,7 @@ ClipInput load_posing_clip(const PoseCommand& command) {
 /// The body as the clip's skeleton is in the frame: +y up, on the floor, in the mesh's unit.
 Held held_as_in_clip(const PoseCommand& command, const FittedFile& body, const ClipInput& clip) {
     const auto rig = in_file(command.mesh.file, [&] {
-        return applications::make_rig(body.mesh, body.found.body, body.skeleton(), human());
+        return applications::make_rig(body.mesh(), body.found.body, body.skeleton(), human());
     });
     const auto animation = follow_clip(clip, rig); // all of it: its floor is that of all frames
     const auto& pose = animation.frames[static_cast<std::size_t>(command.frame)];
@@ -161,10 +162,11 @@ void run(const PoseCommand& command) {
     ExtractOptions options;
     options.prepare.component = command.component;
     FittedFile body = in_file(command.mesh.file, [&] { return fit_file(command.mesh, options); });
-    const OwnPart part = command.component > 0 ? keep_own_part(body) : OwnPart{};
+    if (command.component > 0) body = with_own_part(std::move(body));
     const Held held = model ? held_like_model(command, body, *model) : held_as_in_clip(command, body, *clip);
     const KeptLooks kept = format == io::MeshFormat::glb ? keep_looks(command.mesh) : KeptLooks{};
-    in_file(command.output, [&] { io::write_mesh(command.output, held.mesh, looks_of(kept.looks, part), held.turns); });
+    in_file(command.output,
+            [&] { io::write_mesh(command.output, held.mesh, io::looks_of(kept.looks, body.part), held.turns); });
     waiting.end();
     if (command.quiet) return;
     if (model) print_warnings(command.like.empty() ? command.pose : command.like, model->skeleton);

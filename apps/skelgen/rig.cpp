@@ -19,6 +19,7 @@ struct RigCommand {
     std::string output;
     std::string names = "skelgen";
     std::string rest; ///< empty: as the format wants it
+    std::string fingers = "auto";
     int component = 0;
     bool quiet = false;
 };
@@ -41,7 +42,8 @@ void run(const RigCommand& command) {
     require_folder_of(command.output);
     const auto format = io::rig_format_of(command.output);
     if (!format) throw Error(ErrorCode::usage, command.output + ": its name must end in .glb, .vrm or .bvh");
-    const CharacterOptions options{command.component, rest_pose(command, *format)};
+    const CharacterOptions options{command.component, rest_pose(command, *format),
+                                   fingers_by_name().at(command.fingers)};
     const Character character = in_file(command.mesh.file, [&] {
         const WaitingLine waiting(command.mesh.file.string(), !command.quiet);
         return make_character(command.mesh, options);
@@ -63,6 +65,9 @@ void add_rig_command(CLI::App& app) {
     add_joint_names_option(*sub, command->names, "Whose names the joints get; VRM's own in .vrm");
     sub->add_option("--rest", command->rest, "Pose at rest: as-is, or un-posed (default: as-is; in .vrm t-pose)")
         ->check(CLI::IsMember({"as-is", "t-pose", "a-pose"}));
+    sub->add_option("--fingers", command->fingers, "Bones of the fingers: where the surface shows some, or none")
+        ->check(CLI::IsMember({"auto", "off", "on"}))
+        ->capture_default_str();
     add_component_option(*sub, command->component);
     sub->add_flag("-q,--quiet", command->quiet, "No warnings");
     sub->footer("Examples:\n  skelgen rig body.off -o body.glb\n"

@@ -20,7 +20,7 @@ struct SegmentCommand {
 
 void write_ply(const fs::path& file, const FittedInput& input, const applications::Segmentation& parts) {
     const io::MeshColours colours{vertex_colours(parts), parts.vertex_part, parts.face_part};
-    in_file(file, [&] { io::write_coloured_ply(file, input.mesh, colours); });
+    in_file(file, [&] { io::write_coloured_ply(file, input.mesh(), colours); });
 }
 
 std::string json_of(const FittedInput& input, const applications::Segmentation& parts) {
@@ -29,7 +29,7 @@ std::string json_of(const FittedInput& input, const applications::Segmentation& 
 
 void segment_one(const SegmentCommand& command, const FittedInput& input) {
     require_different_files(input.item.mesh, command.output);
-    const applications::Segmentation parts = parts_of(input.mesh, input.found, command.parts);
+    const applications::Segmentation parts = parts_of(input.found, command.parts);
     if (fs::path(command.output).extension() == ".ply")
         write_ply(command.output, input, parts);
     else
@@ -37,7 +37,7 @@ void segment_one(const SegmentCommand& command, const FittedInput& input) {
 }
 
 void segment_into_folder(const SegmentCommand& command, const FittedInput& input) {
-    const applications::Segmentation parts = parts_of(input.mesh, input.found, command.parts);
+    const applications::Segmentation parts = parts_of(input.found, command.parts);
     const fs::path json = input.item.output, ply = fs::path(json).replace_extension(".ply");
     require_different_files(input.item.mesh, ply.string());
     make_folder(json.parent_path());

@@ -28,8 +28,8 @@ struct ViewCommand {
 };
 
 io::ViewedBody viewed(const BatchItem& item, const TriangleMesh<double>& mesh) {
-    FittedBody<double> found = extract_body(mesh);
-    KinematicSkeleton<double>& skeleton = found.extraction.skeleton;
+    Extraction<double> found = extract(mesh);
+    KinematicSkeleton<double>& skeleton = found.skeleton;
     const SkeletonTemplate& skeleton_template = builtin_template(skeleton.template_name);
     io::ViewedBody body;
     body.name = item.file;
@@ -39,7 +39,7 @@ io::ViewedBody viewed(const BatchItem& item, const TriangleMesh<double>& mesh) {
     body.looks = std::move(kept.looks);
     if (!kept.warning.empty()) skeleton.quality.warnings.push_back(std::move(kept.warning));
     body.skeleton = std::move(skeleton);
-    body.curve = std::move(found.extraction.curve);
+    body.curve = std::move(found.curve);
     return body;
 }
 

@@ -44,7 +44,7 @@ def run_skelgen(program, points, polygons, names):
             file.write(format_off(points, polygons))
         try:
             run = subprocess.run(
-                [program, "rig", mesh, "-o", rig, "--names", names], capture_output=True, text=True, check=False
+                [program, "rig", mesh, "-o", rig, "--names", names, "--fingers", "off"], capture_output=True, text=True, check=False
             )
         except OSError as error:
             raise Refusal(

@@ -1,42 +1,74 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
+#include <skelgen/core/stage_timings.hpp>
 #include <skelgen/curve/find_curve.hpp>
-#include <skelgen/fitting/extract_options.hpp>
-#include <skelgen/fitting/fit.hpp>
-#include <skelgen/fitting/fitted_body.hpp>
+#include <skelgen/search/extract_options.hpp>
+#include <skelgen/search/ladder.hpp>
+#include <skelgen/search/line.hpp>
+#include <skelgen/search/trail.hpp>
 #include <skelgen/surface/prepare.hpp>
 
 namespace skelgen {
 
 using curve::find_curve;
-using fitting::ExtractOptions;
-using fitting::Fit;
-using fitting::fit;
-using fitting::FittedBody;
-using fitting::for_first_try;
-using fitting::validate;
+using search::Candidate;
+using search::ExtractOptions;
+using search::skeleton_of;
+using search::Trail;
+using search::validate;
 using surface::prepare;
 
-/// Everything `extract_skeleton` finds out on its way: `Fit`, with the times of all stages.
+/// What `extract` finds in a mesh, and what everything else is built on. In the mesh's coordinates and indices but for
+/// `body`.
 template <typename Scalar = double>
-using Extraction = Fit<Scalar>;
+struct Extraction {
+    TriangleMesh<Scalar> mesh;   ///< as given
+    Body<Scalar> body;           ///< the closed surface that stands for it, not cut where it touches itself
+    CurveSkeleton<Scalar> curve; ///< that the skeleton was found in; empty unless `ExtractOptions::with_curve`
+    KinematicSkeleton<Scalar> skeleton;
+    SkeletonTemplate skeleton_template; ///< whose joints the skeleton has
+    Trail trail;                        ///< what was tried, in order
+    Scalar geodesic_diameter = 0;       ///< largest geodesic distance on the body, estimated, in the mesh's unit
+    StageTimings timings;               ///< of all that was tried
+};
 
-/// Finds the kinematic skeleton of one human body: any pose, orientation and unit: `prepare`, `find_curve`, `fit`.
-/// Floating pieces, holes and noise are survived; the largest piece is used, and cut where it touches itself.
-/// \throws Error usage when an option is out of its range, bad_input when `mesh` is no usable surface, no_skeleton when
+/// Thrown where no skeleton is found: `code()` is no_skeleton, `refusal()` says why.
+class NoSkeleton : public Error {
+public:
+    NoSkeleton(const Failure& failure, Trail trail)
+        : Error(ErrorCode::no_skeleton, failure.what, failure.reason), trail_(std::move(trail)) {}
+
+    /// What was tried, in order.
+    [[nodiscard]] const Trail& trail() const noexcept { return trail_; }
+
+private:
+    Trail trail_;
+};
+
+/// Finds the kinematic skeleton of one human body: any pose, orientation and unit. Surface, curve, template, joints,
+/// sides: `search::climb` tries these stages with what may be true of the mesh until a skeleton is sure enough, and the
+/// likeliest is taken. Pass `mesh` by std::move to spare a copy.
+/// \throws Error usage when an option is out of its range, bad_input when `mesh` is no usable surface; NoSkeleton when
 /// no body can be found in it.
 template <typename Scalar>
-[[nodiscard]] Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options = {});
+[[nodiscard]] Extraction<Scalar> extract(TriangleMesh<Scalar> mesh, const ExtractOptions& options = {});
 
-/// As `extract_skeleton`, which drops the surface.
+/// As `extract`, but the mesh stays the caller's: the result's is empty.
 template <typename Scalar>
-[[nodiscard]] FittedBody<Scalar> extract_body(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options = {});
+[[nodiscard]] Extraction<Scalar> extract_in(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options = {});
+
+/// `extract` by another name.
+template <typename Scalar>
+[[nodiscard]] Extraction<Scalar> extract_skeleton(TriangleMesh<Scalar> mesh, const ExtractOptions& options = {}) {
+    return extract(std::move(mesh), options);
+}
 
 /// The curve skeletons alone, of bodies or anything else: one for each connected piece of the surface that has a
 /// thousandth of the largest one's area or more, the largest first, in the input's coordinates; regions index the

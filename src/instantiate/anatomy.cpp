@@ -13,17 +13,15 @@ namespace skelgen::anatomy {
     template KinematicSkeleton<Scalar> apply_joint_offsets(KinematicSkeleton<Scalar>, const SkeletonTemplate&);        \
     template std::vector<Scalar> bone_lengths(const KinematicSkeleton<Scalar>&);                                       \
     template EqualBones<Scalar> equalise_bones(KinematicSkeleton<Scalar>, const SkeletonTemplate&);                    \
-    template Outcome<MovedInside<Scalar>> move_inside(KinematicSkeleton<Scalar>, const Body<Scalar>&,                  \
-                                                      const CurveSkeleton<Scalar>&);                                   \
+    template MovedInside<Scalar> move_inside(KinematicSkeleton<Scalar>, const Body<Scalar>&,                           \
+                                             const CurveSkeleton<Scalar>&);                                            \
     template KinematicSkeleton<Scalar> measure_radii(KinematicSkeleton<Scalar>, const Body<Scalar>&);                  \
-    template KinematicSkeleton<Scalar> no_surer_than_the_whole(KinematicSkeleton<Scalar>);                             \
-    template JudgedSkeleton<Scalar> estimate_confidence(KinematicSkeleton<Scalar>, const SkeletonTemplate&,            \
-                                                        const std::vector<Scalar>&, const std::vector<int>&);          \
-    template Outcome<JudgedSkeleton<Scalar>> complete_skeleton(KinematicSkeleton<Scalar>, const Body<Scalar>&,         \
-                                                               const CurveSkeleton<Scalar>&, const SkeletonTemplate&);
+    template std::vector<double> joint_doubts(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&,               \
+                                              const std::vector<Scalar>&);                                             \
+    template CompletedSkeleton<Scalar> complete_skeleton(KinematicSkeleton<Scalar>, const Body<Scalar>&,               \
+                                                         const CurveSkeleton<Scalar>&, const SkeletonTemplate&);
 
-SKELGEN_INSTANTIATE(float)
-SKELGEN_INSTANTIATE(double)
+SKELGEN_INSTANTIATE(SKELGEN_SCALAR)
 
 #undef SKELGEN_INSTANTIATE
 

@@ -13,8 +13,7 @@ namespace skelgen::applications {
     template Animation<Scalar> on_floor(const Rig<Scalar>&, Animation<Scalar>);                                        \
     template Outcome<Animation<Scalar>> retarget(const MotionClip&, const Rig<Scalar>&, const SkeletonTemplate&);
 
-SKELGEN_INSTANTIATE(float)
-SKELGEN_INSTANTIATE(double)
+SKELGEN_INSTANTIATE(SKELGEN_SCALAR)
 
 #undef SKELGEN_INSTANTIATE
 

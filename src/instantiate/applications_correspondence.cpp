@@ -13,8 +13,7 @@ namespace skelgen::applications {
                                        const CorrespondenceOptions&);                                                  \
     template std::vector<Landmark> landmarks(const ComparableBody<Scalar>&, const Correspondence&);
 
-SKELGEN_INSTANTIATE(float)
-SKELGEN_INSTANTIATE(double)
+SKELGEN_INSTANTIATE(SKELGEN_SCALAR)
 
 #undef SKELGEN_INSTANTIATE
 

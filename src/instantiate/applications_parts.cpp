@@ -4,6 +4,7 @@
 #include <skelgen/applications/impl/body_coordinates.hpp>
 #include <skelgen/applications/impl/measurement.hpp>
 #include <skelgen/applications/impl/mirror_plane.hpp>
+#include <skelgen/applications/impl/own_part.hpp>
 #include <skelgen/applications/impl/part_axes.hpp>
 #include <skelgen/applications/impl/part_shares.hpp>
 #include <skelgen/applications/impl/segmentation.hpp>
@@ -14,6 +15,7 @@ namespace skelgen::applications {
 
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
     template std::vector<int> standing_for(const Body<Scalar>&, const Points<Scalar>&);                                \
+    template std::vector<int> vertices_of_input(const Body<Scalar>&, const TriangleMesh<Scalar>&);                     \
     template Vector3<Scalar> joint_place(const KinematicSkeleton<Scalar>&, const std::string&);                        \
     template Vector3<Scalar> end_place(const KinematicSkeleton<Scalar>&, const std::string&, const std::string&);      \
     template Eigen::MatrixX<core::Accumulator> part_shares(const Body<Scalar>&, const std::vector<int>&, int, double); \
@@ -36,12 +38,12 @@ namespace skelgen::applications {
     template Segmentation segment(const Body<Scalar>&, const KinematicSkeleton<Scalar>&, PartSet,                      \
                                   const SegmentationOptions&);                                                         \
     template Segmentation to_input(const Segmentation&, const Body<Scalar>&, const TriangleMesh<Scalar>&);             \
+    template OwnBody<Scalar> own_body(TriangleMesh<Scalar>, Body<Scalar>);                                             \
     template double standing_height(const Body<Scalar>&, const KinematicSkeleton<Scalar>&);                            \
     template Scalar tape_length(const std::vector<Vector3<Scalar>>&, const Vector3<Scalar>&);                          \
     template Measurements measure(const Body<Scalar>&, const KinematicSkeleton<Scalar>&, const Segmentation&);
 
-SKELGEN_INSTANTIATE(float)
-SKELGEN_INSTANTIATE(double)
+SKELGEN_INSTANTIATE(SKELGEN_SCALAR)
 
 #undef SKELGEN_INSTANTIATE
 

@@ -24,8 +24,7 @@ namespace skelgen::core {
     template SurfaceGraph<Scalar> surface_graph(const TriangleMesh<Scalar>&, const Triangles&);                        \
     template Scalar geodesic_diameter(const SurfaceGraph<Scalar>&);
 
-SKELGEN_INSTANTIATE(float)
-SKELGEN_INSTANTIATE(double)
+SKELGEN_INSTANTIATE(SKELGEN_SCALAR)
 
 #undef SKELGEN_INSTANTIATE
 

@@ -77,8 +77,7 @@ namespace skelgen::curve {
     template CurveResult<Scalar> recentred(CurveResult<Scalar>, const Body<Scalar>&, int);                             \
     template CurveResult<Scalar> finished(CurveResult<Scalar>, const Body<Scalar>&);
 
-SKELGEN_INSTANTIATE(float)
-SKELGEN_INSTANTIATE(double)
+SKELGEN_INSTANTIATE(SKELGEN_SCALAR)
 
 #undef SKELGEN_INSTANTIATE
 

@@ -5,13 +5,12 @@
 namespace skelgen {
 
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
-    template Extraction<Scalar> extract_skeleton(const TriangleMesh<Scalar>&, const ExtractOptions&);                  \
-    template FittedBody<Scalar> extract_body(const TriangleMesh<Scalar>&, const ExtractOptions&);                      \
+    template Extraction<Scalar> extract_in(const TriangleMesh<Scalar>&, const ExtractOptions&);                        \
+    template Extraction<Scalar> extract(TriangleMesh<Scalar>, const ExtractOptions&);                                  \
     template std::vector<curve::CurveResult<Scalar>> find_curves(const TriangleMesh<Scalar>&, const ExtractOptions&);  \
     template CurveSkeleton<Scalar> find_curve_skeleton(const TriangleMesh<Scalar>&, const ExtractOptions&);
 
-SKELGEN_INSTANTIATE(float)
-SKELGEN_INSTANTIATE(double)
+SKELGEN_INSTANTIATE(SKELGEN_SCALAR)
 
 #undef SKELGEN_INSTANTIATE
 

@@ -121,8 +121,7 @@ namespace skelgen::refinement {
                                           const CurveSkeleton<Scalar>&, const embedding::Embedding&,                   \
                                           const SkeletonTemplate&, const RefinementOptions&);
 
-SKELGEN_INSTANTIATE(float)
-SKELGEN_INSTANTIATE(double)
+SKELGEN_INSTANTIATE(SKELGEN_SCALAR)
 
 #undef SKELGEN_INSTANTIATE
 

@@ -87,8 +87,7 @@ namespace skelgen::applications {
                                      const SkeletonTemplate&);                                                         \
     template PosedBody<Scalar> put_on(PosedBody<Scalar>, const Floor<Scalar>&);
 
-SKELGEN_INSTANTIATE(float)
-SKELGEN_INSTANTIATE(double)
+SKELGEN_INSTANTIATE(SKELGEN_SCALAR)
 
 #undef SKELGEN_INSTANTIATE
 

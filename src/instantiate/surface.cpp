@@ -99,8 +99,7 @@ namespace skelgen::surface {
     template Outcome<Body<Scalar>> make_body_by(Remedy, BodyMaterial<Scalar>, const PrepareOptions&);                  \
     template Body<Scalar> prepare(const TriangleMesh<Scalar>&, const PrepareOptions&);
 
-SKELGEN_INSTANTIATE(float)
-SKELGEN_INSTANTIATE(double)
+SKELGEN_INSTANTIATE(SKELGEN_SCALAR)
 
 #undef SKELGEN_INSTANTIATE
 

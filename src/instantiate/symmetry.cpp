@@ -13,8 +13,7 @@ namespace skelgen::symmetry {
     template KinematicSkeleton<Scalar> assemble(const refinement::RefinedJoints<Scalar>&, const SkeletonTemplate&,     \
                                                 const SidesDecision<Scalar>&);
 
-SKELGEN_INSTANTIATE(float)
-SKELGEN_INSTANTIATE(double)
+SKELGEN_INSTANTIATE(SKELGEN_SCALAR)
 
 #undef SKELGEN_INSTANTIATE
 

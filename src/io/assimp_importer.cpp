@@ -205,6 +205,7 @@ PolygonMesh import_here(std::string_view bytes, MeshFormat format, const ReadMes
 } // namespace
 
 PolygonMesh import_scene(std::string_view bytes, MeshFormat format, const ReadMeshOptions& options) {
+    if (!options.isolated) return import_here(bytes, format, options);
     constexpr std::size_t least = std::size_t{1} << 30U, per_byte = 64;
     const ProcessLimits limits{60, std::max(least, per_byte * bytes.size())};
     return polygons_from_bytes(

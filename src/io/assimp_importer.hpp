@@ -18,7 +18,7 @@ namespace skelgen::io::detail {
 /// Corners of a mesh at exactly the same position are one vertex. Morph targets are not applied: assimp does not say by
 /// how much.
 ///
-/// The library runs in a process of its own, of limited time and memory: some files crash it.
+/// Some files crash the library: where `options.isolated`, it runs in a process of its own, of limited time and memory.
 /// \throws Error bad_input when it cannot read the file, or this build lacks it, which the message then says; usage for
 ///         an animation that is not there.
 [[nodiscard]] PolygonMesh import_scene(std::string_view bytes, MeshFormat format, const ReadMeshOptions& options);

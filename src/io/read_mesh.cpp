@@ -75,7 +75,7 @@ TriangleMesh<Scalar> parse_mesh(std::string_view content, const ReadMeshOptions&
 
 template <typename Scalar>
 TriangleMesh<Scalar> parse_mesh(std::string_view content, std::optional<MeshFormat> format) {
-    return parse_mesh<Scalar>(content, ReadMeshOptions{format, "", 0});
+    return parse_mesh<Scalar>(content, ReadMeshOptions{format, "", 0, false});
 }
 
 template <typename Scalar>

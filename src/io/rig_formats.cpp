@@ -1,5 +1,6 @@
 #include <skelgen/io/rig_formats.hpp>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -54,7 +55,9 @@ MotionClip clip_of(const Rig<double>& rig, const std::vector<std::string>& names
             out.channels = {x_position, y_position, z_position, z_rotation, x_rotation, y_rotation};
         else
             out.offset = scale * (joint.position - rig.joints[static_cast<std::size_t>(joint.parent)].position);
-        if (ends_limb(joint.role)) out.end = scale * (joint.end - joint.position);
+        const bool is_last = std::none_of(rig.joints.begin(), rig.joints.end(),
+                                          [&](const auto& other) { return other.parent == static_cast<int>(j); });
+        if (is_last && ends_limb(joint.role)) out.end = scale * (joint.end - joint.position);
         clip.joints.push_back(std::move(out));
     }
     clip.frames.setZero(1, static_cast<Eigen::Index>(3 + 3 * rig.joints.size()));

@@ -1,5 +1,6 @@
 #include <skelgen/io/skeleton_json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -55,8 +56,18 @@ std::string mesh_text(const SourceMesh& mesh) {
            ", \"faces\": " + number(mesh.faces) + ", \"geodesic_diameter\": " + number(mesh.geodesic_diameter) + "}";
 }
 
+/// What follows in a digit's line where others are one with it.
+std::string fused_text(const std::string& joint, const SkeletonProvenance& provenance) {
+    const auto found = std::find_if(provenance.fused.begin(), provenance.fused.end(),
+                                    [&](const auto& each) { return each.first == joint; });
+    if (found == provenance.fused.end()) return "";
+    std::string names;
+    for (const std::string& name : found->second) names += (names.empty() ? "" : ", ") + to_json_text(name);
+    return ", \"fused\": [" + names + "]";
+}
+
 template <typename Scalar>
-std::string joints_text(const std::vector<Joint<Scalar>>& joints) {
+std::string joints_text(const std::vector<Joint<Scalar>>& joints, const SkeletonProvenance& provenance) {
     std::vector<std::string> lines;
     for (const auto& joint : joints) {
         const bool is_root = joint.parent < 0;
@@ -68,7 +79,7 @@ std::string joints_text(const std::vector<Joint<Scalar>>& joints) {
             continue;
         }
         lines.push_back(named + ", \"position\": " + triple(joint.position) + ", \"radius\": " + number(joint.radius) +
-                        ", \"confidence\": " + number(joint.confidence) + "}");
+                        ", \"confidence\": " + number(joint.confidence) + fused_text(joint.name, provenance) + "}");
     }
     return block("[", lines, "]");
 }
@@ -180,6 +191,19 @@ void read_joints(const Json& list, KinematicSkeleton<double>& skeleton) {
     }
 }
 
+/// The digits that are one with others, per first joint.
+std::vector<std::pair<std::string, std::vector<std::string>>> to_fused(const Json& joints) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> out;
+    for (const Json& item : joints) {
+        if (!item.contains("fused")) continue;
+        const std::string where = "\"fused\" of joint " + item["name"].dump();
+        if (!item["fused"].is_array()) refuse(where + " is no list");
+        auto& [joint, names] = out.emplace_back(item["name"].get<std::string>(), std::vector<std::string>{});
+        for (const Json& name : item["fused"]) names.push_back(to_text(name, "a name in " + where));
+    }
+    return out;
+}
+
 BodyFrame<double> to_frame(const Json& value) {
     const auto axis = [&](const char* key) {
         return to_vector(member(value, key, "\"frame\""), "\"" + std::string(key) + "\" in \"frame\"");
@@ -237,7 +261,7 @@ std::string skeleton_to_json(const KinematicSkeleton<Scalar>& skeleton, const Sk
     text += "  \"generator\": {\"name\": \"skelgen\", \"version\": " + to_json_text(std::string(version)) + "},\n";
     if (provenance.mesh) text += "  \"mesh\": " + mesh_text(*provenance.mesh) + ",\n";
     text += "  \"template\": " + to_json_text(skeleton.template_name) + ",\n";
-    text += "  \"joints\": " + joints_text(skeleton.joints) + ",\n";
+    text += "  \"joints\": " + joints_text(skeleton.joints, provenance) + ",\n";
     text += "  \"end_points\": " + end_points_text(skeleton.end_points) + ",\n";
     text += "  \"frame\": " + frame_text(skeleton.frame) + ",\n";
     text += "  \"quality\": " + quality_text(skeleton.quality);
@@ -264,6 +288,7 @@ SkeletonDocument parse_skeleton_document(std::string_view json) {
     document.skeleton.frame = to_frame(member(file, "frame", "the file"));
     document.skeleton.quality = to_quality(member(file, "quality", "the file"));
     if (file.contains("mesh")) document.provenance.mesh = to_source_mesh(file["mesh"]);
+    document.provenance.fused = to_fused(file["joints"]);
     if (file.contains("timings_ms")) document.provenance.timings_ms = to_timings(file["timings_ms"]);
     return document;
 }

@@ -40,12 +40,12 @@ TEMPLATE_TEST_CASE("laplace basis: the harmonics of a sphere", "[applications]",
 
 TEST_CASE("correspondence: a body turned and shuffled corresponds to itself", "[applications]") {
     const auto& [mesh, a, skeleton, body] = sample_body();
-    const FittedBody<double> b = extract_body(moved(mesh, {random_rotation(4), 10, Vector3<double>(1, 2, 3)}));
+    const Extraction<double> b = extract(moved(mesh, {random_rotation(4), 10, Vector3<double>(1, 2, 3)}));
     CorrespondenceOptions few;
     few.first_functions = 40;
     few.functions = 60;
     const ComparableBody<double> from = comparable(body, skeleton, few);
-    const ComparableBody<double> to = comparable(b.body, b.extraction.skeleton, few);
+    const ComparableBody<double> to = comparable(b.body, b.skeleton, few);
     const Correspondence found = correspond(from, to, few);
     REQUIRE(found.map.size() == static_cast<std::size_t>(body.mesh.vertices.rows()));
     REQUIRE(found.confidence.size() == found.map.size());
@@ -96,9 +96,9 @@ TEST_CASE("correspondence: a body corresponds to itself in another pose", "[appl
     const Orientations<double> whole(rest.joints.size(), Eigen::Quaterniond(random_rotation(8)));
     const auto turned = applications::moved(rest, human, motions<double>(rest, upright, whole, {1, 2, 3}));
     const TriangleMesh<double> posed = pose_like(mesh, body, skeleton, turned, human).mesh;
-    const FittedBody<double> b = extract_body(posed);
+    const Extraction<double> b = extract(posed);
     const ComparableBody<double> from = comparable(body, skeleton);
-    const ComparableBody<double> to = comparable(b.body, b.extraction.skeleton);
+    const ComparableBody<double> to = comparable(b.body, b.skeleton);
     const Correspondence found = correspond(from, to);
 
     const std::vector<int> own = first_standing(b.body, standing_for(b.body, posed.vertices));

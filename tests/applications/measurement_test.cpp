@@ -20,8 +20,8 @@ using namespace skelgen::test;
 namespace {
 
 Measurements measured(const TriangleMesh<double>& mesh) {
-    const FittedBody<double> found = extract_body(mesh);
-    const KinematicSkeleton<double>& skeleton = found.extraction.skeleton;
+    const Extraction<double> found = extract(mesh);
+    const KinematicSkeleton<double>& skeleton = found.skeleton;
     return measure(found.body, skeleton, segment(found.body, skeleton));
 }
 
@@ -112,8 +112,8 @@ TEST_CASE("measurement: in the input's unit, however the body is turned", "[appl
 }
 
 TEST_CASE("measurement: parts must be the body's own, of its bones", "[applications]") {
-    const FittedBody<double> found = extract_body(sample_mesh());
-    const KinematicSkeleton<double>& skeleton = found.extraction.skeleton;
+    const Extraction<double> found = extract(sample_mesh());
+    const KinematicSkeleton<double>& skeleton = found.skeleton;
     CHECK_THROWS_AS(measure(found.body, skeleton, segment(found.body, skeleton, PartSet::body)), Error);
     CHECK_THROWS_AS(measure(found.body, skeleton, Segmentation()), Error);
 }

@@ -177,7 +177,7 @@ TEST_CASE("pieces and seams are bound like what they lie on", "[applications][ri
     TriangleMesh<double> button = test::sphere(0.01, 1);
     button.vertices.rowwise() += (middle.position + 1.05 * middle.radius * frame.forward).transpose();
     const TriangleMesh<double> pieces = test::side_by_side(soup, button);
-    const Skin<double> skin = bind(pieces, extract_body(pieces).body, sample.skeleton, human());
+    const Skin<double> skin = bind(pieces, extract(pieces).body, sample.skeleton, human());
     REQUIRE(skin.weights.rows() == soup.vertices.rows() + button.vertices.rows());
     for (int i = 0; i < static_cast<int>(sample.mesh.faces.size());
          ++i) { // a soup is put right at places rounded to 6e-8
@@ -281,7 +281,7 @@ TEST_CASE("cloth of finer edges than the body's stretches no more than that", "[
     const Eigen::Vector3d along = (joint("left_ankle").position - joint("left_hip").position).normalized();
     const TriangleMesh<double> dressed = test::side_by_side(
         sample.mesh, tube_around(joint("left_knee").position, along, 1.1 * joint("left_knee").radius));
-    const Rig<double> rig = make_rig(dressed, extract_body(dressed).body, sample.skeleton, human(), RestPose::t_pose);
+    const Rig<double> rig = make_rig(dressed, extract(dressed).body, sample.skeleton, human(), RestPose::t_pose);
     const auto knee = static_cast<std::size_t>(find_joint(sample.skeleton, "left_knee"));
     const RigJoint<double>& bends = rig.joints[knee];
     RigidMotion<double> bend;

@@ -11,8 +11,8 @@ inline TriangleMesh<double> sample_mesh() { return read_mesh<double>(SKELGEN_DAT
 /// The sample body, and what is found in it.
 struct SampleBody {
     TriangleMesh<double> mesh = sample_mesh();
-    FittedBody<double> found = extract_body(mesh);
-    const KinematicSkeleton<double>& skeleton = found.extraction.skeleton;
+    Extraction<double> found = extract(mesh);
+    const KinematicSkeleton<double>& skeleton = found.skeleton;
     const Body<double>& body = found.body;
 };
 

@@ -36,9 +36,8 @@ struct Parted {
 };
 
 Parted parted(const TriangleMesh<double>& mesh, PartSet set) {
-    const FittedBody<double> found = extract_body(mesh);
-    return {mesh, found.extraction.skeleton,
-            to_input(segment(found.body, found.extraction.skeleton, set), found.body, mesh)};
+    const Extraction<double> found = extract(mesh);
+    return {mesh, found.skeleton, to_input(segment(found.body, found.skeleton, set), found.body, mesh)};
 }
 
 /// How many pieces the vertices of one part are in, joined by edges.
@@ -119,8 +118,8 @@ TEST_CASE("segmentation: what the body left out belongs to the part that it is n
 }
 
 TEST_CASE("segmentation: bad options, skeletons and meshes", "[applications]") {
-    const FittedBody<double> found = extract_body(sample_mesh());
-    const KinematicSkeleton<double>& skeleton = found.extraction.skeleton;
+    const Extraction<double> found = extract(sample_mesh());
+    const KinematicSkeleton<double>& skeleton = found.skeleton;
     for (const double bad : {0.0, 1.0, std::numeric_limits<double>::quiet_NaN()}) {
         SegmentationOptions options;
         options.smoothing = bad;

@@ -157,6 +157,15 @@ TEST_CASE("correspond: a vertex of the one body for each of the other", "[cli][c
     CHECK(files_below(folder / "coloured") == std::vector<std::string>{"from.ply", "to.ply"});
     CHECK(read_mesh(folder / "coloured/from.ply").vertices == mesh.vertices);
 
+    write_mesh(folder / "c.ply", mesh);
+    REQUIRE(
+        run_cli(folder.path(), {"correspond", "a.off", "b.ply", "c.ply", "-o", "maps", "--ply", "many", "--confidence"})
+            .status == 0);
+    CHECK(files_below(folder / "maps") == std::vector<std::string>{"b.json", "c.json"});
+    CHECK(test::read_file(folder / "maps/b.json") == text);
+    CHECK(test::read_file(folder / "many/b/to.ply") == test::read_file(folder / "coloured/to.ply"));
+    CHECK(run_cli(folder.path(), {"correspond", "a.off", "b.ply", "c.ply", "-o", "maps.json"}).status == 2);
+
     test::write_file(folder / "sphere.off", sphere_off());
     CHECK(run_cli(folder.path(), {"correspond", "a.off", "sphere.off", "-o", "x.json"}).status == 4);
     CHECK(run_cli(folder.path(), {"correspond", "a.off", "missing.off", "-o", "x.json"}).status == 3);

@@ -1,6 +1,8 @@
 #include <cmath>
 #include <string>
 
+#include <sys/resource.h>
+
 #include <skelgen/core/error.hpp>
 #include <skelgen/io/read_mesh.hpp>
 
@@ -150,10 +152,28 @@ TEST_CASE("FBX: a mesh moved by its node", "[codecs][fbx]") {
                       .norm() < 1e-6);
 }
 
+TEST_CASE("FBX and DAE: no process is started but where the caller asks for one, and both ways read the same",
+          "[codecs][fbx][dae]") {
+    const auto faults_of_children = [] { // none, until one has ended
+        ::rusage usage{};
+        ::getrusage(RUSAGE_CHILDREN, &usage);
+        return usage.ru_minflt;
+    };
+    for (const std::string& file : {collada(R"(<node><instance_geometry url="#g"/></node>)"), fbx()}) {
+        const long before = faults_of_children();
+        const TriangleMesh<double> here = parse_mesh(file);
+        CHECK(faults_of_children() == before);
+        const TriangleMesh<double> apart = parse_mesh(file, {.isolated = true});
+        CHECK(faults_of_children() > before);
+        CHECK(here.vertices == apart.vertices);
+        CHECK(here.faces == apart.faces);
+    }
+}
+
 TEST_CASE("FBX and DAE: damaged files are refused, whatever the library makes of them", "[codecs][fbx][dae]") {
     const auto survives = [](const std::string& bytes) {
         try {
-            static_cast<void>(parse_mesh(bytes));
+            static_cast<void>(parse_mesh(bytes, {.isolated = true}));
         } catch (const Error& error) {
             CHECK(error.code() == ErrorCode::bad_input);
             CHECK(std::string(error.what()).size() > 10);

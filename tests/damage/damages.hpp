@@ -19,6 +19,14 @@ duplicates(const Subject& subject); ///< 5 % of the vertices are two, 10 % of th
 [[nodiscard]] Mesh degenerate(const Subject& subject); ///< faces without area: points, segments, needles
 [[nodiscard]] Mesh fins(const Subject& subject);       ///< triangles that stick out of 2 % of the edges
 
+// nonsense.cpp
+// What is no surface any more, or none that can be reckoned with.
+[[nodiscard]] Mesh random_faces(const Subject& subject); ///< as many faces, each between three random vertices
+[[nodiscard]] Mesh scrambled(const Subject& subject);    ///< the same faces, the vertices in random order
+[[nodiscard]] Mesh fan(const Subject& subject);          ///< the first corner of every face is the same vertex
+[[nodiscard]] Mesh tiny(const Subject& subject);         ///< scaled by 1e-160: squares of lengths vanish
+[[nodiscard]] Mesh huge(const Subject& subject);         ///< scaled by 1e150: volumes are no numbers
+
 // losses.cpp
 [[nodiscard]] Mesh faces_gone(const Subject& subject); ///< 5 % of the faces, anywhere
 [[nodiscard]] Mesh holes(const Subject& subject);      ///< five, of 1 % of the area each

@@ -57,7 +57,12 @@ const std::vector<Kind>& kinds() {
         {"faces-500", "decimated to 500 faces", ".off", false, faces_500},
         {"faces-400000", "subdivided to 400 thousand faces", ".ply", false, faces_400000},
         {"mirrored", "mirrored", ".off", false, mirrored, true, true},
-        {"two-bodies", "two bodies apart", ".off", false, two_bodies, false}};
+        {"two-bodies", "two bodies apart", ".off", false, two_bodies, false},
+        {"random-faces", "faces between random vertices", ".off", false, random_faces, true, false, {}, false},
+        {"scrambled", "the vertices in random order", ".off", false, scrambled, true, false, {}, false},
+        {"fan", "the first corner of every face is the same vertex", ".off", false, fan, true, false, {}, false},
+        {"tiny", "scaled by 1e-160", ".off", false, tiny, true, false, {}, false},
+        {"huge", "scaled by 1e150", ".off", false, huge, true, false, {}, false}};
     return all;
 }
 

@@ -30,6 +30,7 @@ struct Kind {
     bool is_one_body = true; ///< otherwise the right answer is a refusal that says how many there are
     bool is_mirrored = false;
     std::vector<std::string> missing = {}; ///< joints that the body no longer has: the right answer says so
+    bool is_surface = true;                ///< otherwise the right answer is to refuse it as bad input
 };
 
 /// All kinds, in the order of the tables.

@@ -5,7 +5,9 @@
 
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/extract.hpp>
 #include <skelgen/io/read_mesh.hpp>
+#include <skelgen/surface/prepare.hpp>
 
 #include "catch.hpp"
 #include "mesh_changes.hpp"
@@ -61,7 +63,8 @@ TEST_CASE("every damage gives another mesh, the same each time, and names only v
     for (const damage::Kind& kind : damage::kinds()) {
         CAPTURE(kind.name);
         const Mesh once = damage::damaged(kind, sample()), again = damage::damaged(kind, sample());
-        CHECK(volume(once) == Approx(volume(again)));
+        if (kind.name != std::string("huge"))
+            CHECK(volume(once) == Approx(volume(again))); // whose cubes are no numbers
         CHECK(once.faces.rows() == again.faces.rows());
         if (kind.name !=
             std::string("plate-grown")) { // whose new vertices CGAL numbers by where its boxes are in memory
@@ -232,6 +235,36 @@ TEST_CASE("a mirrored body's left is where its right was") {
     CHECK(after.markers.at("left_hand") == Vector3<double>(-right.x(), right.y(), right.z()));
     CHECK(after.joints.size() == before.joints.size());
     CHECK(damage::truth_after(damage::named_kind("fins"), before).markers == before.markers);
+}
+
+TEST_CASE("what is no surface any more is refused as such, whatever is to be found in it") {
+    int refused = 0;
+    for (const damage::Kind& kind : damage::kinds()) {
+        if (kind.is_surface) continue;
+        CAPTURE(kind.name);
+        ++refused;
+        const Mesh mesh = damage::damaged(kind, sample());
+        const char* why = kind.name == "tiny"   ? "too small"
+                          : kind.name == "huge" ? "too large"
+                                                : "vertices that are far apart";
+        CHECK_THROWS_WITH(extract_skeleton(mesh), Catch::Contains(why));
+        CHECK_THROWS_WITH(find_curves(mesh), Catch::Contains(why));
+        CHECK_THROWS_WITH(find_curve_skeleton(mesh), Catch::Contains(why));
+    }
+    CHECK(refused == 5);
+}
+
+TEST_CASE("a body of which some faces are between random vertices is a surface all the same") {
+    damage::Subject subject = sample();
+    const Mesh random = damaged("random-faces");
+    for (Eigen::Index f = 0; f < subject.mesh.faces.rows(); f += 100) subject.mesh.faces.row(f) = random.faces.row(f);
+    CHECK_NOTHROW(surface::require_surface(subject.mesh));
+    CHECK_NOTHROW(surface::require_surface(sample().mesh));
+    for (const double scale : {1e-30, 1e30}) {
+        Mesh scaled = sample().mesh;
+        scaled.vertices *= scale;
+        CHECK_NOTHROW(surface::require_surface(scaled));
+    }
 }
 
 TEST_CASE("damages that cannot be made are refused with the reason") {

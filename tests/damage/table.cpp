@@ -94,6 +94,16 @@ void add_bodies(Sum& sum, const std::string& name, const fs::path& skeleton, con
     sum.row.failed.push_back(name + ": " + (line.status == "ok" ? "one skeleton" : line.error));
 }
 
+void add_no_surface(Sum& sum, const std::string& name, const fs::path& skeleton, const Line& line) {
+    if (line.status == "bad_input") {
+        ++sum.row.solved;
+        return;
+    }
+    const bool is_sure = line.status == "ok" && confidence(skeleton) > sure;
+    sum.row.wrong_sure += is_sure ? 1 : 0;
+    sum.row.failed.push_back(name + ": " + (line.status == "ok" ? "a skeleton" : line.error));
+}
+
 Row finished(Sum sum) {
     if (sum.joints > 0) sum.row.mean_error = sum.errors / static_cast<double>(sum.joints);
     return std::move(sum.row);
@@ -109,7 +119,9 @@ Row score_kind(const Kind& kind, const fs::path& truth, const fs::path& skeleton
         const fs::path skeleton = (skeletons / file).replace_extension(".json");
         ++sum.row.meshes;
         if (line.seconds >= sum.row.worst_seconds) sum.row.worst_seconds = line.seconds, sum.row.slowest = file;
-        if (kind.is_one_body)
+        if (!kind.is_surface)
+            add_no_surface(sum, file, skeleton, line);
+        else if (kind.is_one_body)
             add_body(sum, file, truth_after(kind, naming(truth / name, io::read_ground_truth)), skeleton, line);
         else
             add_bodies(sum, file, skeleton, line);

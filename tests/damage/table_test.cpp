@@ -52,10 +52,12 @@ TEST_CASE("the table says how many are solved, how well, how slowly, and which a
                                   line("mirrored/set/a.off", "ok", "", 1) +
                                   line("holes/set/a.off", "timeout", "took longer than 60 s", 60) +
                                   line("two-bodies/set/a.off", "no_skeleton", "there are 2 bodies", 1) +
-                                  line("two-bodies/set/b.off", "no_skeleton", "it has 2 ends", 1));
+                                  line("two-bodies/set/b.off", "no_skeleton", "it has 2 ends", 1) +
+                                  line("fan/set/a.off", "bad_input", "no surface", 0) +
+                                  line("fan/set/b.off", "timeout", "took longer than 60 s", 60));
 
     const std::vector<damage::Row> rows = damage::score(truth, out);
-    REQUIRE(rows.size() == 5);
+    REQUIRE(rows.size() == 6);
     CHECK(rows.front().kind == "clean");
     CHECK(rows.front().solved == 1);
     CHECK(rows.front().mean_error == Approx(0.01));
@@ -69,6 +71,8 @@ TEST_CASE("the table says how many are solved, how well, how slowly, and which a
     CHECK(row(rows, "mirrored").wrong_sure == 0);
     CHECK(row(rows, "holes").failed == std::vector<std::string>{"holes/set/a.off: took longer than 60 s"});
     CHECK(row(rows, "two-bodies").solved == 1);
+    CHECK(row(rows, "fan").solved == 1);
+    CHECK(row(rows, "fan").failed == std::vector<std::string>{"fan/set/b.off: took longer than 60 s"});
 
     const std::string table = damage::to_table(rows);
     CHECK(table.find("\nfins                2       1      0.0200      2.00            1      2.00 s") !=

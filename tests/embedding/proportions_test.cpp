@@ -85,6 +85,14 @@ Embedding embedded_in(const CurveSkeleton<Scalar>& curve, const SkeletonTemplate
     return *found;
 }
 
+/// The template as it fits a curve that it can be laid into.
+template <typename Scalar>
+FittingTemplate fitting_in(const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template) {
+    const Outcome<FittingTemplate> found = fitting_proportions(curve, skeleton_template);
+    REQUIRE(found);
+    return *found;
+}
+
 /// The curve with all of a leg below its hip turned by `degrees` forwards.
 CurveSkeleton<double> with_raised_leg(CurveSkeleton<double> curve, Side side, double degrees) {
     const SkeletonTemplate& human = builtin_template("human21");
@@ -142,7 +150,7 @@ TEST_CASE("a figure that stands gets its own proportions, one on four feet does 
     const SkeletonTemplate& human = builtin_template("human21");
     constexpr Proportions long_arms{0.7, 1.15, 0.3, 1}; // between none of the built-in ones
     const CurveSkeleton<double> standing = curve_of(with_proportions(human, long_arms));
-    const FittingTemplate fitting = fitting_proportions(standing, human);
+    const FittingTemplate fitting = fitting_in(standing, human);
     REQUIRE(fitting.is_odd);
     CHECK(fitting.skeleton_template.is_adapted);
     CHECK_FALSE(fitting.fits_badly);
@@ -152,13 +160,13 @@ TEST_CASE("a figure that stands gets its own proportions, one on four feet does 
           Approx(long_arms.arms * bone(human, "left_elbow")).epsilon(0.05));
 
     const auto crawling = with_raised_leg(with_raised_leg(standing, Side::left, 85), Side::right, 85);
-    CHECK_FALSE(fitting_proportions(crawling, human).is_odd);
-    CHECK(fitting_proportions(crawling, human).fits_badly);
+    CHECK_FALSE(fitting_in(crawling, human).is_odd);
+    CHECK(fitting_in(crawling, human).fits_badly);
 }
 
 TEMPLATE_TEST_CASE("an adult's curve keeps the adult's template", "", float, double) {
     const SkeletonTemplate& human = builtin_template("human21");
-    const FittingTemplate fitting = fitting_proportions(curve_of<TestType>(human), human);
+    const FittingTemplate fitting = fitting_in(curve_of<TestType>(human), human);
     CHECK_FALSE(fitting.is_odd);
     CHECK_FALSE(fitting.fits_badly);
     CHECK(bone(fitting.skeleton_template, "left_knee") == bone(human, "left_knee"));
@@ -167,7 +175,7 @@ TEMPLATE_TEST_CASE("an adult's curve keeps the adult's template", "", float, dou
 
 TEMPLATE_TEST_CASE("a figure's curve gets a figure's template", "", float, double) {
     const SkeletonTemplate& human = builtin_template("human21");
-    const FittingTemplate fitting = fitting_proportions(curve_of<TestType>(with_proportions(human, figure)), human);
+    const FittingTemplate fitting = fitting_in(curve_of<TestType>(with_proportions(human, figure)), human);
     CHECK(fitting.is_odd);
     CHECK_FALSE(fitting.fits_badly);
     CHECK(bone(fitting.skeleton_template, "left_knee") == Approx(figure.legs * bone(human, "left_knee")));
@@ -180,7 +188,7 @@ TEST_CASE("what no proportions explain is said to fit badly, and keeps the given
         const int j = joint_named(human, joint), parent = human.joint(j).parent;
         lopsided.nodes.row(j) = lopsided.nodes.row(parent); // one arm and the other leg end early
     }
-    const FittingTemplate fitting = fitting_proportions(lopsided, human);
+    const FittingTemplate fitting = fitting_in(lopsided, human);
     CHECK(fitting.fits_badly);
     CHECK_FALSE(fitting.is_odd);
     CHECK(bone(fitting.skeleton_template, "left_knee") == bone(human, "left_knee"));
@@ -189,7 +197,7 @@ TEST_CASE("what no proportions explain is said to fit badly, and keeps the given
 TEST_CASE("a template that lacks a limb stays as it is") {
     const SkeletonTemplate& human = builtin_template("human21");
     const SkeletonTemplate armless = without_limb(human, joint_named(human, "left_elbow"));
-    const FittingTemplate fitting = fitting_proportions(curve_of(with_proportions(human, figure)), armless);
+    const FittingTemplate fitting = fitting_in(curve_of(with_proportions(human, figure)), armless);
     CHECK_FALSE(fitting.is_odd);
     CHECK_FALSE(fitting.fits_badly);
     CHECK(bone(fitting.skeleton_template, "left_knee") == bone(human, "left_knee"));

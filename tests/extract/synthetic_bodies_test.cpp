@@ -223,7 +223,6 @@ TEST_CASE("noise of half an edge's length does little harm, because it is smooth
     CHECK(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
         return std::regex_match(warning, std::regex("noise smoothed away: (0\\.[5-9]|1\\.[0-9]) % of the size"));
     }));
-    CHECK(out.skeleton.quality.sides_confidence < expected.skeleton.quality.sides_confidence);
     ExtractOptions as_it_is;
     as_it_is.prepare.denoise.most_passes = 0;
     // Left as it is, it loses joints, or all of them.
@@ -260,9 +259,11 @@ TEST_CASE("a body whose limbs have grown together is cut where they touch") {
             CHECK((out.skeleton.joints[j].position - body.truth.joints[j].second).norm() <
                   0.04 * out.geodesic_diameter);
         }
-        CHECK(out.skeleton.quality.sides_confidence <= 0.8);
-        REQUIRE_FALSE(out.skeleton.quality.warnings.empty());
-        CHECK(out.skeleton.quality.warnings.front().find("touches itself") != std::string::npos);
+        const std::vector<std::string>& warnings = out.skeleton.quality.warnings;
+        CHECK(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+            return warning.find("touches itself") != std::string::npos &&
+                   warning.find("it was cut there") != std::string::npos;
+        }));
     }
 }
 

@@ -1,11 +1,13 @@
 #include <skelgen/extract.hpp>
 
 #include <string>
+#include <thread>
 
 #include <skelgen/core/parallel.hpp>
 #include <skelgen/io/read_mesh.hpp>
 
 #include "catch.hpp"
+#include "mesh_changes.hpp"
 #include "shapes.hpp"
 
 using namespace skelgen;
@@ -40,6 +42,20 @@ TEST_CASE("a skeleton is the same by however many threads", "[extract][slow]") {
         options.threads = threads;
         check_same(alone, extract_skeleton(body, options));
     }
+}
+
+TEST_CASE("bodies looked at at once have the skeletons that they have alone", "[extract][slow]") {
+    const Mesh body = read_mesh<double>(SKELGEN_DATA "/sample/body.off");
+    const Mesh other = moved(body, {random_rotation(3), 2, Vec3(1, 2, 3)});
+    const Extraction<double> alone = extract_skeleton(body), other_alone = extract_skeleton(other);
+    ExtractOptions options;
+    options.threads = 2;
+    Extraction<double> found, other_found;
+    std::thread beside([&] { other_found = extract_skeleton(other, options); });
+    found = extract_skeleton(body, options);
+    beside.join();
+    check_same(alone, found);
+    check_same(other_alone, other_found);
 }
 
 TEST_CASE("a number of threads that is none is refused", "[extract]") {

@@ -129,6 +129,20 @@ TEST_CASE("a joint that is missing has no position, in the file and read again")
     CHECK(skeleton_to_json(read) == text);
 }
 
+TEST_CASE("digits that are one say so, in the file and read again") {
+    SkeletonProvenance provenance = small_provenance();
+    provenance.fused = {{"waist", {"middle", "ring"}}};
+    const std::string text = skeleton_to_json(small_skeleton<double>(), provenance);
+    CHECK(is_valid(text));
+    CHECK(Json::parse(text)["joints"][1]["fused"] == Json{"middle", "ring"});
+    CHECK_FALSE(Json::parse(text)["joints"][0].contains("fused"));
+    CHECK(parse_skeleton_document(text).provenance.fused == provenance.fused);
+    Json broken = Json::parse(text);
+    broken["joints"][1]["fused"] = "middle";
+    CHECK_FALSE(is_valid(broken.dump()));
+    CHECK(refusal(broken.dump()).find("\"fused\" of joint \"waist\" is no list") != std::string::npos);
+}
+
 TEST_CASE("a skeleton without a mesh leaves mesh and timings out") {
     const std::string text = skeleton_to_json(small_skeleton<double>());
     CHECK(text.find("\"mesh\"") == std::string::npos);

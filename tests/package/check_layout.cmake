@@ -4,7 +4,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 # The order of the stages: each includes itself and those before it.
-set(stages core surface curve embedding refinement symmetry anatomy fitting applications)
+set(stages core surface curve embedding refinement symmetry anatomy hands search applications)
 # Of the core's lines of code, the part in per cent that has to be in headers.
 set(least_in_headers 90)
 
@@ -95,6 +95,35 @@ foreach(file IN LISTS all_files)
   endif()
 endforeach()
 
+# ----------------------------------------------------------------------------------------------------- public is small
+
+include("${SOURCE_DIR}/cmake/Sources.cmake")
+set(most_public 40)
+set(split "")
+foreach(part IN ITEMS core io render evaluation synth)
+  list(APPEND split ${skelgen_${part}_headers_public})
+endforeach()
+set(public "${skelgen_public_headers}")
+list(SORT public)
+list(SORT split)
+list(LENGTH public count)
+if(NOT public STREQUAL split)
+  fault("cmake/Sources.cmake: the public headers are not, each once, among those of the parts")
+endif()
+if(count EQUAL 0 OR count GREATER most_public)
+  fault("${count} headers are public: it has to be ${most_public} at most")
+endif()
+# What users are shown; README quotes the examples.
+files_of(shown "examples/*.cpp" "tests/package/consumers/*.cpp")
+foreach(file IN LISTS shown)
+  includes_of("${file}" headers)
+  foreach(header IN LISTS headers)
+    if(header MATCHES "^skelgen/" AND NOT "include/${header}" IN_LIST public)
+      fault("${file} includes <${header}>, which is a detail")
+    endif()
+  endforeach()
+endforeach()
+
 # -------------------------------------------------------------------------------------- x.hpp declares, impl/x.hpp defines
 
 list(TRANSFORM stages REPLACE "(.+)" "include/skelgen/\\1/*.hpp" OUTPUT_VARIABLE patterns)
@@ -173,7 +202,7 @@ foreach(file IN LISTS instantiations)
         endif()
       endforeach()
     elseif(NOT line MATCHES
-           "^(#include <[^>]+>|#undef SKELGEN_INSTANTIATE[A-Z_]*|SKELGEN_INSTANTIATE[A-Z_]*\\((float|double)\\)@?|namespace [a-z_:]+ {|}|)$"
+           "^(#include <[^>]+>|#undef SKELGEN_INSTANTIATE[A-Z_]*|SKELGEN_INSTANTIATE[A-Z_]*\\(SKELGEN_SCALAR\\)@?|namespace [a-z_:]+ {|}|)$"
     )
       fault("${file} holds more than includes, the instantiation macro and comments: ${line}")
     endif()

@@ -35,9 +35,9 @@ RegisteredBody body_of(std::string name, const TriangleMesh<double>& mesh, unsig
     RegisteredBody out;
     out.name = std::move(name);
     out.mesh = test::moved(mesh, motion_of(seed));
-    const FittedBody<double> found = extract_body(out.mesh);
-    out.skeleton = found.extraction.skeleton;
-    out.geodesic_diameter = found.extraction.geodesic_diameter;
+    const Extraction<double> found = extract(out.mesh);
+    out.skeleton = found.skeleton;
+    out.geodesic_diameter = found.geodesic_diameter;
     const applications::Segmentation bones = applications::segment(found.body, out.skeleton);
     out.measures = applications::measure(found.body, out.skeleton, bones);
     out.bones = applications::to_input(bones, found.body, out.mesh);

@@ -82,9 +82,9 @@ std::vector<applications::RigidMotion<double>> inverse(std::vector<applications:
 /// Fills in what is seen of the un-posed body once its skeleton has been found again.
 void look_at_unposed(Row& row, const TriangleMesh<double>& rest, const TriangleMesh<double>& mesh,
                      const Extraction<double>& was, const SkeletonTemplate& human) try {
-    const FittedBody<double> again = extract_body(rest);
-    row.arms = slope_of_arms(again.extraction.skeleton);
-    const auto back = applications::pose_like(rest, again.body, again.extraction.skeleton, was.skeleton, human);
+    const Extraction<double> again = extract(rest);
+    row.arms = slope_of_arms(again.skeleton);
+    const auto back = applications::pose_like(rest, again.body, again.skeleton, was.skeleton, human);
     row.way_back = (back.mesh.vertices - mesh.vertices).rowwise().norm().mean() / was.geodesic_diameter;
 } catch (const Error&) {
     row.arms = 90;
@@ -95,8 +95,8 @@ Row measure_file(const fs::path& file) {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     const auto mesh = read_mesh<double>(file);
-    const FittedBody<double> found = extract_body(mesh);
-    const KinematicSkeleton<double>& skeleton = found.extraction.skeleton;
+    const Extraction<double> found = extract(mesh);
+    const KinematicSkeleton<double>& skeleton = found.skeleton;
     const SkeletonTemplate& human = builtin_template(skeleton.template_name);
     const auto rig = make_rig(mesh, found.body, skeleton, human, applications::RestPose::t_pose);
     Row row;
@@ -105,8 +105,8 @@ Row measure_file(const fs::path& file) {
     const auto motions = unposing(skeleton, human);
     const TriangleMesh<double> rest{applications::skinned(mesh.vertices, rig.skin, motions), mesh.faces};
     const auto back = applications::skinned_linearly(rest.vertices, rig.skin, inverse(motions));
-    row.rig_back = (back - mesh.vertices).rowwise().norm().mean() / found.extraction.geodesic_diameter;
-    look_at_unposed(row, rest, mesh, found.extraction, human);
+    row.rig_back = (back - mesh.vertices).rowwise().norm().mean() / found.geodesic_diameter;
+    look_at_unposed(row, rest, mesh, found, human);
     return row;
 }
 
@@ -122,8 +122,8 @@ void print(const std::string& name, const Row& row) {
 /// where no skeleton is found.
 std::optional<double> transfer_error(const fs::path& body, const fs::path& model) try {
     const auto mesh = read_mesh<double>(body);
-    const FittedBody<double> found = extract_body(mesh);
-    const KinematicSkeleton<double>& own = found.extraction.skeleton;
+    const Extraction<double> found = extract(mesh);
+    const KinematicSkeleton<double>& own = found.skeleton;
     const auto other = extract_skeleton(read_mesh<double>(model)).skeleton;
     const auto posed = applications::pose_like(mesh, found.body, own, other, builtin_template(own.template_name));
     const auto again = extract_skeleton(posed.mesh);

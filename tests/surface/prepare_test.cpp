@@ -1,4 +1,6 @@
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <type_traits>
 
 #include <skelgen/core/adjacency.hpp>
@@ -86,6 +88,30 @@ TEST_CASE("what is no surface is bad input") {
     CHECK(code(mesh) == ErrorCode::bad_input);
     CHECK(code(Mesh{}) == ErrorCode::bad_input);
     CHECK(code(make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}})) == ErrorCode::bad_input);
+}
+
+TEMPLATE_TEST_CASE("very many faces across all of a mesh, and sizes whose cubes are no numbers, are bad input",
+                   "[surface]", float, double) {
+    // Pages of a book, bound along its height: each is as long as the book.
+    const auto book = [](int pages, double size) {
+        TriangleMesh<double> mesh{Points<double>(pages + 2, 3), Triangles(pages, 3)};
+        mesh.vertices.row(0) << 0, 0, 0;
+        mesh.vertices.row(1) << 0, 0, 1;
+        for (int i = 0; i < pages; ++i) {
+            const double angle = i * 2 * std::numbers::pi / pages;
+            mesh.vertices.row(i + 2) << std::cos(angle), std::sin(angle), 0.5;
+            mesh.faces.row(i) << 0, 1, i + 2;
+        }
+        mesh.vertices *= size;
+        return TriangleMesh<TestType>{mesh.vertices.template cast<TestType>(), mesh.faces};
+    };
+    CHECK_NOTHROW(surface::require_surface(book(100, 1)));
+    CHECK_THROWS_WITH(surface::require_surface(book(2000, 1)), Catch::Contains("vertices that are far apart"));
+    const double rounding = std::numeric_limits<TestType>::min();
+    CHECK_THROWS_WITH(surface::require_surface(book(100, std::cbrt(rounding))), Catch::Contains("too small"));
+    CHECK_THROWS_WITH(surface::require_surface(book(100, 2 / std::cbrt(rounding))), Catch::Contains("too large"));
+    CHECK_NOTHROW(surface::require_surface(book(100, 1e4 * std::cbrt(rounding))));
+    CHECK_NOTHROW(surface::require_surface(book(100, 0.1 / std::cbrt(rounding))));
 }
 
 TEST_CASE("a place is inside of a body where its surface winds around it, whether or not that is closed") {

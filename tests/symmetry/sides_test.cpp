@@ -73,7 +73,7 @@ SidesDecision<double> decide(const Joints& joints) {
 
 bool has_no_extent(const Joints& joints) {
     const Outcome<SidesDecision<double>> sides = decide_sides(joints, builtin_template("human21"));
-    return !sides && sides.failure().reason == FailureReason::no_match &&
+    return !sides && sides.failure().reason == Refusal::flat_trunk &&
            sides.failure().what.find("no extent") != std::string::npos;
 }
 

@@ -4,7 +4,6 @@
 
 #include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
-#include <skelgen/core/outcome.hpp>
 #include <skelgen/surface/body.hpp>
 
 namespace skelgen::anatomy {
@@ -17,11 +16,10 @@ struct MovedInside {
 };
 
 /// Moves joints that landed outside the surface (generalized winding number of a half or less, JKS13) to the nearest
-/// place inside on the way to the curve skeleton, in twentieths of it, with a warning each. \returns failure no_match
-/// where that is more than one joint in six: no body has so many there. O(joints n).
+/// place inside on the way to the curve skeleton, in twentieths of it, with a warning each. O(joints n).
 template <typename Scalar>
-[[nodiscard]] Outcome<MovedInside<Scalar>> move_inside(KinematicSkeleton<Scalar> skeleton, const Body<Scalar>& body,
-                                                       const CurveSkeleton<Scalar>& curve);
+[[nodiscard]] MovedInside<Scalar> move_inside(KinematicSkeleton<Scalar> skeleton, const Body<Scalar>& body,
+                                              const CurveSkeleton<Scalar>& curve);
 
 } // namespace skelgen::anatomy
 

@@ -25,6 +25,12 @@ template <typename Scalar>
     return out;
 }
 
+/// For each vertex of the body one of the input that is at its place, or the nearest where the body has vertices of its
+/// own. `input`: the mesh that the body was made of. \throws Error as `standing_for`. O(n log n), and O(n) for each
+/// vertex of the body's own.
+template <typename Scalar>
+[[nodiscard]] std::vector<int> vertices_of_input(const Body<Scalar>& body, const TriangleMesh<Scalar>& input);
+
 /// Place of a joint. \throws Error usage when the skeleton has no joint of that name.
 template <typename Scalar>
 [[nodiscard]] Vector3<Scalar> joint_place(const KinematicSkeleton<Scalar>& skeleton, const std::string& name);

@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <string>
 
+#include <skelgen/core/refusal.hpp>
+
 namespace skelgen {
 
 /// What a caller can do about a failure; the values are the exit statuses of the command line (5 is a batch's).
@@ -18,12 +20,17 @@ enum class ErrorCode {
 /// without the file's name: the caller knows it and puts it in front.
 class Error : public std::runtime_error {
 public:
-    Error(ErrorCode code, const std::string& what) : std::runtime_error(what), code_(code) {}
+    Error(ErrorCode code, const std::string& what, Refusal refusal = Refusal::none)
+        : std::runtime_error(what), code_(code), refusal_(refusal) {}
 
     [[nodiscard]] ErrorCode code() const noexcept { return code_; }
 
+    /// Why no skeleton was found; none where the code is another one than no_skeleton.
+    [[nodiscard]] Refusal refusal() const noexcept { return refusal_; }
+
 private:
     ErrorCode code_;
+    Refusal refusal_;
 };
 
 } // namespace skelgen

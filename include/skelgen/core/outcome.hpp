@@ -4,19 +4,14 @@
 #include <utility>
 #include <variant>
 
-namespace skelgen {
+#include <skelgen/core/refusal.hpp>
 
-/// Why there is nothing to return, where that is to be expected.
-enum class FailureReason {
-    no_match, ///< this curve does not fit the template; a finer one, or the surface cut elsewhere, may
-    no_body,  ///< the shape is no human body's, whatever the curve
-    too_long, ///< the same: it is too thin and long for one, and will be however its surface is mended
-};
+namespace skelgen {
 
 /// A failure that is to be expected, and what to tell the user.
 struct Failure {
-    FailureReason reason = FailureReason::no_match;
-    std::string what; ///< the violated condition and what to do about it
+    Refusal reason = Refusal::none; ///< none: not a skeleton was looked for, but something else
+    std::string what;               ///< the violated condition and what to do about it
 };
 
 /// A value, or the failure in its place. Exceptions are for bad input and for skelgen's own mistakes; a shape in which

@@ -30,12 +30,17 @@ inline constexpr int most_reduced_nodes = 100;
 
 /// Embeds the template in a pruned curve skeleton (LF20 section 3.1): reduced graphs, spectral matching, merging of
 /// unmatched junctions into the matched neighbour with the most branches. Which of two like limbs is the left one is
-/// not known yet. O(k^2 log k) for k nodes of the curve; the matching is cheap beside that. \returns failure no_match
-/// when the curve has too few ends and junctions for the reduced template or is in several pieces, no_body when it
-/// has more than `most_reduced_nodes`. \throws Error usage when an option is out of its range.
+/// not known yet. O(k^2 log k) for k nodes of the curve; the matching is cheap beside that. \returns failure
+/// too_few_ends when the curve has too few ends and junctions for the reduced template or is in several pieces,
+/// too_many_ends when it has more than `most_reduced_nodes`. \throws Error usage when an option is out of its range.
 template <typename Scalar>
 [[nodiscard]] Outcome<Embedding> embed(const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template,
                                        const MatchingOptions& options = {});
+
+/// Per node of the curve, is it matched, or on a branch that ends within a limb or the trunk as these are matched: in
+/// the ball around one of their nodes? Such a branch is drawn by a bulge, as of a belly, and is no limb. O(k^2).
+template <typename Scalar>
+[[nodiscard]] std::vector<bool> matched_or_hidden(const CurveSkeleton<Scalar>& curve, const Embedding& embedding);
 
 /// How far the curve goes on beyond the chains, as a part of their total length: a person's arm is a sixth of it, and
 /// what fingers, hair and clothes add is less. O(k log k).

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/core/header_only.hpp>
+#include <skelgen/core/outcome.hpp>
 #include <skelgen/core/skeleton_template.hpp>
 #include <skelgen/embedding/embed.hpp>
 #include <skelgen/embedding/spectral_matching.hpp>
@@ -36,6 +38,7 @@ template <typename Scalar>
 /// A template as it fits a curve.
 struct FittingTemplate {
     SkeletonTemplate skeleton_template;
+    Embedding embedding; ///< of that template in the curve
     bool is_odd = false; ///< its proportions are other than those that were given
     bool fits_badly =
         false; ///< it can be laid into the curve, but much distorted: more than any by a curve well centred
@@ -46,11 +49,19 @@ struct FittingTemplate {
 /// much and hardly, with next to nothing left over: animals do not fit so, with any of these proportions. Where the
 /// legs go on from the trunk, which animals' do not, the curve's own proportions are tried, too, and may be distorted
 /// more, by what figures wear and carry. A template that lacks a limb stays as it is. As embed, for each of them, but
-/// for curves that fit the given one well, which most bodies' do: these take no time.
+/// for curves that fit the given one well, which most bodies' do: these take no time. \returns the failure of embed.
 template <typename Scalar>
-[[nodiscard]] FittingTemplate fitting_proportions(const CurveSkeleton<Scalar>& curve,
-                                                  const SkeletonTemplate& skeleton_template,
-                                                  const MatchingOptions& options = {});
+[[nodiscard]] Outcome<FittingTemplate> fitting_proportions(const CurveSkeleton<Scalar>& curve,
+                                                           const SkeletonTemplate& skeleton_template,
+                                                           const MatchingOptions& options = {});
+
+/// The template in other ways: with the proportions of children and drawn figures, with those that the curve itself
+/// says, from each of these, and without a limb. Each assignment of the curve's ends and junctions comes once, with the
+/// template that it distorts least; the least distorted first, at most `most`. As embed, some dozens of times.
+template <typename Scalar>
+[[nodiscard]] std::vector<FittingTemplate>
+other_fitting_templates(const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template, std::size_t most,
+                        const MatchingOptions& options = {});
 
 } // namespace skelgen::embedding
 

@@ -13,11 +13,15 @@ namespace skelgen::io {
 /// What to make of a file.
 struct ReadMeshOptions {
     /// The format where the content does not tell (OBJ with unusual first words); none: the extension's.
-    std::optional<MeshFormat> format;
+    std::optional<MeshFormat> format = std::nullopt;
     /// Of scenes (GLB, glTF, VRM, FBX, DAE): the animation to pose them by, by its name or its number, counted from 1;
     /// empty: none, they are posed as they are stored.
-    std::string animation;
+    std::string animation = {};
     double time = 0; ///< seconds from the animation's beginning
+    /// Read FBX and DAE in a forked process of their own, of limited time and memory: the library that reads them may
+    /// crash on damaged files, or take all that there is. For programs that read strangers' files; a program with
+    /// threads of its own has to see to it that none holds a lock meanwhile.
+    bool isolated = false;
 };
 
 /// Reads a triangle mesh: OFF (text, Geomview's binary), OBJ, PLY (text, binary of either byte order), STL (text,
@@ -33,10 +37,9 @@ struct ReadMeshOptions {
 /// - Nothing is repaired: pinched vertices, holes, several components and unused vertices come through as they are.
 ///
 /// `Scalar` is float or double. Linear in the file's size, which is 2 GiB at most, also decompressed; memory stays
-/// below a small multiple of it even if the file's counts lie. Pipes can be read too. FBX and DAE are read in a process
-/// of their own, of limited time and memory, since the library that reads them may crash on damaged files. Compressed
-/// files, FBX and DAE need libraries that a build may lack: the message then says so. \throws Error bad_input, naming
-/// the line, the byte or the place, when there is no such file or it is none of these
+/// below a small multiple of it even if the file's counts lie, but for FBX and DAE (see `isolated`). Pipes can be read
+/// too. Compressed files, FBX and DAE need libraries that a build may lack: the message then says so. \throws Error
+/// bad_input, naming the line, the byte or the place, when there is no such file or it is none of these
 ///         formats, is too large, is cut short, holds more or less than it says, has a coordinate that is no finite
 ///         number, a face with less than 3 corners or with a vertex that does not exist, or no vertices or faces at
 ///         all. Error usage when there is no such animation.

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/stage_timings.hpp>
@@ -29,6 +31,8 @@ struct FileTimings {
 struct SkeletonProvenance {
     std::optional<SourceMesh> mesh;
     std::optional<FileTimings> timings_ms;
+    /// Of first joints of digits: other digits that are one with it on the surface.
+    std::vector<std::pair<std::string, std::vector<std::string>>> fused = {};
 };
 
 /// The skeleton as the text of a skeleton file (data/schema/skeleton.schema.json): JSON in UTF-8, keys in fixed order,

@@ -35,6 +35,7 @@ struct RefinementOptions {
     PelvisOptions pelvis;
     TrunkOptions trunk;
     CrotchOptions crotch;
+    bool limbs_may_be_cut = true; ///< false: an end that is flat or open is that of a whole limb
 };
 
 /// \throws Error usage when an option, of whatever step, is out of its range.

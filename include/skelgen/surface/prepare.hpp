@@ -27,7 +27,8 @@ struct PrepareOptions {
 void validate(const PrepareOptions& options);
 
 /// \throws Error bad_input when a mesh has fewer than four vertices or faces, coordinates that are not finite or faces
-/// that refer to no vertex. O(n).
+/// that refer to no vertex; where it is so small or large that its volume is no number; or where very many faces are
+/// as long as all of it, as those between random vertices: whatever is done with them would take too long. O(n).
 template <typename Scalar>
 void require_surface(const TriangleMesh<Scalar>& mesh);
 
@@ -65,7 +66,7 @@ template <typename Scalar>
 /// A mesh made ready for the pipeline without moving more than noise: cleaned, brought into canonical form, and its
 /// largest manifold piece kept, small holes of which are closed. O(n log n). \throws Error usage when an
 /// option is out of its range; bad_input when the mesh is no usable surface: fewer than four vertices or faces,
-/// coordinates that are not finite, faces that refer to no vertex, no area.
+/// coordinates that are not finite, faces that refer to no vertex, no area, or what else `require_surface` refuses.
 template <typename Scalar>
 [[nodiscard]] Body<Scalar> prepare(const TriangleMesh<Scalar>& mesh, const PrepareOptions& options = {});
 

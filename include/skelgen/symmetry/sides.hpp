@@ -41,8 +41,8 @@ void validate(const SidesOptions& options);
 /// trunk as further witnesses, and builds the body frame: up from between the hips to the waist (without one, to the
 /// chest), forward by the feet, the origin in the root. (left, forward, up) is a left-handed triple. The arms follow
 /// the frame by the first joint that they have, from the shoulder on. `skeleton_template` is one that validate_template
-/// accepts. O(joints). \returns failure no_match when the trunk or the hips have no extent. \throws Error usage when an
-/// option is out of its range.
+/// accepts. O(joints). \returns failure flat_trunk when the trunk or the hips have no extent. \throws Error usage when
+/// an option is out of its range.
 template <typename Scalar>
 [[nodiscard]] Outcome<SidesDecision<Scalar>> decide_sides(const refinement::RefinedJoints<Scalar>& joints,
                                                           const SkeletonTemplate& skeleton_template,

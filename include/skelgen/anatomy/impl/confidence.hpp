@@ -57,12 +57,12 @@ std::vector<double> bone_doubts(const KinematicSkeleton<Scalar>& skeleton, const
     return doubt;
 }
 
-/// Per joint the doubt about the worst of its bones: the one from its parent, and those to its children within a limb
-/// or within the trunk. Where a limb leaves the trunk, its first bone says nothing of the trunk's joint.
+} // namespace detail
+
 template <typename Scalar>
 std::vector<double> joint_doubts(const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
                                  const std::vector<Scalar>& measured) {
-    const std::vector<double> bones = bone_doubts(skeleton, skeleton_template, measured);
+    const std::vector<double> bones = detail::bone_doubts(skeleton, skeleton_template, measured);
     std::vector<double> doubt = bones;
     for (std::size_t j = 0; j < bones.size(); ++j) {
         const int parent = skeleton.joints[j].parent;
@@ -71,44 +71,6 @@ std::vector<double> joint_doubts(const KinematicSkeleton<Scalar>& skeleton, cons
         of_parent = std::max(of_parent, bones[j]);
     }
     return doubt;
-}
-
-} // namespace detail
-
-template <typename Scalar>
-JudgedSkeleton<Scalar> estimate_confidence(KinematicSkeleton<Scalar> skeleton,
-                                           const SkeletonTemplate& skeleton_template,
-                                           const std::vector<Scalar>& measured, const std::vector<int>& moved) {
-    // Puts sides that were sure among those from 0.6 to 0.8, of which a third is wrong on hard synthetic bodies.
-    constexpr double side_in_doubt = 0.75;
-    const std::vector<double> doubt = detail::joint_doubts(skeleton, skeleton_template, measured);
-    JudgedSkeleton<Scalar> out{std::move(skeleton), 0};
-    Quality& quality = out.skeleton.quality;
-    bool limb_misplaced = false;
-    for (std::size_t j = 0; j < doubt.size(); ++j) {
-        Joint<Scalar>& joint = out.skeleton.joints[j];
-        if (!joint.is_present) continue;
-        joint.confidence = 1 / (1 + doubt[j]);
-        if (joint.confidence >= unlikely) continue;
-        ++out.misplaced;
-        limb_misplaced = limb_misplaced || skeleton_template.joints[j].side != Side::none;
-        quality.warnings.push_back("joint " + joint.name + " may be misplaced: its bones have unlikely lengths");
-    }
-    if (limb_misplaced) quality.sides_confidence *= side_in_doubt;
-    for (const int j : moved) out.skeleton.joints[static_cast<std::size_t>(j)].confidence /= 2;
-    return out;
-}
-
-template <typename Scalar>
-KinematicSkeleton<Scalar> no_surer_than_the_whole(KinematicSkeleton<Scalar> skeleton) {
-    // A working value: among 400 registered bodies, sound and damaged, those whose joints are less likely are a few in
-    // a hundred, and some of these are mistaken.
-    constexpr double likely = 0.55;
-    const double mean = mean_confidence(skeleton);
-    skeleton.quality.sides_confidence *= std::min(1.0, mean / likely);
-    const double whole = std::min(mean, skeleton.quality.sides_confidence);
-    for (Joint<Scalar>& joint : skeleton.joints) joint.confidence = std::min(joint.confidence, whole);
-    return skeleton;
 }
 
 } // namespace skelgen::anatomy

@@ -30,17 +30,13 @@ Vector3<Scalar> first_place_inside(const Body<Scalar>& body, const Vector3<Scala
 } // namespace detail
 
 template <typename Scalar>
-Outcome<MovedInside<Scalar>> move_inside(KinematicSkeleton<Scalar> skeleton, const Body<Scalar>& body,
-                                         const CurveSkeleton<Scalar>& curve) {
-    constexpr std::size_t one_in = 8; // of the research bodies none has more than one in ten
+MovedInside<Scalar> move_inside(KinematicSkeleton<Scalar> skeleton, const Body<Scalar>& body,
+                                const CurveSkeleton<Scalar>& curve) {
     MovedInside<Scalar> out{std::move(skeleton), {}};
     std::vector<Joint<Scalar>>& joints = out.skeleton.joints;
     for (std::size_t j = 0; j < joints.size(); ++j)
         if (joints[j].is_present && !surface::is_inside(body, joints[j].position))
             out.moved.push_back(static_cast<int>(j));
-    if (one_in * out.moved.size() > joints.size())
-        return Failure{FailureReason::no_match, "no human body: " + std::to_string(out.moved.size()) +
-                                                    " joints of its skeleton would lie outside of it"};
     for (const int j : out.moved) {
         Joint<Scalar>& joint = joints[static_cast<std::size_t>(j)];
         const Vector3<Scalar> nearest = curve.nodes.row(core::nearest_node(curve, joint.position));

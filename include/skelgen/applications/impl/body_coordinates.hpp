@@ -40,6 +40,16 @@ std::vector<int> standing_for(const Body<Scalar>& body, const Points<Scalar>& in
 }
 
 template <typename Scalar>
+std::vector<int> vertices_of_input(const Body<Scalar>& body, const TriangleMesh<Scalar>& input) {
+    std::vector<int> out = first_standing(body, standing_for(body, input.vertices));
+    for (std::size_t v = 0; v < out.size(); ++v)
+        if (out[v] < 0)
+            out[v] = core::nearest_vertex(
+                input, body.similarity.to_input(core::point(body.mesh.vertices, static_cast<Eigen::Index>(v))));
+    return out;
+}
+
+template <typename Scalar>
 Vector3<Scalar> joint_place(const KinematicSkeleton<Scalar>& skeleton, const std::string& name) {
     const int joint = find_joint(skeleton, name);
     if (joint < 0) throw Error(ErrorCode::usage, "the skeleton has no joint '" + name + "'; take template human21");

@@ -300,7 +300,7 @@ inline bool hangs_together(const ClipBody& body, const ClipTree& tree) {
 SKELGEN_INLINE Outcome<ClipBody> find_body(const MotionClip& clip) {
     validate(clip);
     const auto failed = [](const std::string& fault) {
-        return Failure{FailureReason::no_body,
+        return Failure{Refusal::none,
                        "the clip's skeleton is not known as a body: " + fault +
                            "; name its joints as Mixamo, VRM, SMPL or skelgen does, as Hips, LeftUpLeg, LeftLeg"};
     };

@@ -154,7 +154,7 @@ SKELGEN_INLINE Heat operator+(Heat heat, const Heat& other) {
 SKELGEN_INLINE Outcome<JointWeights> heat_weights(const Heat& heat) {
     using core::Accumulator;
     if (!(heat.supply.maxCoeff() > 0))
-        return Failure{FailureReason::no_body, "the skeleton is not in the body: no bone is seen from the surface"};
+        return Failure{Refusal::none, "the skeleton is not in the body: no bone is seen from the surface"};
     Eigen::SparseMatrix<Accumulator> matrix = heat.conduction;
     matrix.diagonal() += heat.supply;
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<Accumulator>> solver(matrix);

@@ -350,8 +350,7 @@ Outcome<Animation<Scalar>> retarget(const MotionClip& clip, const Rig<Scalar>& r
     if (!body) return body.failure();
     const detail::ClipReference reference = detail::clip_reference(clip, *body, skeleton_template);
     const detail::ClipShape shape(*body, reference.pose);
-    if (const std::string fault = detail::fault_of_shape(shape); !fault.empty())
-        return Failure{FailureReason::no_body, fault};
+    if (const std::string fault = detail::fault_of_shape(shape); !fault.empty()) return Failure{Refusal::none, fault};
 
     const detail::ClipFollower follower(*body, reference, skeleton_template);
     const detail::RigHips hips = detail::hips_of(rig, skeleton_template);
@@ -370,8 +369,8 @@ Outcome<Animation<Scalar>> retarget(const MotionClip& clip, const Rig<Scalar>& r
         const Vector3<double> root =
             scale * follower.between_hips(pose) + orientations.front() * back.front() * hips.to_root;
         if (!(root.cwiseAbs().array() <= detail::farthest_place).all())
-            return Failure{FailureReason::no_body, "the clip's skeleton moves farther than numbers reach in frame " +
-                                                       std::to_string(frame) + "; export it with its own offsets"};
+            return Failure{Refusal::none, "the clip's skeleton moves farther than numbers reach in frame " +
+                                              std::to_string(frame) + "; export it with its own offsets"};
         held.root = root.cast<Scalar>();
         out.frames.push_back(std::move(held));
     }

@@ -171,9 +171,8 @@ bool may_fit(const CurveSkeleton<Scalar>& curve, const std::set<Edge>& removed,
              const SkeletonTemplate& skeleton_template, const MatchingOptions& options) {
     constexpr double worst = 0.012; // per pair, twice what fits well; cut bodies that were found had half of that
     const CurveSkeleton<Scalar> opened = without_lone_nodes(without_edges(curve, removed));
-    const Outcome<Embedding> embedding = embed(opened, skeleton_template, options);
-    return embedding &&
-           (distortion_per_pair(*embedding) <= worst || fitting_proportions(opened, skeleton_template, options).is_odd);
+    const Outcome<FittingTemplate> fitting = fitting_proportions(opened, skeleton_template, options);
+    return fitting && (fitting->is_odd || distortion_per_pair(fitting->embedding) <= worst);
 }
 
 /// Some loops opened.

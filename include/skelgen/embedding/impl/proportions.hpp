@@ -144,64 +144,108 @@ bool is_more_than_left_over(const CurveSkeleton<Scalar>& curve, const Embedding&
     return static_cast<double>(unmatched_share(curve, found)) > left_over;
 }
 
-/// A template with proportions of the curve's own, and how much it is distorted there, per pair.
-struct CurvesTemplate {
-    SkeletonTemplate skeleton_template;
-    double distortion = 0;
-};
-
 /// Proportions, the embedding that these make likely, its proportions in turn, and so on while it is distorted less.
 template <typename Scalar>
-std::optional<CurvesTemplate> with_curves_proportions(const CurveSkeleton<Scalar>& curve,
-                                                      const SkeletonTemplate& skeleton_template,
-                                                      Proportions proportions, const MatchingOptions& options) {
+std::optional<FittingTemplate>
+with_curves_proportions(const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template,
+                        Proportions proportions, bool legs_have_to_go_on, const MatchingOptions& options) {
     constexpr int most_rounds = 4;
-    std::optional<CurvesTemplate> best;
+    std::optional<FittingTemplate> best;
     for (int round = 0; round < most_rounds; ++round) {
         SkeletonTemplate other = with_proportions(skeleton_template, proportions);
-        const auto found = embed(curve, other, options);
-        if (!found || !legs_go_on(curve, *found, other)) break;
-        const double distortion = distortion_per_pair(*found);
-        if (best && !(distortion < best->distortion)) break;
-        best = CurvesTemplate{std::move(other), distortion};
+        auto found = embed(curve, other, options);
+        if (!found || (legs_have_to_go_on && !legs_go_on(curve, *found, other))) break;
+        if (best && !(found->distortion < best->embedding.distortion)) break;
         const double hips = proportions.hips;
         proportions = proportions_of(curve, *found, skeleton_template);
         proportions.hips = hips;
+        best = FittingTemplate{std::move(other), *std::move(found), true, false};
     }
     return best;
+}
+
+/// The curve's nodes that stand for head, hands, feet and junctions, each pair in order: left and right are not known.
+inline std::vector<int> nodes_by_role(const SkeletonTemplate& skeleton_template, const Embedding& embedding) {
+    std::vector<int> out;
+    for (std::size_t j = 0; j < skeleton_template.joints.size(); ++j) {
+        const int other = counterpart(skeleton_template, static_cast<int>(j));
+        const int node = embedding.node_of_joint[j];
+        if (other < 0) {
+            out.push_back(node);
+        } else if (static_cast<int>(j) < other) {
+            out.push_back(std::min(node, embedding.node_of_joint[at(other)]));
+            out.push_back(std::max(node, embedding.node_of_joint[at(other)]));
+        }
+    }
+    return out;
 }
 
 } // namespace detail
 
 template <typename Scalar>
-FittingTemplate fitting_proportions(const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template,
-                                    const MatchingOptions& options) {
-    FittingTemplate out{skeleton_template, false, false};
+Outcome<FittingTemplate> fitting_proportions(const CurveSkeleton<Scalar>& curve,
+                                             const SkeletonTemplate& skeleton_template,
+                                             const MatchingOptions& options) {
+    auto whole = embed(curve, skeleton_template, options);
+    if (!whole) return whole.failure();
+    FittingTemplate out{skeleton_template, *std::move(whole), false, false};
     const bool is_partial = std::any_of(skeleton_template.joints.begin(), skeleton_template.joints.end(),
                                         [](const TemplateJoint& joint) { return joint.is_absent; });
-    if (is_partial) return out;
-    const auto whole = embed(curve, skeleton_template, options);
-    if (!whole || distortion_per_pair(*whole) <= detail::well_fitted_body) return out;
-    double least = std::min(distortion_per_pair(*whole) / 2, detail::well_fitted_figure);
+    const double distortion = distortion_per_pair(out.embedding);
+    if (is_partial || distortion <= detail::well_fitted_body) return out;
+    double least = std::min(distortion / 2, detail::well_fitted_figure);
     for (const Proportions& proportions : detail::other_proportions) {
         SkeletonTemplate other = with_proportions(skeleton_template, proportions);
-        const auto found = embed(curve, other, options);
+        auto found = embed(curve, other, options);
         if (!found || !(distortion_per_pair(*found) < least)) continue;
         if (detail::is_more_than_left_over(curve, *found)) continue;
         least = distortion_per_pair(*found);
-        out = {std::move(other), true, false};
+        out = {std::move(other), *std::move(found), true, false};
     }
-    if (!out.is_odd && distortion_per_pair(*whole) > detail::fitted_figure) {
+    if (!out.is_odd && distortion > detail::fitted_figure) {
         least = detail::fitted_figure;
         for (const Proportions& start : detail::other_proportions) {
-            auto fitted = detail::with_curves_proportions(curve, skeleton_template, start, options);
-            if (!fitted || !(fitted->distortion < least)) continue;
-            least = fitted->distortion;
-            out = {std::move(fitted->skeleton_template), true, false};
+            auto fitted = detail::with_curves_proportions(curve, skeleton_template, start, true, options);
+            if (!fitted || !(distortion_per_pair(fitted->embedding) < least)) continue;
+            least = distortion_per_pair(fitted->embedding);
+            out = *std::move(fitted);
         }
     }
     out.fits_badly = !out.is_odd || least > detail::well_fitted_figure;
     return out;
+}
+
+template <typename Scalar>
+std::vector<FittingTemplate> other_fitting_templates(const CurveSkeleton<Scalar>& curve,
+                                                     const SkeletonTemplate& skeleton_template, std::size_t most,
+                                                     const MatchingOptions& options) {
+    std::vector<FittingTemplate> found;
+    const auto add = [&](FittingTemplate other) {
+        const std::vector<int> nodes = detail::nodes_by_role(other.skeleton_template, other.embedding);
+        for (FittingTemplate& known : found) {
+            if (detail::nodes_by_role(known.skeleton_template, known.embedding) != nodes) continue;
+            if (other.embedding.distortion < known.embedding.distortion) known = std::move(other);
+            return;
+        }
+        found.push_back(std::move(other));
+    };
+    const bool is_partial = std::any_of(skeleton_template.joints.begin(), skeleton_template.joints.end(),
+                                        [](const TemplateJoint& joint) { return joint.is_absent; });
+    if (is_partial) return {};
+    if (auto whole = embed(curve, skeleton_template, options)) {
+        add({skeleton_template, *std::move(whole), false, false});
+        for (const Proportions& start : detail::other_proportions)
+            if (auto other = detail::with_curves_proportions(curve, skeleton_template, start, false, options))
+                add(*std::move(other));
+    }
+    for (PartialTemplate& part : partial_templates(skeleton_template))
+        if (auto other = embed(curve, part.skeleton_template, options))
+            add({std::move(part.skeleton_template), *std::move(other), false, false});
+    std::stable_sort(found.begin(), found.end(), [](const FittingTemplate& a, const FittingTemplate& b) {
+        return distortion_per_pair(a.embedding) < distortion_per_pair(b.embedding);
+    });
+    if (found.size() > most) found.erase(found.begin() + static_cast<std::ptrdiff_t>(most), found.end());
+    return found;
 }
 
 } // namespace skelgen::embedding

@@ -207,9 +207,10 @@ ScaledLimbs<Scalar> find_limbs(const Slicer<Scalar>& slicer, const std::vector<E
                                const CurveSkeleton<Scalar>& curve, const embedding::Embedding& embedding,
                                const SkeletonTemplate& skeleton_template, const RefinementOptions& options) {
     const Scalar scale = template_scale(skeleton_template, geodesic_diameter(ends));
-    std::vector<Limb<Scalar>> traced =
-        shorten_cut_limbs(trace_limbs(slicer, ends, skeleton_template, scale, options.centreline), slicer, ends,
-                          skeleton_template, options.thickness_profile, options.centreline);
+    std::vector<Limb<Scalar>> traced = trace_limbs(slicer, ends, skeleton_template, scale, options.centreline);
+    if (options.limbs_may_be_cut)
+        traced = shorten_cut_limbs(std::move(traced), slicer, ends, skeleton_template, options.thickness_profile,
+                                   options.centreline);
     const auto axis = trunk_axis_of(traced, ends, slicer, curve, embedding, skeleton_template, scale);
     if (axis && !axis->is_hem)
         traced = anchor_hips(std::move(traced), *axis, skeleton_template, scale, options.bone_line);

@@ -29,8 +29,57 @@
 #include <skelgen/surface/pieces.hpp>
 #include <skelgen/surface/rounded.hpp>
 #include <skelgen/surface/vertex_clusters.hpp>
+#include <skelgen/surface/weld.hpp>
 
 namespace skelgen::surface {
+namespace detail {
+
+/// \throws Error bad_input where the volume of a mesh of this size, or of a thousandth of it, is no number.
+template <typename Scalar>
+void require_usable_size(Scalar size) {
+    const Scalar part = Scalar(1e-3) * size;
+    if (!std::isnormal(part * part * part) || !std::isnormal(size * size * size))
+        throw Error(ErrorCode::bad_input, "the mesh is too " + std::string(size < 1 ? "small" : "large") +
+                                              " for its volume to be a number; scale it to metres, say");
+}
+
+/// The squares over the longest edges of the faces that lie within reach of a mesh's robust box, beside that over the
+/// box's diagonal: about as many faces does a line through the box pass.
+template <typename Scalar>
+core::Accumulator faces_along_a_line(const TriangleMesh<Scalar>& mesh, const Eigen::AlignedBox<Scalar, 3>& box) {
+    const Scalar size = box.diagonal().norm();
+    core::Accumulator sum = 0;
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+        Scalar longest = 0;
+        bool is_near = true;
+        for (int k = 0; k < 3; ++k) {
+            const Vector3<Scalar> corner = core::point(mesh.vertices, mesh.faces(f, k));
+            is_near = is_near && box.exteriorDistance(corner) <= size;
+            longest =
+                std::max(longest, (core::point(mesh.vertices, mesh.faces(f, (k + 1) % 3)) - corner).norm() / size);
+        }
+        if (is_near) sum += static_cast<core::Accumulator>(longest) * static_cast<core::Accumulator>(longest);
+    }
+    return sum;
+}
+
+/// \throws Error bad_input where a line passes very many faces: they join vertices far apart. No tree parts such ones,
+/// so that all that looks along rays, or for what is near, would look at most of them each time.
+template <typename Scalar>
+void require_short_faces(const TriangleMesh<Scalar>& mesh) {
+    constexpr core::Accumulator most = 150; // a person has 2, of 240 characters and things none more than 65; with one
+                                            // face in ten between random vertices a person has 400
+    const Eigen::AlignedBox<Scalar, 3> box = robust_box(mesh);
+    const Scalar side = box.isEmpty() ? Scalar(0) : box.sizes().maxCoeff();
+    if (!(side > 0)) return; // that there is no area is for others to say
+    require_usable_size(side);
+    if (faces_along_a_line(mesh, box) > most)
+        throw Error(ErrorCode::bad_input, "most faces join vertices that are far apart, so that they are no surface; "
+                                          "export the mesh again");
+}
+
+} // namespace detail
+
 template <typename Scalar>
 void require_surface(const TriangleMesh<Scalar>& mesh) {
     if (mesh.vertices.rows() < 4 || mesh.faces.rows() < 4)
@@ -42,6 +91,7 @@ void require_surface(const TriangleMesh<Scalar>& mesh) {
     for (Eigen::Index i = 0; i < mesh.faces.size(); ++i)
         if (const int v = mesh.faces.data()[i]; v < 0 || v >= mesh.vertices.rows())
             throw Error(ErrorCode::bad_input, "a face refers to a vertex that does not exist; repair the mesh");
+    detail::require_short_faces(mesh);
 }
 
 SKELGEN_INLINE void validate(const PrepareOptions& options) {
@@ -294,11 +344,11 @@ Outcome<Body<Scalar>> body_of_envelope(Remedy remedy, const BodyMaterial<Scalar>
                                               : rolling_envelope(whole.mesh, options.envelope));
     TriangleMesh<Scalar>& envelope = largest.mesh;
     if (largest.as_large > 0)
-        return Failure{FailureReason::no_body,
+        return Failure{Refusal::several_bodies,
                        std::to_string(largest.as_large + 1) + " bodies apart, or parts of one: leave all but one away"};
     if (envelope.faces.rows() == 0)
-        return Failure{FailureReason::no_body, "no body: its " + overlapping_pieces(material.clean.mesh) +
-                                                   " pieces enclose nothing; close its surface"};
+        return Failure{Refusal::nothing_enclosed, "no body: its " + overlapping_pieces(material.clean.mesh) +
+                                                      " pieces enclose nothing; close its surface"};
     for (Eigen::Index v = 0; v < envelope.vertices.rows(); ++v)
         core::set_point<Scalar>(envelope.vertices, v, whole.similarity.to_input(core::point(envelope.vertices, v)));
     ChosenPiece<Scalar> piece{std::move(envelope), {}, material.dropped_pieces, material.clean.notes};

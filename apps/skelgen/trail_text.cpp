@@ -1,0 +1,33 @@
+#include "trail_text.hpp"
+
+#include <cstdio>
+#include <string>
+
+namespace skelgen::cli {
+namespace {
+
+std::string outcome_text(const search::Tried& tried) {
+    if (tried.candidates == 0) return std::string(to_string(tried.refusal));
+    char text[64];
+    std::snprintf(text, sizeof text, "found, probability %.2f%s", tried.probability,
+                  tried.lacks_limb ? ", a limb is lacking" : "");
+    return text;
+}
+
+std::string hypothesis_text(const search::Hypothesis& what) {
+    std::string text =
+        std::string(search::to_string(what.surface)) + ", " + std::string(search::to_string(what.opening));
+    if (what.cuts > 0) text += ", cut " + std::to_string(what.cuts) + (what.cuts == 1 ? " time" : " times");
+    if (what.held != search::Held::nothing) text += ", without " + std::string(search::to_string(what.held)) + " held";
+    return text + ", " + std::string(search::to_string(what.effort)) + " curve";
+}
+
+} // namespace
+
+void print_trail(const std::filesystem::path& mesh, const search::Trail& trail) {
+    for (const search::Tried& tried : trail)
+        std::fprintf(stderr, "%s: tried %s: %s (%.0f ms)\n", mesh.filename().c_str(),
+                     hypothesis_text(tried.hypothesis).c_str(), outcome_text(tried).c_str(), 1000 * tried.seconds);
+}
+
+} // namespace skelgen::cli

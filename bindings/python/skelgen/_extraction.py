@@ -1,0 +1,546 @@
+"""A body found in a mesh, and what it is good for."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _core
+from ._curve import Curve
+from ._mesh import FloatArray, IntArray, Mesh, MeshLike, PathLike, as_mesh, is_path
+from ._skeleton import Skeleton, _fixed, read_skeleton
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    import numpy.typing as npt
+
+
+class Extraction(Skeleton):
+    """A skeleton with the mesh that it was found in: found once, used for whatever is wanted.
+
+    Beside what every `Skeleton` has:
+
+    Attributes:
+        vertices: (n, 3) and
+        faces: (m, 3), the mesh's. Arrays that were given as C-contiguous float64 and int32 are kept, not copied: change
+            them, and what is made of the body later is wrong.
+        trail: what was tried until the body was found, one dictionary each.
+        geodesic_diameter: the largest distance along the surface.
+    """
+
+    def __init__(self, mesh: Mesh, template: str, component: int, threads: int) -> None:
+        self._mesh = mesh
+        self._options = (template, component, threads)
+        self._found: _core.FoundBody | None = None
+        self._curve: Curve | None = None
+        self._skeleton_text = self._body.skeleton_json
+        super().__init__(self._skeleton_text)
+        self.trail: list[dict[str, Any]] = self._body.trail
+
+    @property
+    def vertices(self) -> FloatArray:
+        """(n, 3), the mesh's."""
+        return self._mesh.vertices
+
+    @property
+    def faces(self) -> IntArray:
+        """(m, 3), the mesh's."""
+        return self._mesh.faces
+
+    @property
+    def geodesic_diameter(self) -> float:
+        """The largest distance along the surface, in the mesh's unit."""
+        return float(self._document["mesh"]["geodesic_diameter"])
+
+    @property
+    def timings_ms(self) -> dict[str, float]:
+        """What each stage took, milliseconds."""
+        return dict(self._document["timings_ms"])
+
+    @property
+    def _body(self) -> _core.FoundBody:
+        """What was found; after unpickling it is found again, which gives the same."""
+        if self._found is None:
+            self._found = self._find(with_curve=False)
+        return self._found
+
+    def _find(self, *, with_curve: bool) -> _core.FoundBody:
+        mesh = self._mesh
+        return _core.extract(mesh.vertices, mesh.faces, mesh.name, *self._options, with_curve, mesh._read_ms)  # noqa: SLF001
+
+    @property
+    def curve(self) -> Curve:
+        """The curve skeleton that the joints were found by; made when it is first asked for."""
+        if self._curve is None:
+            self._curve = Curve(*self._find(with_curve=True).curve)
+        return self._curve
+
+    def segment(self, parts: str = "bones") -> Segmentation:
+        """Divide the body into its parts.
+
+        Args:
+            parts: "bones" (head, neck, chest, abdomen, pelvis, and on each side shoulder, upper_arm, forearm, hand,
+                thigh, calf, foot) or "body" (head, torso, and the limbs without the shoulder).
+
+        Raises:
+            ValueError: there is no such set of parts, or the skeleton's template is not human21.
+
+        >>> skelgen.extract("body.off").segment().parts[:3]
+        ('head', 'neck', 'chest')
+        """
+        return Segmentation(self._mesh, json.loads(_core.segment(self._body, parts)))
+
+    def measure(self) -> Measurements:
+        """Measure the body: height, arm span, lengths of bones, girths, area and volume, in the mesh's own unit.
+
+        Raises:
+            ValueError: the skeleton's template is not human21.
+
+        >>> measures = skelgen.extract("body.off").measure()
+        >>> round(measures.height, 2)
+        1.76
+        """
+        return Measurements(json.loads(_core.measure(self._body)))
+
+    def align(self, origin: str = "crotch", *, scale: bool = False) -> Aligned:
+        """Turn the body so that +y is up and it faces +z.
+
+        Args:
+            origin: "crotch" (in the joint) or "floor" (below it, as low as the lowest vertex).
+            scale: whether it becomes 1 high when it stands upright.
+
+        >>> skelgen.extract("body.off").align(origin="floor").matrix.shape
+        (4, 4)
+        """
+        matrix, vertices = _core.align(self._body, origin, scale)
+        return Aligned(self._mesh, vertices, matrix)
+
+    def rig(self, rest: str = "as-is") -> Rig:
+        """Bind the mesh to its skeleton: a character that moves.
+
+        Args:
+            rest: "as-is", "t-pose" or "a-pose". VRM wants the T-pose.
+
+        Raises:
+            ValueError: there is no such pose.
+            NoSkeletonError: the skeleton does not lie in the body.
+
+        >>> skelgen.extract("body.off").rig(rest="t-pose").save("body.glb")
+        """
+        return Rig(self, rest)
+
+    def pose(self, like: MeshLike) -> Posed:
+        """Hold the body as another one holds itself, whatever the shape, proportions and unit of both.
+
+        Args:
+            like: an `Extraction`, a `Skeleton`, a skeleton's file, or the mesh of another body.
+
+        Raises:
+            ValueError: the skeleton is none that says how someone is held.
+
+        >>> body = skelgen.extract("body.off")
+        >>> body.pose(like=body).vertices.shape
+        (6890, 3)
+        """
+        if is_path(like) and Path(like).suffix == ".json":
+            like = read_skeleton(like)
+        if isinstance(like, Skeleton) and not isinstance(like, Extraction):
+            vertices, text = _core.pose_as(self._body, json.dumps(like.to_dict()))
+        else:
+            vertices, text = _core.pose_like(self._body, _found(like)._body)  # noqa: SLF001
+        return Posed(self._mesh, vertices, Skeleton(text))
+
+    def correspond(self, to: MeshLike) -> Correspondence:
+        """Find for each vertex of this body the same place on another one.
+
+        Args:
+            to: an `Extraction`, which is reused, or the mesh of another body.
+
+        >>> body = skelgen.extract("body.off")
+        >>> float((body.correspond(body).vertex_to_vertex == range(6890)).mean()) > 0.9
+        True
+        """
+        return Correspondence(json.loads(_core.correspond(self._body, _found(to)._body)))  # noqa: SLF001
+
+    def _shown_vertices(self) -> FloatArray:
+        return self.vertices
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The mesh and what was found in it; the surface is made again where it is needed."""
+        return {**self.__dict__, "_found": None}
+
+    def __repr__(self) -> str:
+        return super().__repr__().replace("(", f"({self._mesh.name!r}, ", 1)
+
+
+class Segmentation:
+    """A surface in parts.
+
+    Attributes:
+        parts: their names, sides in front: left_upper_arm.
+        vertex_part: (n,) for each vertex an index into `parts`.
+        face_part: (m,) for each face, likewise.
+    """
+
+    def __init__(self, mesh: Mesh, document: dict[str, Any]) -> None:
+        self._mesh = mesh
+        self._document = document
+        self.parts: tuple[str, ...] = tuple(document["parts"])
+        self.vertex_part: IntArray = _fixed(np.array(document["vertex_part"], np.int32))
+        self.face_part: IntArray = _fixed(np.array(document["face_part"], np.int32))
+
+    def mask(self, part: str) -> npt.NDArray[np.bool_]:
+        """(n,) which vertices are of that part.
+
+        Raises:
+            KeyError: there is no such part.
+        """
+        if part not in self.parts:
+            raise KeyError(part)
+        is_of_part: npt.NDArray[np.bool_] = self.vertex_part == self.parts.index(part)
+        return is_of_part
+
+    @property
+    def colours(self) -> npt.NDArray[np.uint8]:
+        """(n, 3) a colour for each vertex, 0 to 255: left blue to green, right yellow to red."""
+        return _core.part_colours(list(self.parts))[self.vertex_part]
+
+    def to_dict(self) -> dict[str, Any]:
+        """The segmentation's file, as `skelgen segment` writes it."""
+        return dict(json.loads(json.dumps(self._document)))
+
+    def save(self, path: PathLike) -> None:
+        """Write .json, or .ply: coloured, with labels.
+
+        Raises:
+            ValueError: the name ends in none of these.
+            OSError: it cannot be stored.
+        """
+        suffix = Path(path).suffix
+        if suffix == ".ply":
+            labels = self.vertex_part.tolist(), self.face_part.tolist()
+            _core.write_parts(Path(path), self._mesh.vertices, self._mesh.faces, list(self.parts), *labels)
+        else:
+            _save_json(path, self._document)
+
+    def __repr__(self) -> str:
+        return f"Segmentation({len(self.parts)} parts of {len(self.vertex_part)} vertices)"
+
+
+class Measurements:
+    """What is read off a body, in the mesh's own unit, its square and its cube.
+
+    Attributes:
+        height: of the body stood upright.
+        arm_span: from fingertip to fingertip along the bones.
+        area: of the surface.
+        volume: enclosed by it.
+        lengths: of bones, by name.
+        girths: around the body as a tape lies, by name; None where no section shows it.
+    """
+
+    def __init__(self, document: dict[str, Any]) -> None:
+        self._document = document
+        body = document["bodies"][0]
+        self.height: float = body["height"]
+        self.arm_span: float = body["arm_span"]
+        self.area: float = body["area"]
+        self.volume: float = body["volume"]
+        self.lengths: dict[str, float] = dict(body["lengths"])
+        self.girths: dict[str, float | None] = dict(body["girths"])
+
+    def to_dict(self) -> dict[str, Any]:
+        """The measures' file, as `skelgen measure` writes it."""
+        return dict(json.loads(json.dumps(self._document)))
+
+    def row(self) -> dict[str, float | None]:
+        """All of it, flat, as in the columns of `skelgen measure --csv`: a row for pandas."""
+        return {
+            "height": self.height,
+            "arm_span": self.arm_span,
+            "area": self.area,
+            "volume": self.volume,
+            **{f"length_{name}": value for name, value in self.lengths.items()},
+            **{f"girth_{name}": value for name, value in self.girths.items()},
+        }
+
+    def save(self, path: PathLike) -> None:
+        """Write .json.
+
+        Raises:
+            ValueError: the name ends otherwise.
+            OSError: it cannot be stored.
+        """
+        _save_json(path, self._document)
+
+    def __repr__(self) -> str:
+        return f"Measurements(height {self.height:.4g}, arm_span {self.arm_span:.4g}, {len(self.girths)} girths)"
+
+
+class _Moved(Mesh):
+    """The mesh of a body, its vertices elsewhere."""
+
+    def __init__(self, mesh: Mesh, vertices: FloatArray) -> None:
+        super().__init__(vertices, mesh.faces, mesh.name)
+
+
+class Aligned(_Moved):
+    """A body turned to +y up, facing +z.
+
+    Attributes:
+        matrix: (4, 4) from the mesh's coordinates to these, for columns (x, y, z, 1).
+    """
+
+    def __init__(self, mesh: Mesh, vertices: FloatArray, matrix: FloatArray) -> None:
+        super().__init__(mesh, vertices)
+        self.matrix = matrix
+
+    def to_dict(self) -> dict[str, Any]:
+        """The transform's file, as `skelgen align` writes it."""
+        return dict(json.loads(_core.transform_to_json(self.matrix)))
+
+
+class Posed(_Moved):
+    """A body in another pose.
+
+    Attributes:
+        skeleton: where its joints went.
+    """
+
+    def __init__(self, mesh: Mesh, vertices: FloatArray, skeleton: Skeleton) -> None:
+        super().__init__(mesh, vertices)
+        self.skeleton = skeleton
+
+
+class Rig:
+    """A mesh bound to joints, in its rest pose: +y up, facing +z, standing on y = 0.
+
+    Attributes:
+        extraction: what it was made of.
+        rest: the rest pose's name.
+        vertices: (n, 3) in metres where the unit is known, in the mesh's order.
+        faces: (m, 3), outwards.
+        names: of the joints.
+        parents: (j,) index of each joint's parent, -1 for the root.
+        positions: (j, 3) of the joints in the rest pose.
+        joints: (n, 4) the joints that move each vertex, the strongest first.
+        weights: (n, 4) by how much; rows sum to 1.
+    """
+
+    def __init__(self, extraction: Extraction, rest: str = "as-is", clips: tuple[Path, ...] = ()) -> None:
+        self.extraction = extraction
+        self.rest = rest
+        self._clips = clips
+        looks = extraction._mesh.path  # noqa: SLF001
+        self._character = _core.make_rig(extraction._body, rest, looks)  # noqa: SLF001
+        for clip in clips:
+            self._character = _core.animated(self._character, clip)
+        self.vertices: FloatArray = self._character.vertices
+        self.faces: IntArray = self._character.faces
+        self.names: tuple[str, ...] = tuple(self._character.names)
+        self.parents: IntArray = self._character.parents
+        self.positions: FloatArray = self._character.positions
+        self.joints: IntArray = self._character.joints
+        self.weights: FloatArray = self._character.weights
+
+    @property
+    def metres_per_unit(self) -> float:
+        """What the mesh's coordinates were multiplied by; 1 where the unit is not known."""
+        return self._character.metres_per_unit
+
+    @property
+    def animations(self) -> tuple[str, ...]:
+        """The names of the motions that it has."""
+        return tuple(self._character.animations)
+
+    def animate(self, clip: PathLike) -> Rig:
+        """The same character with one more motion: that of a BVH file's skeleton.
+
+        Raises:
+            FileNotFoundError: there is no such file.
+            ValueError: it is damaged, or its joints are not known as a body's.
+
+        >>> walking = skelgen.extract("body.off").rig().animate("walk.bvh")
+        >>> walking.animations
+        ('walk',)
+        """
+        file = Path(clip)
+        if not file.exists():
+            message = f"{file}: there is no such file"
+            raise FileNotFoundError(message)
+        return Rig(self.extraction, self.rest, (*self._clips, file))
+
+    def save(self, path: PathLike, names: str = "skelgen") -> None:
+        """Write .glb, .vrm or .bvh, wholly or not at all; what moves only as .glb.
+
+        Args:
+            path: the file.
+            names: whose names the joints get: "skelgen", "smpl", "mixamo" or "vrm".
+
+        Raises:
+            ValueError: there are no such names, the file's name ends in none of these, or the rest pose is not what
+                VRM wants.
+            OSError: it cannot be stored.
+        """
+        _core.write_character(self._character, Path(path), names)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickled as what it was made of."""
+        return type(self), (self.extraction, self.rest, self._clips)
+
+    def __repr__(self) -> str:
+        moving = f", moving: {', '.join(self.animations)}" if self.animations else ""
+        return f"Rig({len(self.names)} joints, {len(self.vertices)} vertices, {self.rest}{moving})"
+
+
+class Correspondence:
+    """Which place of one body is which of another one.
+
+    Attributes:
+        vertex_to_vertex: (n,) for each vertex of the first one a vertex of the second.
+        confidence: (n,) how sure, 0 to 1.
+        landmarks: places that stand out, by the part that they are on: a vertex of each body.
+    """
+
+    def __init__(self, document: dict[str, Any]) -> None:
+        self._document = document
+        self.vertex_to_vertex: IntArray = _fixed(np.array(document["vertex_to_vertex"], np.int32))
+        self.confidence: FloatArray = _fixed(np.array(document["confidence"], float))
+        self.landmarks: dict[str, tuple[int, int]] = {
+            mark["name"]: (mark["from"], mark["to"]) for mark in document["landmarks"]
+        }
+
+    def transfer(self, values: npt.ArrayLike) -> npt.NDArray[Any]:
+        """What the second body has at each of its vertices (colours, texture coordinates, ...), for the first one's.
+
+        Args:
+            values: (vertices of the second body, ...).
+
+        Raises:
+            ValueError: there are not as many values as vertices.
+        """
+        array = np.asarray(values)
+        if array.ndim == 0 or len(array) != self._document["to"]["vertices"]:
+            message = f"values: an array of shape {array.shape}; there are {self._document['to']['vertices']} vertices"
+            raise ValueError(message)
+        carried: npt.NDArray[Any] = array[self.vertex_to_vertex]
+        return carried
+
+    def to_dict(self) -> dict[str, Any]:
+        """The correspondence's file, as `skelgen correspond --confidence` writes it."""
+        return dict(json.loads(json.dumps(self._document)))
+
+    def save(self, path: PathLike) -> None:
+        """Write .json.
+
+        Raises:
+            ValueError: the name ends otherwise.
+            OSError: it cannot be stored.
+        """
+        _save_json(path, self._document)
+
+    def __repr__(self) -> str:
+        return f"Correspondence({len(self.vertex_to_vertex)} vertices, confidence {self.confidence.mean():.2f})"
+
+
+def extract(  # noqa: PLR0913
+    mesh: MeshLike,
+    faces: npt.ArrayLike | None = None,
+    *,
+    template: str = "human21",
+    component: int = 0,
+    threads: int = 1,
+    name: str | None = None,
+) -> Extraction:
+    """Find the skeleton of one human body: any pose, orientation and unit.
+
+    Args:
+        mesh: vertices (n, 3), an object that has vertices and faces (trimesh, Open3D, PyVista, meshio), or a path.
+            C-contiguous float64 is read where it is; other numbers are converted.
+        faces: (m, 3) vertex indices, where `mesh` has none. int32 is read where it is.
+        template: a built-in template's name, or a template's file.
+        component: which of several bodies that stand apart, 1 for the largest; 0: there must be one alone.
+        threads: that work on it; the result does not depend on their number.
+        name: what results call the mesh; by default its file's name, or "mesh".
+
+    Raises:
+        ValueError: an argument makes no sense (the message names it, and its shape), or the mesh is no surface.
+        FileNotFoundError: there is no such file.
+        NoSkeletonError: no body can be found in the mesh.
+
+    >>> body = skelgen.extract("body.off")
+    >>> body
+    Extraction('body.off', human21: 21 joints, sides_confidence 1.00)
+    >>> body.positions.shape, body.names[:2]
+    ((21, 3), ('crotch', 'waist'))
+    """
+    return Extraction(as_mesh(mesh, faces, name=name), template, component, threads)
+
+
+def _found(mesh: MeshLike, faces: npt.ArrayLike | None = None, **options: Any) -> Extraction:  # noqa: ANN401
+    return mesh if isinstance(mesh, Extraction) and not options else extract(mesh, faces, **options)
+
+
+def segment(
+    mesh: MeshLike,
+    faces: npt.ArrayLike | None = None,
+    *,
+    parts: str = "bones",
+    **options: Any,  # noqa: ANN401
+) -> Segmentation:
+    """`extract` and `Extraction.segment`; options as `extract` has them."""
+    return _found(mesh, faces, **options).segment(parts)
+
+
+def measure(mesh: MeshLike, faces: npt.ArrayLike | None = None, **options: Any) -> Measurements:  # noqa: ANN401
+    """`extract` and `Extraction.measure`; options as `extract` has them."""
+    return _found(mesh, faces, **options).measure()
+
+
+def align(
+    mesh: MeshLike,
+    faces: npt.ArrayLike | None = None,
+    *,
+    origin: str = "crotch",
+    scale: bool = False,
+    **options: Any,  # noqa: ANN401
+) -> Aligned:
+    """`extract` and `Extraction.align`; options as `extract` has them."""
+    return _found(mesh, faces, **options).align(origin, scale=scale)
+
+
+def rig(mesh: MeshLike, faces: npt.ArrayLike | None = None, *, rest: str = "as-is", **options: Any) -> Rig:  # noqa: ANN401
+    """`extract` and `Extraction.rig`; options as `extract` has them."""
+    return _found(mesh, faces, **options).rig(rest)
+
+
+def pose(mesh: MeshLike, faces: npt.ArrayLike | None = None, *, like: MeshLike, **options: Any) -> Posed:  # noqa: ANN401
+    """`extract` and `Extraction.pose`; options as `extract` has them."""
+    return _found(mesh, faces, **options).pose(like)
+
+
+def correspond(template: MeshLike, bodies: MeshLike | Iterable[MeshLike]) -> Correspondence | Iterator[Correspondence]:
+    """For each vertex of one body the same place on another one, or on each of many.
+
+    Args:
+        template: the body whose vertices are looked for; found once.
+        bodies: another body, or a list or iterator of them: then an iterator of results, one after the other.
+
+    >>> [found.confidence.shape for found in skelgen.correspond("body.off", ["body.off"])]
+    [(6890,)]
+    """
+    found = _found(template)
+    if isinstance(bodies, list) or hasattr(bodies, "__next__"):
+        return (found.correspond(body) for body in bodies)
+    return found.correspond(bodies)
+
+
+def _save_json(path: PathLike, document: dict[str, Any]) -> None:
+    if Path(path).suffix != ".json":
+        message = f"{path}: its name must end in .json"
+        raise ValueError(message)
+    _core.write_text(Path(path), json.dumps(document) + "\n")

@@ -1,0 +1,157 @@
+"""How calls behave: threads, processes, signals, memory."""
+
+from __future__ import annotations
+
+import gc
+import multiprocessing
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+import pytest
+import skelgen
+
+
+def test_other_threads_go_on(mesh: skelgen.Mesh) -> None:
+    counted, stop = [0], threading.Event()
+
+    def count() -> None:
+        while not stop.is_set():
+            counted[0] += 1
+            time.sleep(0.0005)
+
+    counter = threading.Thread(target=count)
+    counter.start()
+    try:
+        before = counted[0]
+        skelgen.extract(mesh.vertices, mesh.faces)
+        assert counted[0] > before + 3
+    finally:
+        stop.set()
+        counter.join()
+
+
+def test_threads_find_the_same(mesh: skelgen.Mesh, body: skelgen.Extraction) -> None:
+    with ThreadPoolExecutor(4) as pool:
+        found = list(pool.map(lambda _: skelgen.extract(mesh.vertices, mesh.faces, name="body.off"), range(8)))
+    assert all(one == body for one in found)
+
+
+def test_threads_share_a_body(mesh: skelgen.Mesh) -> None:
+    body = skelgen.extract(mesh)
+    with ThreadPoolExecutor(4) as pool:
+        parts = list(pool.map(lambda _: body.segment().to_dict(), range(4)))
+        places = list(pool.map(lambda _: body.correspond(body).to_dict(), range(2)))
+    assert all(one == parts[0] for one in parts)
+    assert places[0] == places[1]
+
+
+def joints_of(path: Path) -> list[list[float]]:
+    joints: list[list[float]] = skelgen.extract(path).positions.tolist()
+    return joints
+
+
+@pytest.mark.parametrize("method", ["fork", "spawn"])
+def test_processes(sample: Path, body: skelgen.Extraction, method: str) -> None:
+    with multiprocessing.get_context(method).Pool(2) as pool:
+        found = pool.map(joints_of, [sample] * 3)
+    assert found == [body.positions.tolist()] * 3
+
+
+INTERRUPTED = """
+import sys, time
+import numpy as np
+import skelgen
+
+mesh = skelgen.read(sys.argv[1])
+vertices, faces = mesh.vertices, mesh.faces
+for _ in range(4):  # each face becomes four
+    edges = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    unique, inverse = np.unique(edges, axis=0, return_inverse=True)
+    a, b, c = (inverse.reshape(3, -1) + len(vertices))
+    vertices = np.concatenate([vertices, vertices[unique].mean(axis=1)])
+    x, y, z = faces.T
+    faces = np.concatenate([np.stack(t, axis=1) for t in ((x, a, c), (a, y, b), (c, b, z), (a, b, c))])
+print("ready", flush=True)
+try:
+    body = skelgen.extract(vertices, faces)
+    while True:
+        body = skelgen.extract(vertices, faces)
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+"""
+
+
+def test_an_interrupt_is_heard_at_once(sample: Path) -> None:
+    command = [sys.executable, "-c", INTERRUPTED, str(sample)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:  # noqa: S603
+        assert process.stdout
+        assert process.stdout.readline() == "ready\n"
+        time.sleep(0.3)
+        process.send_signal(signal.SIGINT)
+        start = time.monotonic()
+        assert process.stdout.readline() == "interrupted\n"
+        heard = time.monotonic() - start
+        assert process.wait(60) == 0
+        ended = time.monotonic() - start
+    assert heard < 0.5
+    assert ended < 1
+
+
+def test_after_an_interrupt_all_is_well(mesh: skelgen.Mesh, body: skelgen.Extraction) -> None:
+    timer = threading.Timer(0.01, lambda: os.kill(os.getpid(), signal.SIGINT))
+    with pytest.raises(KeyboardInterrupt):  # noqa: PT012
+        timer.start()
+        for _ in range(1000):
+            skelgen.extract(mesh.vertices, mesh.faces)
+    assert skelgen.extract(mesh.vertices, mesh.faces, name="body.off") == body
+
+
+def resident_bytes() -> int:
+    return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+
+@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="memory is told by Linux alone")
+def test_memory_does_not_grow(mesh: skelgen.Mesh) -> None:
+    rounds = int(os.environ.get("SKELGEN_ROUNDS", "60"))
+    after = []
+    for part in range(3):
+        for _ in range(rounds // 3):
+            skelgen.extract(mesh.vertices, mesh.faces)
+        gc.collect()
+        after.append(resident_bytes())
+        assert part < 3
+    assert after[2] - after[1] < 4 << 20
+
+
+def test_import_is_quick() -> None:
+    code = "import time, numpy; s = time.process_time(); import skelgen; print(time.process_time() - s)"
+    times = [
+        float(subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout)  # noqa: S603
+        for _ in range(5)
+    ]
+    assert min(times) < 0.15
+
+
+def test_faces_changed_behind_our_back_are_noticed(mesh: skelgen.Mesh) -> None:
+    faces = mesh.faces.copy()
+    body = skelgen.extract(mesh.vertices, faces)
+    faces[5, 1] = 10**8
+    with pytest.raises(ValueError, match=r"faces: face 5 names vertex 100000000"):
+        body.segment()
+    faces[5, 1] = mesh.faces[5, 1]
+    assert body.segment().to_dict()["parts"]
+
+
+def test_vertices_changed_behind_our_back_are_noticed(mesh: skelgen.Mesh) -> None:
+    vertices = mesh.vertices.copy()
+    body = skelgen.extract(vertices, mesh.faces)
+    vertices[7] = np.inf
+    with pytest.raises(ValueError, match="vertices: the coordinates of vertex 7"):
+        body.rig()

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include <skelgen/applications/rig.hpp>
+#include <skelgen/core/kinematic_skeleton.hpp>
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/hands/digit.hpp>
+
+namespace skelgen::applications {
+
+/// A rig with the bones of the digits that were found, behind its own joints: three a digit, below the wrist. What of a
+/// vertex followed wrist and hand is divided among the wrist and the one digit that the vertex lies on, or, in the
+/// palm, is nearest to, by where it is along that digit's bones: no vertex follows two. The joint in the middle of the
+/// knuckles moves nothing then. Bones lie at rest as the hand does, y along them, x about which they bend towards the
+/// palm on both sides. `rig` as made of `mesh` and `skeleton`, `hands` found there.
+/// O(vertices log faces). \throws Error usage when the skeleton is not of that template.
+template <typename Scalar>
+[[nodiscard]] Rig<Scalar>
+with_finger_bones(Rig<Scalar> rig, const TriangleMesh<Scalar>& mesh, const KinematicSkeleton<Scalar>& skeleton,
+                  const SkeletonTemplate& skeleton_template, const std::vector<hands::Hand<Scalar>>& hands);
+
+} // namespace skelgen::applications
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/applications/impl/finger_bones.hpp>
+#endif

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <skelgen/core/kinematic_skeleton.hpp>
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/hands/digit.hpp>
+#include <skelgen/surface/body.hpp>
+
+namespace skelgen::hands {
+
+/// The name of the template whose skeletons have digits.
+inline constexpr std::string_view template_with_digits = "human51";
+
+/// The hands of a body and their digits, as its surface shows them: the left one and the right one where the skeleton
+/// has them, perhaps without digits. `skeleton` is finished and in the coordinates of `mesh`, and so is what is
+/// returned; `body` was made of that mesh. Looked at is the body's surface; where that is none of the mesh's own, or
+/// has few triangles at the hand, an envelope around the hand alone. O(faces log faces).
+template <typename Scalar>
+[[nodiscard]] std::vector<Hand<Scalar>> find_hands(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
+                                                   const KinematicSkeleton<Scalar>& skeleton);
+
+/// The skeleton with the joints and end points of all digits (human51): after its own, by side and digit, those of each
+/// from its knuckle on, with the wrist as parent of the first; digits that were not found are not present.
+template <typename Scalar>
+[[nodiscard]] KinematicSkeleton<Scalar> with_digits(KinematicSkeleton<Scalar> skeleton,
+                                                    const std::vector<Hand<Scalar>>& hands);
+
+/// The skeleton without them (human21); one of another template comes back as it is. O(joints).
+template <typename Scalar>
+[[nodiscard]] KinematicSkeleton<Scalar> without_digits(KinematicSkeleton<Scalar> skeleton);
+
+/// Does the surface show digits, and not only hands that are one each?
+template <typename Scalar>
+[[nodiscard]] bool has_digits(const std::vector<Hand<Scalar>>& hands) {
+    for (const Hand<Scalar>& hand : hands)
+        if (hand.digits.size() > 1) return true;
+    return false;
+}
+
+/// The digits that are one with another one, by the name of its first joint.
+template <typename Scalar>
+[[nodiscard]] std::vector<std::pair<std::string, std::vector<std::string>>>
+fused_digits(const std::vector<Hand<Scalar>>& hands) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> out;
+    for (const Hand<Scalar>& hand : hands)
+        for (const FoundDigit<Scalar>& digit : hand.digits) {
+            if (digit.fused.empty()) continue;
+            auto& [joint, names] = out.emplace_back(joint_name(hand.side, digit.digit, 1), std::vector<std::string>{});
+            for (const Digit other : digit.fused) names.emplace_back(name_of(other));
+        }
+    return out;
+}
+
+} // namespace skelgen::hands
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/hands/impl/find_hands.hpp>
+#endif

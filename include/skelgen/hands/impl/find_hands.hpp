@@ -1,0 +1,195 @@
+#pragma once
+
+#include <skelgen/hands/find_hands.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/hands/digit_tubes.hpp>
+#include <skelgen/hands/hand_surface.hpp>
+#include <skelgen/hands/phalanges.hpp>
+#include <skelgen/surface/clean.hpp>
+#include <skelgen/surface/winding_tree.hpp>
+
+namespace skelgen::hands {
+namespace detail {
+
+/// The tubes of a hand and the surface that has them.
+template <typename Scalar>
+struct TubesOfHand {
+    std::vector<DigitTube<Scalar>> tubes;
+    TriangleMesh<Scalar> surface;
+};
+
+/// Surfaces of the whole body that hands are looked for on, made when they are asked for.
+template <typename Scalar>
+class BodySurfaces {
+public:
+    BodySurfaces(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body) : mesh_(mesh), body_(body) {}
+
+    /// The tubes of a hand, in the input's coordinates.
+    [[nodiscard]] TubesOfHand<Scalar> tubes(const HandPlace<Scalar>& in_input) {
+        const HandPlace<Scalar> in_body = moved(in_input, body_.similarity);
+        if (const auto own = hand_surface(body_.mesh, in_body); own && is_fine(*own))
+            return tubes_on(*own, in_body, body_.similarity);
+        if (!material_) look_for_pieces();
+        TubesOfHand<Scalar> found = tubes_around(material_->clean, in_input);
+        // What is put right in a mesh may cost it fingers: of thin gloves, whose faces lie on each other.
+        if (found.tubes.size() < all_digits.size() && material_->is_cleaned) {
+            if (!material_->raw) material_->raw.emplace(in_body_coordinates(), body_.similarity);
+            TubesOfHand<Scalar> of_raw = tubes_around(*material_->raw, in_input);
+            if (of_raw.tubes.size() > found.tubes.size()) found = std::move(of_raw);
+        }
+        return found;
+    }
+
+private:
+    /// Is a hand's surface that of the input itself, in enough vertices?
+    [[nodiscard]] bool is_fine(const HandSurface<Scalar>& hand) const {
+        constexpr std::size_t least_vertices = 150; // 30 a digit
+        constexpr double own_share = 0.9;
+        if (hand.source.size() < least_vertices || body_.dropped_pieces > 0) return false;
+        const auto own = std::count_if(hand.source.begin(), hand.source.end(),
+                                       [&](int v) { return body_.source[static_cast<std::size_t>(v)] >= 0; });
+        return static_cast<double>(own) >= own_share * static_cast<double>(hand.source.size());
+    }
+
+    /// Faces that enclose the body, and where they are.
+    struct Pieces {
+        Pieces(TriangleMesh<Scalar> faces, const Similarity<Scalar>& from_input)
+            : mesh(std::move(faces)), similarity(from_input), tree(mesh) {}
+        TriangleMesh<Scalar> mesh;
+        Similarity<Scalar> similarity;
+        surface::WindingTree<Scalar> tree;
+    };
+    struct Material {
+        Pieces clean;
+        bool is_cleaned = false; ///< else the body's surface
+        std::optional<Pieces> raw = std::nullopt;
+    };
+
+    /// A body's surface that is the input's own serves as it is.
+    void look_for_pieces() {
+        const auto added = std::count(body_.source.begin(), body_.source.end(), -1);
+        constexpr std::ptrdiff_t closed_holes = 20; // one in as many vertices
+        if (body_.dropped_pieces == 0 && closed_holes * added <= std::ssize(body_.source)) {
+            material_.emplace(Material{Pieces(body_.mesh, body_.similarity)});
+            return;
+        }
+        surface::CleanMesh<Scalar> clean = surface::clean_in_own_axes(mesh_);
+        material_.emplace(Material{Pieces(std::move(clean.mesh), clean.similarity), true});
+    }
+
+    [[nodiscard]] TriangleMesh<Scalar> in_body_coordinates() const {
+        TriangleMesh<Scalar> out = mesh_;
+        for (Eigen::Index v = 0; v < out.vertices.rows(); ++v)
+            core::set_point<Scalar>(out.vertices, v, body_.similarity.to_canonical(core::point(mesh_.vertices, v)));
+        return out;
+    }
+
+    [[nodiscard]] TubesOfHand<Scalar> tubes_around(const Pieces& pieces, const HandPlace<Scalar>& in_input) const {
+        const HandPlace<Scalar> place = moved(in_input, pieces.similarity);
+        const auto around = hand_surface(hand_envelope(pieces.mesh, pieces.tree, place), place);
+        if (!around) return {};
+        return tubes_on(*around, place, pieces.similarity);
+    }
+
+    static HandPlace<Scalar> moved(HandPlace<Scalar> place, const Similarity<Scalar>& similarity) {
+        for (Vector3<Scalar>* const each : {&place.elbow, &place.wrist, &place.knuckles, &place.tip})
+            *each = similarity.to_canonical(*each);
+        return place;
+    }
+
+    /// In the input's coordinates.
+    static TubesOfHand<Scalar> tubes_on(const HandSurface<Scalar>& hand, const HandPlace<Scalar>& place,
+                                        const Similarity<Scalar>& similarity) {
+        TubesOfHand<Scalar> out{find_tubes(hand, place.length()), hand.mesh};
+        for (DigitTube<Scalar>& tube : out.tubes) {
+            for (Vector3<Scalar>& on_axis : tube.axis) on_axis = similarity.to_input(on_axis);
+            for (Scalar& radius : tube.radii) radius *= similarity.scale;
+            tube.joins *= similarity.scale;
+            tube.ends *= similarity.scale;
+        }
+        for (Eigen::Index v = 0; v < out.surface.vertices.rows(); ++v)
+            core::set_point<Scalar>(out.surface.vertices, v, similarity.to_input(core::point(hand.mesh.vertices, v)));
+        return out;
+    }
+
+    const TriangleMesh<Scalar>& mesh_;
+    const Body<Scalar>& body_;
+    std::optional<Material> material_;
+};
+
+} // namespace detail
+
+template <typename Scalar>
+std::vector<Hand<Scalar>> find_hands(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
+                                     const KinematicSkeleton<Scalar>& skeleton) {
+    detail::BodySurfaces<Scalar> surfaces(mesh, body);
+    std::vector<Hand<Scalar>> hands;
+    for (const Side side : {Side::left, Side::right}) {
+        const auto place = hand_place(skeleton, side);
+        if (!place) continue;
+        const int wrist = find_joint(skeleton, std::string(side_prefix(side)) + "wrist");
+        detail::TubesOfHand<Scalar> found = surfaces.tubes(*place);
+        Hand<Scalar> hand{side, name_digits(found.tubes, *place, side), std::move(found.surface)};
+        for (FoundDigit<Scalar>& digit : hand.digits)
+            digit.confidence *= skeleton.joints[static_cast<std::size_t>(wrist)].confidence;
+        hands.push_back(std::move(hand));
+    }
+    return hands;
+}
+
+template <typename Scalar>
+KinematicSkeleton<Scalar> with_digits(KinematicSkeleton<Scalar> skeleton, const std::vector<Hand<Scalar>>& hands) {
+    skeleton.template_name = template_with_digits;
+    for (const Side side : {Side::left, Side::right}) {
+        const int wrist = find_joint(skeleton, std::string(side_prefix(side)) + "wrist");
+        if (wrist < 0) continue;
+        const auto hand = std::find_if(hands.begin(), hands.end(), [&](const auto& each) { return each.side == side; });
+        for (const Digit digit : all_digits) {
+            const FoundDigit<Scalar>* found = nullptr;
+            if (hand != hands.end())
+                for (const FoundDigit<Scalar>& each : hand->digits)
+                    if (each.digit == digit) found = &each;
+            int parent = wrist;
+            for (std::size_t k = 0; k < phalanges; ++k) {
+                Joint<Scalar> joint;
+                joint.name = joint_name(side, digit, k + 1);
+                joint.parent = parent;
+                joint.is_present = found != nullptr;
+                joint.confidence = found ? found->confidence : 0;
+                joint.position = found ? found->joints[k] : skeleton.joints[static_cast<std::size_t>(wrist)].position;
+                joint.radius = found ? found->radii[k] : Scalar(0);
+                parent = static_cast<int>(skeleton.joints.size());
+                skeleton.joints.push_back(std::move(joint));
+            }
+            if (found) skeleton.end_points.emplace_back(tip_name(side, digit), found->tip);
+        }
+    }
+    return skeleton;
+}
+
+template <typename Scalar>
+KinematicSkeleton<Scalar> without_digits(KinematicSkeleton<Scalar> skeleton) {
+    if (skeleton.template_name != template_with_digits) return skeleton;
+    skeleton.template_name = "human21";
+    for (const Side side : {Side::left, Side::right})
+        for (const Digit digit : all_digits) {
+            for (std::size_t k = phalanges; k > 0; --k) { // from the last on: none is another joint's parent then
+                const int j = find_joint(skeleton, joint_name(side, digit, k));
+                if (j < 0) continue;
+                skeleton.joints.erase(skeleton.joints.begin() + j);
+                for (Joint<Scalar>& joint : skeleton.joints)
+                    if (joint.parent > j) --joint.parent;
+            }
+            std::erase_if(skeleton.end_points, [&](const auto& each) { return each.first == tip_name(side, digit); });
+        }
+    return skeleton;
+}
+
+} // namespace skelgen::hands

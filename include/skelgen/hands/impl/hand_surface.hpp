@@ -1,0 +1,259 @@
+#pragma once
+
+#include <skelgen/hands/hand_surface.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <string>
+#include <utility>
+
+#include <skelgen/core/adjacency.hpp>
+#include <skelgen/core/disjoint_sets.hpp>
+#include <skelgen/core/geodesics.hpp>
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/surface/denoise.hpp>
+#include <skelgen/surface/face_tree.hpp>
+#include <skelgen/surface/lattice.hpp>
+#include <skelgen/surface/lattice_surface.hpp>
+#include <skelgen/surface/small_parts.hpp>
+
+namespace skelgen::hands {
+namespace detail {
+
+/// All relative to the hand's length.
+template <typename Scalar>
+struct Reach {
+    /// How far behind the wrist a hand's surface begins: wrists are found to a fifth of a hand's length, and the
+    /// thumb leaves a third of it beyond them.
+    static constexpr Scalar behind = Scalar(0.3);
+    static constexpr Scalar around = Scalar(1.6);  ///< of the surface that counts, from the wrist
+    static constexpr Scalar rim = Scalar(0.35);    ///< of the rims above the lowest place that are the forearm's
+    static constexpr Scalar bottom = Scalar(0.05); ///< of a closed surface, which has none
+    static constexpr Scalar cell = Scalar(1) / 48; ///< of an envelope: a finger is four to five cells thick
+};
+
+/// Across the arm, where the surface of a hand begins.
+template <typename Scalar>
+struct ArmPlane {
+    Vector3<Scalar> normal, origin;
+
+    explicit ArmPlane(const HandPlace<Scalar>& place) {
+        const Vector3<Scalar> forearm = (place.wrist - place.elbow).normalized();
+        normal = (forearm + (place.knuckles - place.wrist).normalized()).normalized();
+        origin = place.wrist - Reach<Scalar>::behind * place.length() * forearm;
+    }
+    [[nodiscard]] Scalar height(const Vector3<Scalar>& p) const { return normal.dot(p - origin); }
+};
+
+/// Those of the faces beyond the plane and near the hand that hang together with the one nearest to the knuckles.
+template <typename Scalar>
+std::vector<int> faces_of_hand(const TriangleMesh<Scalar>& mesh, const HandPlace<Scalar>& place) {
+    const ArmPlane<Scalar> plane(place);
+    const Scalar reach = Reach<Scalar>::around * place.length();
+    const auto n = static_cast<std::size_t>(mesh.vertices.rows());
+    std::vector<bool> is_near(n);
+    for (std::size_t v = 0; v < n; ++v) {
+        const Vector3<Scalar> p = core::point(mesh.vertices, static_cast<Eigen::Index>(v));
+        is_near[v] = plane.height(p) > 0 && (p - place.wrist).norm() < reach;
+    }
+    core::DisjointSets parts(n);
+    std::vector<int> faces;
+    const auto corner = [&](int f, int k) { return static_cast<std::size_t>(mesh.faces(f, k)); };
+    int nearest = -1;
+    Scalar least = std::numeric_limits<Scalar>::infinity();
+    for (int f = 0; f < static_cast<int>(mesh.faces.rows()); ++f) {
+        if (!is_near[corner(f, 0)] || !is_near[corner(f, 1)] || !is_near[corner(f, 2)]) continue;
+        faces.push_back(f);
+        parts.unite(corner(f, 0), corner(f, 1));
+        parts.unite(corner(f, 0), corner(f, 2));
+        const Scalar distance = surface::distance_to_triangle<Scalar>(
+            place.knuckles, core::point(mesh.vertices, mesh.faces(f, 0)), core::point(mesh.vertices, mesh.faces(f, 1)),
+            core::point(mesh.vertices, mesh.faces(f, 2)));
+        if (!(distance < least)) continue;
+        least = distance;
+        nearest = f;
+    }
+    if (nearest < 0) return {};
+    const std::size_t wanted = parts.find(corner(nearest, 0));
+    std::erase_if(faces, [&](int f) { return parts.find(corner(f, 0)) != wanted; });
+    return faces;
+}
+
+/// Shortest ways over the surface from places that begin with distances; infinite where none leads.
+template <typename Scalar>
+Eigen::VectorX<Scalar> distances_with(const core::SurfaceGraph<Scalar>& graph,
+                                      const std::vector<std::pair<Scalar, int>>& sources) {
+    using Entry = std::pair<Scalar, int>;
+    Eigen::VectorX<Scalar> distance =
+        Eigen::VectorX<Scalar>::Constant(graph.size(), std::numeric_limits<Scalar>::infinity());
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> pending;
+    const auto reach = [&](Scalar d, int v) {
+        if (!(d < distance[v])) return;
+        distance[v] = d;
+        pending.emplace(d, v);
+    };
+    for (const auto& [d, v] : sources) reach(d, v);
+    while (!pending.empty()) {
+        const auto [d, v] = pending.top();
+        pending.pop();
+        if (d > distance[v]) continue;
+        for (const auto& [w, length] : graph.neighbours[static_cast<std::size_t>(v)]) reach(d + length, w);
+    }
+    return distance;
+}
+
+/// Distances at the lattice's nodes up to a cell from the faces that come near it.
+template <typename Scalar>
+surface::SparseGrid<Scalar> band_in(const surface::Lattice<Scalar>& lattice, const TriangleMesh<Scalar>& faces) {
+    constexpr Scalar longest_in_cells = 2;
+    const Scalar cell = lattice.cell;
+    surface::SparseGrid<Scalar> distance(lattice.nodes, std::numeric_limits<Scalar>::infinity());
+    surface::for_each_small_part(faces, longest_in_cells * cell, [&](const surface::Corners<Scalar>& t) {
+        surface::LatticeNode first{}, last{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto axis = static_cast<Eigen::Index>(k);
+            const Scalar low = std::min(std::min(t[0][axis], t[1][axis]), t[2][axis]) - lattice.origin[axis];
+            const Scalar high = std::max(std::max(t[0][axis], t[1][axis]), t[2][axis]) - lattice.origin[axis];
+            const auto top = static_cast<Scalar>(lattice.nodes[k] - 1);
+            first[k] = static_cast<int>(std::clamp(std::floor(low / cell), Scalar(0), top));
+            last[k] = static_cast<int>(std::clamp(std::ceil(high / cell), Scalar(0), top));
+        }
+        surface::LatticeNode node{};
+        for (node[0] = first[0]; node[0] <= last[0]; ++node[0])
+            for (node[1] = first[1]; node[1] <= last[1]; ++node[1])
+                for (node[2] = first[2]; node[2] <= last[2]; ++node[2]) {
+                    const Scalar d = surface::distance_to_triangle<Scalar>(lattice.place(node), t[0], t[1], t[2]);
+                    if (d > cell) continue;
+                    Scalar& known = distance.at(node);
+                    known = std::min(known, d);
+                }
+    });
+    return distance;
+}
+
+/// The faces that come into a cube.
+template <typename Scalar>
+TriangleMesh<Scalar> faces_in_cube(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& centre, Scalar half) {
+    std::vector<int> near;
+    for (int f = 0; f < static_cast<int>(mesh.faces.rows()); ++f) {
+        const Vector3<Scalar> a = core::point(mesh.vertices, mesh.faces(f, 0)) - centre;
+        const Vector3<Scalar> b = core::point(mesh.vertices, mesh.faces(f, 1)) - centre;
+        const Vector3<Scalar> c = core::point(mesh.vertices, mesh.faces(f, 2)) - centre;
+        const Vector3<Scalar> low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+        if (low.maxCoeff() <= half && high.minCoeff() >= -half) near.push_back(f);
+    }
+    TriangleMesh<Scalar> out;
+    out.vertices = mesh.vertices;
+    out.faces.resize(static_cast<Eigen::Index>(near.size()), 3);
+    for (std::size_t i = 0; i < near.size(); ++i) out.faces.row(static_cast<Eigen::Index>(i)) = mesh.faces.row(near[i]);
+    return out;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+std::optional<HandPlace<Scalar>> hand_place(const KinematicSkeleton<Scalar>& skeleton, Side side) {
+    const std::string prefix(side_prefix(side));
+    HandPlace<Scalar> out;
+    for (const auto& [joint, place] :
+         {std::pair{"elbow", &out.elbow}, std::pair{"wrist", &out.wrist}, std::pair{"hand", &out.knuckles}}) {
+        const int found = find_joint(skeleton, prefix + joint);
+        if (found < 0 || !skeleton.joints[static_cast<std::size_t>(found)].is_present) return std::nullopt;
+        *place = skeleton.joints[static_cast<std::size_t>(found)].position;
+    }
+    const auto end = std::find_if(skeleton.end_points.begin(), skeleton.end_points.end(),
+                                  [&](const auto& each) { return each.first == prefix + "fingertip"; });
+    if (end == skeleton.end_points.end()) return std::nullopt;
+    out.tip = end->second;
+    const bool has_bones = (out.wrist - out.elbow).norm() > 0 && (out.knuckles - out.wrist).norm() > 0;
+    if (!has_bones || !(out.length() > 0)) return std::nullopt;
+    return out;
+}
+
+template <typename Scalar>
+std::optional<HandSurface<Scalar>> hand_surface(const TriangleMesh<Scalar>& mesh, const HandPlace<Scalar>& place) {
+    constexpr std::size_t least_faces = 12;
+    const std::vector<int> faces = detail::faces_of_hand(mesh, place);
+    if (faces.size() < least_faces) return std::nullopt;
+    HandSurface<Scalar> out;
+    std::vector<int> number(static_cast<std::size_t>(mesh.vertices.rows()), -1);
+    out.mesh.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        for (int k = 0; k < 3; ++k) {
+            const int v = mesh.faces(faces[i], k);
+            int& own = number[static_cast<std::size_t>(v)];
+            if (own < 0) {
+                own = static_cast<int>(out.source.size());
+                out.source.push_back(v);
+            }
+            out.mesh.faces(static_cast<Eigen::Index>(i), k) = own;
+        }
+    const auto n = static_cast<Eigen::Index>(out.source.size());
+    out.mesh.vertices.resize(n, 3);
+    for (Eigen::Index v = 0; v < n; ++v)
+        out.mesh.vertices.row(v) = mesh.vertices.row(out.source[static_cast<std::size_t>(v)]);
+    out.adjacency = core::face_adjacency(out.mesh.faces);
+    out.graph = core::surface_graph(out.mesh, out.adjacency);
+    out.is_at_rim.assign(out.source.size(), false);
+    for (Eigen::Index f = 0; f < out.mesh.faces.rows(); ++f)
+        for (int k = 0; k < 3; ++k)
+            if (out.adjacency(f, k) < 0)
+                for (const int end : {k, (k + 1) % 3})
+                    out.is_at_rim[static_cast<std::size_t>(out.mesh.faces(f, end))] = true;
+
+    const detail::ArmPlane<Scalar> plane(place);
+    std::vector<Scalar> heights;
+    for (Eigen::Index v = 0; v < n; ++v) heights.push_back(plane.height(core::point(out.mesh.vertices, v)));
+    const Scalar lowest = *std::min_element(heights.begin(), heights.end());
+    std::vector<std::pair<Scalar, int>> sources;
+    using Reach = detail::Reach<Scalar>;
+    for (std::size_t v = 0; v < heights.size(); ++v) {
+        const Scalar above = (heights[v] - lowest) / place.length();
+        if (above < Reach::bottom || (out.is_at_rim[v] && above < Reach::rim))
+            sources.emplace_back(heights[v], static_cast<int>(v));
+    }
+    out.distance = detail::distances_with(out.graph, sources);
+    for (Eigen::Index v = 0; v < n; ++v)
+        if (!std::isfinite(out.distance[v])) out.distance[v] = 0; // hangs on by a vertex alone
+    return out;
+}
+
+template <typename Scalar>
+TriangleMesh<Scalar> hand_envelope(const TriangleMesh<Scalar>& mesh, const surface::WindingTree<Scalar>& tree,
+                                   const HandPlace<Scalar>& place) {
+    constexpr int smoothing_passes = 4; // so that cells do not show
+    using Reach = detail::Reach<Scalar>;
+    const Scalar length = place.length(), half = Reach::around * length;
+    const Vector3<Scalar> centre =
+        place.wrist + Scalar(0.4) * length * (place.knuckles - place.wrist).normalized(); // of a hand, about
+    surface::Lattice<Scalar> lattice;
+    lattice.cell = Reach::cell * length;
+    const int nodes = static_cast<int>(2 * half / lattice.cell) + 2;
+    lattice.nodes = {nodes, nodes, nodes};
+    lattice.origin = centre - Vector3<Scalar>::Constant(lattice.cell * static_cast<Scalar>(nodes - 1) / 2);
+
+    const surface::SparseGrid<Scalar> distance = detail::band_in(lattice, detail::faces_in_cube(mesh, centre, half));
+    std::vector<surface::LatticeNode> seeds;
+    distance.for_each([&](const surface::LatticeNode& node, Scalar d) {
+        if (d <= lattice.cell && lattice.has(node)) seeds.push_back(node);
+    });
+    surface::LatticeShape<Scalar> shape;
+    shape.depth = [&](const surface::LatticeNode& node) {
+        return tree.winding_number(mesh, lattice.place(node)) - Scalar(0.5);
+    };
+    shape.crossing = [&](const surface::LatticeNode& in, const surface::LatticeNode& out, Scalar depth_in,
+                         Scalar depth_out) {
+        const Scalar d_in = distance.get(in), d_out = distance.get(out), sum = d_in + d_out;
+        constexpr Scalar rounded_up = Scalar(1.001);
+        if (sum <= rounded_up * lattice.cell) return sum > 0 ? d_in / sum : Scalar(0.5);
+        return std::clamp(depth_in / (depth_in - depth_out), Scalar(0), Scalar(1));
+    };
+    return surface::smoothed(surface::lattice_surface(lattice, seeds, shape), smoothing_passes);
+}
+
+} // namespace skelgen::hands

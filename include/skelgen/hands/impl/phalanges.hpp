@@ -1,0 +1,220 @@
+#pragma once
+
+#include <skelgen/hands/phalanges.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
+
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/core/precision.hpp>
+
+namespace skelgen::hands {
+namespace detail {
+
+/// How far from its end a digit's joints lie, from the knuckle on, relative to its length beyond the web.
+template <typename Scalar>
+std::array<Scalar, phalanges> joint_parts(Digit digit) {
+    constexpr std::array<std::array<double, phalanges>, 5> parts{
+        {{1.80, 1.24, 0.57}, {1.30, 0.79, 0.38}, {1.24, 0.76, 0.35}, {1.28, 0.80, 0.39}, {1.36, 0.83, 0.40}}};
+    std::array<Scalar, phalanges> out{};
+    for (std::size_t k = 0; k < phalanges; ++k) out[k] = static_cast<Scalar>(parts[static_cast<std::size_t>(digit)][k]);
+    return out;
+}
+
+template <typename Scalar>
+Vector3<Scalar> direction(const Vector3<Scalar>& v) {
+    const Scalar length = v.norm();
+    return length > 0 ? Vector3<Scalar>(v / length) : v;
+}
+
+/// Where a tube is one: rings at the web itself lean towards the palm.
+template <typename Scalar>
+std::size_t first_sound(const DigitTube<Scalar>& tube) {
+    return tube.axis.size() / 12;
+}
+
+/// Which way a tube leaves the hand: from there over its first third.
+template <typename Scalar>
+Vector3<Scalar> base_direction(const DigitTube<Scalar>& tube) {
+    return direction<Scalar>(tube.axis[tube.axis.size() / 3] - tube.axis[first_sound(tube)]);
+}
+
+/// A place on a tube's axis, that far from its end along it; beyond the web straight on.
+template <typename Scalar>
+struct OnAxis {
+    Vector3<Scalar> place;
+    Scalar radius = 0;
+};
+
+template <typename Scalar>
+Scalar axis_length(const DigitTube<Scalar>& tube) {
+    Scalar length = 0;
+    for (std::size_t i = 1; i < tube.axis.size(); ++i) length += (tube.axis[i] - tube.axis[i - 1]).norm();
+    return length;
+}
+
+template <typename Scalar>
+OnAxis<Scalar> from_end(const DigitTube<Scalar>& tube, Scalar distance) {
+    const std::size_t first = first_sound(tube);
+    for (std::size_t i = tube.axis.size() - 1; i > first; --i) {
+        const Vector3<Scalar> step = tube.axis[i - 1] - tube.axis[i];
+        const Scalar length = step.norm();
+        if (distance <= length && length > 0) {
+            const Scalar part = distance / length;
+            return {tube.axis[i] + part * step, tube.radii[i] + part * (tube.radii[i - 1] - tube.radii[i])};
+        }
+        distance -= length;
+    }
+    return {tube.axis[first] - distance * base_direction(tube), tube.radii[first]};
+}
+
+/// The mean radius of a tube over its middle half.
+template <typename Scalar>
+Scalar middle_radius(const DigitTube<Scalar>& tube) {
+    const std::size_t first = tube.radii.size() / 4, last = 3 * tube.radii.size() / 4 + 1;
+    Scalar sum = 0;
+    for (std::size_t i = first; i < last; ++i) sum += tube.radii[i];
+    return sum / static_cast<Scalar>(last - first);
+}
+
+/// How many digits side by side have that girth, relative to one of them: each one more adds two diameters.
+template <typename Scalar>
+std::size_t digits_in(Scalar girth) {
+    constexpr Scalar clearly = Scalar(1.45); // of a girth: 1.64 for two
+    if (girth < clearly) return 1;
+    return 1 + static_cast<std::size_t>(std::max(Scalar(1), std::round((girth - 1) * std::numbers::pi_v<Scalar> / 2)));
+}
+
+/// Which of the tubes is the thumb.
+template <typename Scalar>
+std::optional<std::size_t> find_thumb(const std::vector<DigitTube<Scalar>>& tubes, Scalar length) {
+    // Of the hand's length, calibrated: thumbs leave it 0.14 and more before fingers of people, 0.04 of figures. One of
+    // five is the thumb in any case.
+    const Scalar apart = Scalar(tubes.size() == all_digits.size() ? 0 : 0.03);
+    if (tubes.size() < 2) return std::nullopt;
+    if (tubes.size() == 2) return middle_radius(tubes[0]) < middle_radius(tubes[1]) ? 0 : 1;
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < tubes.size(); ++i)
+        if (tubes[i].joins < tubes[first].joins) first = i;
+    for (std::size_t i = 0; i < tubes.size(); ++i)
+        if (i != first && tubes[i].joins - tubes[first].joins < apart * length) return std::nullopt;
+    return first;
+}
+
+/// The tubes but the thumb, in the order in which they stand, from the thumb's side on.
+template <typename Scalar>
+std::vector<std::size_t> in_a_row(const std::vector<DigitTube<Scalar>>& tubes, std::optional<std::size_t> thumb) {
+    std::vector<std::size_t> row;
+    Vector3<Scalar> mean = Vector3<Scalar>::Zero();
+    for (std::size_t i = 0; i < tubes.size(); ++i) {
+        if (i == thumb) continue;
+        row.push_back(i);
+        mean += tubes[i].axis.front();
+    }
+    if (row.size() < 2) return row;
+    mean /= static_cast<Scalar>(row.size());
+    Eigen::Matrix3<Scalar> moments = Eigen::Matrix3<Scalar>::Zero();
+    for (const std::size_t i : row) core::add_outer_product<Scalar>(moments, 1, tubes[i].axis.front() - mean);
+    const Vector3<Scalar> along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3<Scalar>>(moments).eigenvectors().col(2);
+    const auto at = [&](std::size_t i) { return along.dot(tubes[i].axis.front() - mean); };
+    std::sort(row.begin(), row.end(), [&](std::size_t a, std::size_t b) { return at(a) < at(b); });
+    const auto from_thumb = [&](std::size_t i) { return (tubes[i].axis.front() - tubes[*thumb].axis.front()).norm(); };
+    const bool is_reversed =
+        thumb ? from_thumb(row.front()) > from_thumb(row.back()) : tubes[row.front()].ends < tubes[row.back()].ends;
+    if (is_reversed) std::reverse(row.begin(), row.end());
+    return row;
+}
+
+/// A digit with its joints on a tube.
+template <typename Scalar>
+FoundDigit<Scalar> on_tube(const DigitTube<Scalar>& tube, Digit digit, const HandPlace<Scalar>& place) {
+    constexpr Scalar clear = Scalar(0.25); // of the hand's length, that a finger of people stands out by, and more
+    FoundDigit<Scalar> out;
+    out.digit = digit;
+    out.tip = tube.axis.back();
+    out.web = tube.axis.front();
+    out.vertices = tube.vertices;
+    const Scalar length = axis_length(tube);
+    const std::array<Scalar, phalanges> parts = joint_parts<Scalar>(digit);
+    // A hand that is all one has its knuckles where the skeleton says.
+    const Scalar knuckle = tube.is_alone ? (place.knuckles - out.tip).norm() / length : parts.front();
+    for (std::size_t k = 0; k < phalanges; ++k) {
+        const OnAxis<Scalar> at = from_end<Scalar>(tube, parts[k] / parts.front() * knuckle * length);
+        out.joints[k] = at.place;
+        out.radii[k] = at.radius;
+    }
+    // The thumb's metacarpal lies in the palm, between its second joint and the wrist.
+    constexpr Scalar to_wrist = Scalar(0.4);
+    if (digit == Digit::thumb) out.joints[0] = out.joints[1] + to_wrist * (place.wrist - out.joints[1]);
+    out.confidence = static_cast<double>(std::min(Scalar(1), (tube.ends - tube.joins) / (clear * place.length())));
+    return out;
+}
+
+/// The axis about which a digit bends: across its own bend where there is one that agrees, else as the palm has it.
+template <typename Scalar>
+Vector3<Scalar> hinge_of(const FoundDigit<Scalar>& digit, const Vector3<Scalar>& towards) {
+    constexpr Scalar bent = Scalar(0.25); // sine of the least bend that says how: about 15 degrees
+    const Vector3<Scalar> first = direction<Scalar>(digit.joints[1] - digit.joints[0]);
+    const Vector3<Scalar> last = direction<Scalar>(digit.tip - digit.joints[2]);
+    const Vector3<Scalar> expected = direction<Scalar>(first.cross(towards)), own = first.cross(last);
+    constexpr Scalar agrees = Scalar(0.7); // within 45 degrees
+    if (own.norm() > bent && own.normalized().dot(expected) > agrees) return own.normalized();
+    return expected;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+std::vector<FoundDigit<Scalar>> name_digits(const std::vector<DigitTube<Scalar>>& tubes, const HandPlace<Scalar>& place,
+                                            Side side) {
+    std::vector<FoundDigit<Scalar>> out;
+    const auto thumb = detail::find_thumb<Scalar>(tubes, place.length());
+    const std::vector<std::size_t> row = detail::in_a_row<Scalar>(tubes, thumb);
+    if (row.empty()) return out;
+
+    Scalar thinnest = thumb ? detail::middle_radius(tubes[*thumb]) : detail::middle_radius(tubes[row.front()]);
+    if (row.size() > 1 || !thumb)
+        for (const std::size_t i : row) thinnest = std::min(thinnest, detail::middle_radius(tubes[i]));
+    constexpr std::size_t fingers = 4;
+    std::vector<std::size_t> widths;
+    std::size_t spare = fingers - std::min(fingers, row.size());
+    for (const std::size_t i : row) {
+        const std::size_t more =
+            std::min(spare, detail::digits_in<Scalar>(detail::middle_radius(tubes[i]) / thinnest) - 1);
+        widths.push_back(1 + (tubes[i].is_alone ? spare : more));
+        spare -= widths.back() - 1;
+    }
+    if (thumb) out.push_back(detail::on_tube(tubes[*thumb], Digit::thumb, place));
+    std::size_t next = 1;
+    for (std::size_t k = 0; k < row.size() && next < all_digits.size(); ++k) {
+        FoundDigit<Scalar> digit = detail::on_tube(tubes[row[k]], all_digits[next++], place);
+        for (std::size_t more = 1; more < widths[k] && next < all_digits.size(); ++more)
+            digit.fused.push_back(all_digits[next++]);
+        out.push_back(std::move(digit));
+    }
+
+    // Out of the palm: from the fingers' direction and where the thumb is, as the hand's side has it.
+    Vector3<Scalar> forward = Vector3<Scalar>::Zero(), middle = Vector3<Scalar>::Zero();
+    for (const std::size_t i : row) {
+        forward += detail::base_direction(tubes[i]);
+        middle += tubes[i].axis.front() / static_cast<Scalar>(row.size());
+    }
+    Vector3<Scalar> to_thumb = tubes[row.front()].axis.front() - tubes[row.back()].axis.front();
+    if (row.size() == 1) to_thumb = thumb ? Vector3<Scalar>(tubes[*thumb].axis.front() - middle) : to_thumb;
+    const Vector3<Scalar> palm =
+        static_cast<Scalar>(sign_of(side)) * detail::direction<Scalar>(forward.cross(to_thumb));
+    for (FoundDigit<Scalar>& digit : out) {
+        const bool is_thumb = digit.digit == Digit::thumb;
+        digit.hinge = detail::hinge_of<Scalar>(digit, is_thumb ? Vector3<Scalar>(middle - digit.web) : palm);
+    }
+    return out;
+}
+
+} // namespace skelgen::hands

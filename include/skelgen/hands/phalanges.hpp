@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/hands/digit.hpp>
+#include <skelgen/hands/digit_tubes.hpp>
+#include <skelgen/hands/hand_surface.hpp>
+
+namespace skelgen::hands {
+
+/// Names the digits of a hand and divides them into phalanges. The thumb is the one that leaves the hand clearly
+/// nearest to the forearm, of two the thinner one; the others stand in a row from it on: index, middle, ring, little,
+/// and where there are fewer, the last ones are missing; without a thumb the little finger is at the end where they are
+/// shorter. One that is as wide as several are these together. Joints lie on the digit's axis, at the parts of its
+/// length beyond the web that they have in people and in characters alike (medians of the rigs of five groups of
+/// makers), the knuckle behind the web straight on. In the order of the digits; empty without tubes. O(tubes).
+template <typename Scalar>
+[[nodiscard]] std::vector<FoundDigit<Scalar>> name_digits(const std::vector<DigitTube<Scalar>>& tubes,
+                                                          const HandPlace<Scalar>& place, Side side);
+
+} // namespace skelgen::hands
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/hands/impl/phalanges.hpp>
+#endif

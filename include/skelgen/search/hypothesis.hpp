@@ -1,0 +1,64 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <skelgen/curve/find_curve.hpp>
+#include <skelgen/surface/prepare.hpp>
+
+namespace skelgen::search {
+
+/// What is done to a surface where it may have grown together with itself, before its curve is looked for.
+enum class Opening {
+    opened,        ///< pockets closed, handles opened, as far as there are any
+    short_handles, ///< the same at short handles alone
+    as_given,      ///< nothing
+};
+
+/// How much work goes into a curve skeleton.
+enum class Effort {
+    draft,        ///< a coarse proxy, roughly centred: enough for most bodies
+    quick,        ///< the same proxy, centred, with regions
+    whole,        ///< as the options have it
+    finer,        ///< a proxy half as fine again
+    finest,       ///< and once more
+    less_centred, ///< the whole one's branches after few rounds of centring
+    rest_fit      ///< none: a body at rest is laid into the surface (rest_fit.hpp)
+};
+
+/// What of the things that hands may hold is taken off.
+enum class Held {
+    nothing,
+    all,          ///< everything beyond the hand's ball
+    all_but_fist, ///< but for what is as long as the other hand's fingers
+};
+
+/// What may be true of a mesh: which surface stands for the body, where it was opened, what it holds, how finely its
+/// curve has to be looked for. A value: the ladder (ladder.hpp) tries one after the other.
+struct Hypothesis {
+    surface::Remedy surface = surface::Remedy::largest_piece;
+    Opening opening = Opening::opened;
+    int cuts = 0; ///< how often it was cut open at loops of its curve
+    Held held = Held::nothing;
+    Effort effort = Effort::draft;
+};
+
+/// The options of a curve that is found with such an effort. A draft's proxy has half as many vertices as wanted (but
+/// no fewer than 750: fewer are no body's any longer), is contracted in half as many steps, as it is held to the balls
+/// inside five times as firmly, and is centred roughly (curve/find_curve.hpp). Calibrated on the research bodies.
+[[nodiscard]] curve::CurveOptions curve_options(Effort effort, curve::CurveOptions wanted);
+
+/// What a curve of such an effort costs, in drafts.
+[[nodiscard]] int cost_of(Effort effort);
+
+/// As trails spell them: "largest_piece", "draft", ...
+[[nodiscard]] std::string_view to_string(surface::Remedy remedy);
+[[nodiscard]] std::string_view to_string(Opening opening);
+[[nodiscard]] std::string_view to_string(Effort effort);
+[[nodiscard]] std::string_view to_string(Held held);
+
+} // namespace skelgen::search
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/search/impl/hypothesis.hpp>
+#endif

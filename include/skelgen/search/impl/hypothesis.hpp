@@ -1,0 +1,103 @@
+#pragma once
+
+#include <skelgen/search/hypothesis.hpp>
+
+#include <algorithm>
+
+#include <skelgen/core/header_only.hpp>
+
+namespace skelgen::search {
+
+SKELGEN_INLINE curve::CurveOptions curve_options(Effort effort, curve::CurveOptions wanted) {
+    constexpr int least_vertices = 750;
+    constexpr double more_firmly = 5, most_firmly = 1e6; // the latter as contract takes it
+    int& vertices = wanted.proxy.vertices;
+    const auto half_as_fine_again = [](int count) { return std::min(count + count / 2, curve::most_proxy_vertices); };
+    if (effort == Effort::draft || effort == Effort::quick) {
+        vertices = std::max(vertices / 2, std::min(vertices, least_vertices));
+        double& weight = wanted.contraction.medial_weight;
+        weight = std::min(more_firmly * weight, most_firmly);
+    }
+    if (effort == Effort::finer || effort == Effort::finest) vertices = half_as_fine_again(vertices);
+    if (effort == Effort::finest) vertices = half_as_fine_again(vertices);
+    wanted.is_draft = effort == Effort::draft;
+    return wanted;
+}
+
+SKELGEN_INLINE int cost_of(Effort effort) {
+    switch (effort) {
+    case Effort::draft:
+    case Effort::less_centred:
+    case Effort::rest_fit:
+        return 1;
+    case Effort::quick:
+        return 2;
+    case Effort::whole:
+        return 3;
+    case Effort::finer:
+        return 5;
+    case Effort::finest:
+        return 8;
+    }
+    return 1;
+}
+
+SKELGEN_INLINE std::string_view to_string(surface::Remedy remedy) {
+    switch (remedy) {
+    case surface::Remedy::largest_piece:
+        return "largest_piece";
+    case surface::Remedy::envelope:
+        return "envelope";
+    case surface::Remedy::wrap:
+        return "wrap";
+    case surface::Remedy::rounded:
+        return "rounded";
+    }
+    return "";
+}
+
+SKELGEN_INLINE std::string_view to_string(Opening opening) {
+    switch (opening) {
+    case Opening::opened:
+        return "opened";
+    case Opening::short_handles:
+        return "short_handles";
+    case Opening::as_given:
+        return "as_given";
+    }
+    return "";
+}
+
+SKELGEN_INLINE std::string_view to_string(Effort effort) {
+    switch (effort) {
+    case Effort::draft:
+        return "draft";
+    case Effort::quick:
+        return "quick";
+    case Effort::whole:
+        return "whole";
+    case Effort::finer:
+        return "finer";
+    case Effort::finest:
+        return "finest";
+    case Effort::less_centred:
+        return "less_centred";
+    case Effort::rest_fit:
+        return "rest_fit";
+    }
+    return "";
+}
+
+SKELGEN_INLINE std::string_view to_string(Held held) {
+    switch (held) {
+    case Held::nothing:
+        return "nothing";
+    case Held::all:
+        return "all";
+    case Held::all_but_fist:
+        return "all_but_fist";
+    }
+    return "";
+}
+
+} // namespace skelgen::search

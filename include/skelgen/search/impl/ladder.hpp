@@ -1,0 +1,402 @@
+#pragma once
+
+#include <skelgen/search/ladder.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/core/precision.hpp>
+#include <skelgen/core/stopwatch.hpp>
+#include <skelgen/embedding/loop_cuts.hpp>
+#include <skelgen/embedding/proportions.hpp>
+#include <skelgen/search/contacts.hpp>
+#include <skelgen/search/held_things.hpp>
+#include <skelgen/search/trust.hpp>
+#include <skelgen/surface/open_handles.hpp>
+#include <skelgen/surface/pockets.hpp>
+
+namespace skelgen::search {
+namespace detail {
+
+/// How far a body's vertices have been moved off the input's by smoothing: the root mean square, part of its size.
+template <typename Scalar>
+double smoothed_away(const Body<Scalar>& body, const TriangleMesh<Scalar>& mesh) {
+    core::Accumulator sum = 0;
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < body.source.size(); ++v) {
+        if (body.source[v] < 0) continue;
+        const auto row = static_cast<Eigen::Index>(v);
+        sum += (body.similarity.to_canonical(core::point(mesh.vertices, body.source[v])) -
+                core::point(body.mesh.vertices, row))
+                   .squaredNorm();
+        ++count;
+    }
+    const double size = static_cast<double>(core::bounding_diagonal(body.mesh.vertices));
+    return count > 0 && size > 0 ? std::sqrt(static_cast<double>(sum) / static_cast<double>(count)) / size : 0;
+}
+
+/// So much noise, a centimetre on a person, may have moved joints.
+inline constexpr double much_noise = 0.005;
+
+inline bool is_envelope(surface::Remedy remedy) {
+    return remedy == surface::Remedy::envelope || remedy == surface::Remedy::wrap;
+}
+
+/// A surface that a remedy has made of the mesh.
+template <typename Scalar>
+struct PreparedSurface {
+    std::shared_ptr<const Body<Scalar>> whole;
+    std::shared_ptr<const Body<Scalar>> closed;         ///< its pockets closed; the same where it has none
+    std::optional<surface::OpenedBody<Scalar>> handles; ///< and its handles opened; none where it has none
+    double noise = 0;
+    double left_out = 0; ///< share of the input's area
+};
+
+/// A hypothesis that waits to be tried, with what is known of it from the one that led to it.
+template <typename Scalar>
+struct Lead {
+    Hypothesis what;
+    int rung = 0;                                                 ///< lower ones promise more
+    std::shared_ptr<const Body<Scalar>> body = {};                ///< none: the surface as the hypothesis has it
+    std::shared_ptr<const curve::CurveResult<Scalar>> curve = {}; ///< none: to be found
+    int most_contacts = std::numeric_limits<int>::max();          ///< a cut that leaves as many has opened nothing
+};
+
+template <typename Scalar>
+class Ladder {
+public:
+    Ladder(const TriangleMesh<Scalar>& mesh, const SkeletonTemplate& wanted, const ExtractOptions& options,
+           Thoroughness thoroughness)
+        : mesh_(mesh), wanted_(wanted), options_(options), thoroughness_(thoroughness) {}
+
+    Climb<Scalar> run() {
+        core::Stopwatch stage;
+        material_ = surface::gather(mesh_, options_.prepare);
+        out_.timings.surface = stage.lap();
+        if (material_.bodies > 1 && options_.prepare.component == 0) {
+            out_.failure = {Refusal::several_bodies,
+                            std::to_string(material_.bodies) +
+                                " bodies apart; give each a file of its own, or take one by its number (--component)"};
+            return std::move(out_);
+        }
+        remedies_ = material_.remedies;
+        const Scalar unit = material_.clean.similarity.scale;
+        material_area_ = static_cast<double>(unit * unit * core::surface_area(material_.clean.mesh));
+        for (std::size_t i = 0; i < remedies_.size(); ++i)
+            add({{remedies_[i]}, rungs_per_surface * static_cast<int>(i)});
+        int spent = 0;
+        while (!leads_.empty() && !is_sure()) {
+            const Lead<Scalar> lead = next();
+            const int cost = cost_of(lead.what.effort);
+            if (spent + cost > options_.budget) continue; // a cheaper one may still be within it
+            spent += cost;
+            try_lead(lead);
+        }
+        return std::move(out_);
+    }
+
+private:
+    static constexpr int rungs_per_surface = 100;
+    /// On the way up from a surface's draft. Each try that is not sure leads to those above it.
+    static constexpr int for_cuts = 1, for_rest_fit = 25, for_whole = 10, for_less_centred = 11, for_held = 20,
+                         for_other_opening = 30, for_finer = 40, for_finest = 50;
+
+    void add(Lead<Scalar> lead) {
+        const auto place = std::upper_bound(leads_.begin(), leads_.end(), lead,
+                                            [](const auto& a, const auto& b) { return a.rung < b.rung; });
+        leads_.insert(place, std::move(lead));
+    }
+
+    Lead<Scalar> next() {
+        Lead<Scalar> lead = std::move(leads_.front());
+        leads_.erase(leads_.begin());
+        return lead;
+    }
+
+    [[nodiscard]] bool is_sure() const {
+        return thoroughness_ == Thoroughness::until_sure && !out_.found.empty() &&
+               out_.found.front().candidate.probability >= sure_enough;
+    }
+
+    /// The surface that a remedy makes, opened; a failure where nothing is enclosed.
+    const Outcome<PreparedSurface<Scalar>>& surface_by(surface::Remedy remedy) {
+        if (const auto known = surfaces_.find(remedy); known != surfaces_.end()) return known->second;
+        const bool is_last = surfaces_.size() + 1 == remedies_.size();
+        const double input_area = material_area_;
+        Outcome<Body<Scalar>> body =
+            surface::make_body_by(remedy, is_last ? std::move(material_) : material_, options_.prepare);
+        if (!body) return surfaces_.emplace(remedy, body.failure()).first->second;
+        PreparedSurface<Scalar> out;
+        out.whole = std::make_shared<const Body<Scalar>>(*std::move(body));
+        std::optional<Body<Scalar>> closed = surface::close_pockets(*out.whole);
+        out.closed = closed ? std::make_shared<const Body<Scalar>>(*std::move(closed)) : out.whole;
+        out.handles = surface::open_handles(*out.closed);
+        out.noise = smoothed_away(*out.whole, mesh_);
+        const double area =
+            static_cast<double>(out.whole->similarity.scale * out.whole->similarity.scale); // a body has 1
+        if (!is_envelope(remedy) && input_area > 0) out.left_out = std::clamp(1 - area / input_area, 0.0, 1.0);
+        return surfaces_.emplace(remedy, std::move(out)).first->second;
+    }
+
+    /// The surface as a hypothesis has it opened; none where that is as another one.
+    std::shared_ptr<const Body<Scalar>> opened(const PreparedSurface<Scalar>& surface, Opening opening) const {
+        if (opening == Opening::as_given) return surface.whole;
+        if (!surface.handles) return opening == Opening::opened ? surface.closed : nullptr;
+        if (opening == Opening::opened) return std::make_shared<const Body<Scalar>>(surface.handles->body);
+        auto short_alone = surface::open_short_handles(*surface.closed, *surface.handles);
+        return short_alone ? std::make_shared<const Body<Scalar>>(std::move(short_alone->body)) : nullptr;
+    }
+
+    /// The one place where a curve is looked for.
+    std::shared_ptr<const curve::CurveResult<Scalar>> curve_of(const Lead<Scalar>& lead, const Body<Scalar>& body) {
+        if (lead.curve) return lead.curve;
+        return std::make_shared<const curve::CurveResult<Scalar>>(
+            find_curve(body, curve_options(lead.what.effort, options_.curve)));
+    }
+
+    void try_lead(Lead<Scalar> lead) {
+        core::Stopwatch whole, stage;
+        Tried entry{lead.what};
+        const Outcome<PreparedSurface<Scalar>>& surface = surface_by(lead.what.surface);
+        if (surface && !lead.body) lead.body = opened(*surface, lead.what.opening);
+        out_.timings.surface += stage.lap();
+        if (!surface) return finish(entry, surface.failure(), whole.lap());
+        if (!lead.body) return;
+        const auto curve = curve_of(lead, *lead.body);
+        out_.timings.curve += stage.lap();
+
+        const double likeliest = lead.what.effort == Effort::rest_fit ? try_at_rest(lead, *surface, curve, entry)
+                                                                      : try_templates(lead, *surface, curve, entry);
+        if (likeliest < sure_enough || thoroughness_ == Thoroughness::exhaustive) follow(lead, *surface, curve);
+        finish(entry, {}, whole.lap());
+    }
+
+    void finish(Tried entry, const Failure& failure, double milliseconds) {
+        if (entry.candidates > 0) entry.refusal = Refusal::none;
+        if (failure.reason != Refusal::none) {
+            entry.refusal = failure.reason;
+            if (out_.failure.reason == Refusal::none) out_.failure = failure;
+        }
+        entry.seconds = milliseconds / 1000;
+        out_.trail.push_back(entry);
+    }
+
+    /// The template in the curve, in the likeliest way and, where that is not sure, in others. \returns the probability
+    /// of the likeliest skeleton.
+    double try_templates(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
+                         const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
+        constexpr std::size_t most_others = 4;
+        core::Stopwatch stage;
+        auto first = embedding::fitting_proportions(curve->curve, wanted_, options_.matching);
+        out_.timings.embed += stage.lap();
+        double likeliest = 0;
+        if (first || curve->is_point)
+            likeliest = try_laid(lead, surface, curve, first ? *first : embedding::FittingTemplate{}, entry);
+        else
+            refuse(entry, first.failure());
+        if (curve->is_point || (lead.what.effort == Effort::draft && first) ||
+            (likeliest >= likely_enough && thoroughness_ == Thoroughness::until_sure))
+            return likeliest;
+        stage.lap();
+        std::vector<embedding::FittingTemplate> others =
+            embedding::other_fitting_templates(curve->curve, wanted_, most_others, options_.matching);
+        out_.timings.embed += stage.lap();
+        for (const embedding::FittingTemplate& other : others) {
+            if (first && first->embedding.node_of_joint == other.embedding.node_of_joint &&
+                first->is_odd == other.is_odd)
+                continue;
+            likeliest = std::max(likeliest, try_laid(lead, surface, curve, other, entry));
+        }
+        return likeliest;
+    }
+
+    double try_at_rest(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
+                       const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
+        core::Stopwatch stage;
+        const auto fit = fit_at_rest(*lead.body, wanted_, options_.refinement);
+        out_.timings.refine += stage.lap();
+        if (fit) return try_laid(lead, surface, curve, *fit, entry);
+        refuse(entry, {Refusal::no_mirror, "no body at rest: the surface mirrors itself in no plane"});
+        return 0;
+    }
+
+    /// `laid`: a template laid into the curve, or a body at rest laid into the surface.
+    template <typename Laid>
+    double try_laid(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
+                    const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, const Laid& laid, Tried& entry) {
+        const double likeliest = try_with(lead, surface, curve, laid, options_, entry);
+        const bool is_cut = last_cut_limbs_ > 0;
+        if (!is_cut || (likeliest >= sure_enough && thoroughness_ == Thoroughness::until_sure)) return likeliest;
+        ExtractOptions as_whole = options_; // flat soles may pass for cuts
+        as_whole.refinement.limbs_may_be_cut = false;
+        return std::max(likeliest, try_with(lead, surface, curve, laid, as_whole, entry));
+    }
+
+    template <typename Laid>
+    double try_with(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
+                    const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, const Laid& laid,
+                    const ExtractOptions& options, Tried& entry) {
+        Outcome<Candidate<Scalar>> candidate = skeleton_of(*lead.body, *curve, laid, options);
+        last_cut_limbs_ = candidate ? candidate->evidence[Witness::cut_limbs] : 0;
+        if (!candidate) {
+            refuse(entry, candidate.failure());
+            return 0;
+        }
+        out_.timings = out_.timings + candidate->timings;
+        ++entry.candidates;
+        candidate->evidence = with_history(candidate->evidence, lead.what, surface);
+        candidate->probability = probability_right(candidate->evidence);
+        const double probability = candidate->probability;
+        if (probability > entry.probability) {
+            entry.probability = probability;
+            entry.lacks_limb = candidate->evidence[Witness::lacks_head] + candidate->evidence[Witness::lacks_limbs] +
+                                   candidate->evidence[Witness::cut_limbs] >
+                               0;
+        }
+        Found<Scalar> found{*std::move(candidate), lead.body, surface.whole, curve, lead.what, surface.noise};
+        if (thoroughness_ == Thoroughness::exhaustive || out_.found.empty())
+            out_.found.push_back(std::move(found));
+        else if (probability > out_.found.front().candidate.probability)
+            out_.found.front() = std::move(found);
+        return probability;
+    }
+
+    void refuse(Tried& entry, const Failure& failure) {
+        if (entry.refusal == Refusal::none) entry.refusal = failure.reason;
+        if (out_.failure.reason == Refusal::none) out_.failure = failure;
+    }
+
+    /// The evidence with what was done to the surface.
+    static Evidence with_history(Evidence evidence, const Hypothesis& what, const PreparedSurface<Scalar>& surface) {
+        const auto flag = [](bool is) { return is ? 1.0 : 0.0; };
+        evidence[Witness::envelope] = flag(what.surface == surface::Remedy::envelope);
+        evidence[Witness::wrap] = flag(what.surface == surface::Remedy::wrap);
+        evidence[Witness::rounded] = flag(what.surface == surface::Remedy::rounded);
+        evidence[Witness::left_out] = surface.left_out;
+        evidence[Witness::noisy] = flag(surface.noise > much_noise);
+        evidence[Witness::opened] =
+            flag(what.opening != Opening::as_given && (surface.handles || surface.closed != surface.whole));
+        evidence[Witness::cut] = flag(what.cuts > 0);
+        evidence[Witness::held] = flag(what.held != Held::nothing);
+        return evidence;
+    }
+
+    /// What else a try leads to that is not sure.
+    void follow(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
+                const std::shared_ptr<const curve::CurveResult<Scalar>>& curve) {
+        const Effort effort = lead.what.effort;
+        const int rung = lead.rung / rungs_per_surface * rungs_per_surface;
+        const auto lead_to = [&](Hypothesis what, int up, std::shared_ptr<const Body<Scalar>> body) {
+            add({what, rung + up, std::move(body)});
+        };
+        Hypothesis what = lead.what;
+        if (effort == Effort::rest_fit || curve->is_point) return;
+        if (effort == Effort::draft && lead.what.opening == Opening::opened) {
+            what.effort = Effort::rest_fit;
+            add({what, rung + for_rest_fit, lead.body, curve});
+            what = lead.what;
+        }
+        if (effort == Effort::draft || effort == Effort::quick) {
+            what.effort = Effort::whole;
+            lead_to(what, for_whole + lead.rung % rungs_per_surface, lead.body);
+        }
+        follow_contacts(lead, curve);
+        if (effort != Effort::whole) return;
+        if (lead.what.held == Held::nothing && lead.what.cuts == 0) {
+            follow_held(lead, curve, rung + for_held);
+            if (lead.what.opening == Opening::opened) {
+                what = lead.what;
+                what.effort = Effort::draft;
+                if (surface.handles && surface.handles->before_creases) {
+                    what.opening = Opening::short_handles;
+                    lead_to(what, for_other_opening, nullptr);
+                }
+                if (surface.handles || surface.closed != surface.whole) {
+                    what.opening = Opening::as_given;
+                    lead_to(what, for_other_opening, nullptr);
+                }
+            }
+            follow_centring(lead, curve, rung + for_less_centred);
+            what = lead.what;
+            what.effort = Effort::finer;
+            add({what, finer_after_all + for_finer, lead.body});
+            what.effort = Effort::finest;
+            add({what, finer_after_all + for_finest, lead.body});
+        }
+    }
+
+    /// Cuts at the loops of a curve; those of an envelope's draft, whose pieces grow together where they lie close,
+    /// are the whole curve's to tell.
+    void follow_contacts(const Lead<Scalar>& lead, const std::shared_ptr<const curve::CurveResult<Scalar>>& curve) {
+        const int contacts = embedding::contact_count(curve->curve);
+        const bool is_envelopes_draft = curve->is_draft && is_envelope(lead.what.surface);
+        if (contacts == 0 || contacts >= lead.most_contacts || is_envelopes_draft) return;
+        core::Stopwatch stage;
+        const auto with_regions =
+            curve->is_draft ? std::make_shared<const curve::CurveResult<Scalar>>(finished(*curve, *lead.body)) : curve;
+        Hypothesis what = lead.what;
+        ++what.cuts;
+        if (what.effort == Effort::draft) what.effort = Effort::quick;
+        for (Body<Scalar>& cut : cut_at_contacts(*lead.body, with_regions->curve, wanted_, options_.matching))
+            add({what, lead.rung + for_cuts, std::make_shared<const Body<Scalar>>(std::move(cut)), nullptr, contacts});
+        out_.timings.curve += stage.lap();
+    }
+
+    void follow_held(const Lead<Scalar>& lead, const std::shared_ptr<const curve::CurveResult<Scalar>>& curve,
+                     int rung) {
+        Hypothesis what = lead.what;
+        what.held = Held::all;
+        for (Body<Scalar>& bare : without_held_things(*lead.body, curve->curve, wanted_, options_.matching)) {
+            add({what, rung, std::make_shared<const Body<Scalar>>(std::move(bare))});
+            what.held = Held::all_but_fist;
+        }
+    }
+
+    /// Where stout arms hang beside the trunk their own sections are few, and centring may draw their junctions down
+    /// the trunk: the curve is left as it was after few rounds of that.
+    void follow_centring(const Lead<Scalar>& lead, const std::shared_ptr<const curve::CurveResult<Scalar>>& curve,
+                         int rung) {
+        constexpr int few = 3; // one coarse round, and two of those that join branches
+        if (!curve->contracted || options_.curve.centring.rounds <= few || core::cycle_count(curve->curve) > 0) return;
+        const auto fitting = embedding::fitting_proportions(curve->curve, wanted_, options_.matching);
+        if (!fitting || !fitting->fits_badly) return;
+        core::Stopwatch stage;
+        Hypothesis what = lead.what;
+        what.effort = Effort::less_centred;
+        add({what, rung, lead.body,
+             std::make_shared<const curve::CurveResult<Scalar>>(recentred(*curve, *lead.body, few))});
+        out_.timings.curve += stage.lap();
+    }
+
+    static constexpr int finer_after_all = 1000;
+
+    const TriangleMesh<Scalar>& mesh_;
+    const SkeletonTemplate& wanted_;
+    const ExtractOptions& options_;
+    Thoroughness thoroughness_;
+    surface::BodyMaterial<Scalar> material_;
+    std::vector<surface::Remedy> remedies_; ///< of the material, which the last of them takes
+    double material_area_ = 0;              ///< in the input's unit
+    std::map<surface::Remedy, Outcome<PreparedSurface<Scalar>>> surfaces_;
+    std::vector<Lead<Scalar>> leads_; ///< by rung
+    double last_cut_limbs_ = 0;       ///< of the candidate tried last
+    Climb<Scalar> out_;
+};
+
+} // namespace detail
+
+template <typename Scalar>
+Climb<Scalar> climb(const TriangleMesh<Scalar>& mesh, const SkeletonTemplate& wanted, const ExtractOptions& options,
+                    Thoroughness thoroughness) {
+    return detail::Ladder<Scalar>(mesh, wanted, options, thoroughness).run();
+}
+
+} // namespace skelgen::search

@@ -1,0 +1,582 @@
+#pragma once
+
+#include <skelgen/search/rest_fit.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <nanoflann.hpp>
+
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/core/header_only.hpp>
+#include <skelgen/embedding/proportions.hpp>
+
+namespace skelgen::search {
+namespace detail {
+
+using Vec3d = Vector3<double>;
+using Places = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+/// So many places spread evenly over a surface, in order of its faces: the same for the same mesh.
+template <typename Scalar>
+Places spread_places(const TriangleMesh<Scalar>& mesh, int count) {
+    std::vector<double> sum(static_cast<std::size_t>(mesh.faces.rows()));
+    double area = 0;
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
+        sum[static_cast<std::size_t>(f)] = area += static_cast<double>(core::face_area_vector(mesh, f).norm()) / 2;
+    Places out(count, 3);
+    // Within a face places follow the golden ratio's low-discrepancy sequence.
+    constexpr double step_u = 0.7548776662466927, step_v = 0.5698402909980532;
+    for (int i = 0; i < count; ++i) {
+        const double at = area * (i + 0.5) / count;
+        const auto f =
+            std::min<Eigen::Index>(std::lower_bound(sum.begin(), sum.end(), at) - sum.begin(), mesh.faces.rows() - 1);
+        double u = std::fmod(step_u * (i + 1), 1.0), v = std::fmod(step_v * (i + 1), 1.0);
+        if (u + v > 1) {
+            u = 1 - u;
+            v = 1 - v;
+        }
+        const auto corner = [&](int k) -> Vec3d {
+            return core::point(mesh.vertices, mesh.faces(f, k)).template cast<double>();
+        };
+        out.row(i) = (corner(0) + u * (corner(1) - corner(0)) + v * (corner(2) - corner(0))).transpose();
+    }
+    return out;
+}
+
+/// For unit area: a person has 0.05, a sheet nothing.
+template <typename Scalar>
+inline constexpr Scalar least_volume = Scalar(1e-3);
+
+/// Places in a tree.
+class PlaceTree {
+public:
+    explicit PlaceTree(const Places& places) : places_(places), tree_(3, places_) {}
+
+    [[nodiscard]] std::pair<Eigen::Index, double> nearest(const Vec3d& place) const {
+        Eigen::Index index = 0;
+        double squared = std::numeric_limits<double>::infinity();
+        nanoflann::KNNResultSet<double, Eigen::Index> result(1);
+        result.init(&index, &squared);
+        tree_.index->findNeighbors(result, place.data(), nanoflann::SearchParams());
+        return {index, std::sqrt(squared)};
+    }
+
+private:
+    const Places& places_;
+    nanoflann::KDTreeEigenMatrixAdaptor<Places, 3, nanoflann::metric_L2_Simple> tree_;
+};
+
+inline Vec3d mirrored(const Vec3d& place, const MirrorPlane& plane) {
+    return place - 2 * (plane.normal.dot(place) - plane.offset) * plane.normal;
+}
+
+/// Share of the places that have another one within `reach` of where the plane mirrors them.
+inline double mirrored_share_of(const Places& places, const PlaceTree& tree, const MirrorPlane& plane, double reach) {
+    double near = 0;
+    for (Eigen::Index i = 0; i < places.rows(); ++i)
+        near += tree.nearest(mirrored(places.row(i).transpose(), plane)).second < reach ? 1 : 0;
+    return near / static_cast<double>(places.rows());
+}
+
+/// The plane brought to where the places mirror themselves best, by iterative closest points, ever nearer ones.
+inline MirrorPlane settled(MirrorPlane plane, const Places& places, const Places& cloud, const PlaceTree& tree,
+                           double extent) {
+    constexpr int rounds = 12;
+    constexpr double widest = 0.12, narrowest = 0.02, narrower = 0.75; // of the extent; the last each round
+    constexpr int least_pairs = 30;
+    double reach = widest * extent;
+    for (int round = 0; round < rounds; ++round, reach = std::max(narrower * reach, narrowest * extent)) {
+        Vec3d from = Vec3d::Zero(), to = Vec3d::Zero();
+        std::vector<std::pair<Vec3d, Vec3d>> pairs;
+        for (Eigen::Index i = 0; i < places.rows(); ++i) {
+            const Vec3d place = places.row(i).transpose();
+            const auto [other, distance] = tree.nearest(mirrored(place, plane));
+            if (distance >= reach) continue;
+            pairs.emplace_back(place, cloud.row(other).transpose());
+            from += pairs.back().first;
+            to += pairs.back().second;
+        }
+        if (static_cast<int>(pairs.size()) < least_pairs) break;
+        from /= static_cast<double>(pairs.size());
+        to /= static_cast<double>(pairs.size());
+        Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+        for (const auto& [a, b] : pairs) moment += (a - from) * (b - to).transpose();
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(Eigen::Matrix3d((moment + moment.transpose()) / 2));
+        const Vec3d normal = axes.eigenvectors().col(0); // the axis along which the pairs are most against each other
+        plane.normal = normal.dot(plane.normal) < 0 ? Vec3d(-normal) : normal;
+        plane.offset = plane.normal.dot(from + to) / 2;
+    }
+    plane.share = mirrored_share_of(places, tree, plane, narrowest * extent);
+    return plane;
+}
+
+/// What is laid into the surface: 23 numbers in units of the height, x across the mirror plane, y up, z forward or
+/// back, the feet's lowest place at y = 0 and the highest at 1.
+enum Number {
+    floor_y,
+    crotch_y,
+    neck_y,
+    top_y,
+    shoulder_x,
+    shoulder_drop,
+    arm_angle,
+    arm_length,
+    hip_x,
+    ankle_x,
+    crotch_z,
+    neck_z,
+    hand_z,
+    ankle_z,
+    head_z,
+    head_radius,
+    trunk_radius,
+    chest_radius,
+    shoulder_radius,
+    wrist_radius,
+    thigh_radius,
+    ankle_radius,
+    foot_length,
+    numbers
+};
+
+using RestNumbers = Eigen::Matrix<double, numbers, 1>;
+
+/// Proportions that a fit starts from.
+struct RestStart {
+    double crotch, neck, shoulder, drop, arm, hip, head_radius, trunk_radius, arm_radius, leg_radius;
+};
+
+/// An adult; a child or a figure of four heads; one of two heads. Parts of the height.
+inline constexpr std::array<RestStart, 3> rest_starts{{{.47, .83, .10, .02, .42, .05, .06, .07, .025, .045},
+                                                       {.38, .70, .10, .03, .34, .055, .12, .09, .03, .05},
+                                                       {.25, .53, .10, .03, .28, .06, .20, .11, .035, .05}}};
+inline constexpr std::array<double, 3> arm_angles{0.1, 0.8, 1.3}; ///< below level: T-pose, A-pose, hanging
+
+inline RestNumbers start_at(const RestStart& start, double angle) {
+    RestNumbers out = RestNumbers::Zero();
+    out[crotch_y] = start.crotch;
+    out[neck_y] = start.neck;
+    out[top_y] = 1;
+    out[shoulder_x] = start.shoulder;
+    out[shoulder_drop] = start.drop;
+    out[arm_angle] = angle;
+    out[arm_length] = start.arm;
+    out[hip_x] = start.hip;
+    out[ankle_x] = 1.2 * start.hip;
+    out[head_radius] = std::log(start.head_radius);
+    out[trunk_radius] = out[chest_radius] = std::log(start.trunk_radius);
+    out[shoulder_radius] = out[wrist_radius] = std::log(start.arm_radius);
+    out[thigh_radius] = std::log(1.2 * start.leg_radius);
+    out[ankle_radius] = std::log(0.7 * start.leg_radius);
+    return out;
+}
+
+/// How far each number may be from where a fit starts: standard deviations of a broad prior.
+inline RestNumbers prior_deviations() {
+    RestNumbers out;
+    out << .05, .12, .12, .12, .06, .04, .6, .12, .04, .06, .06, .06, .1, .06, .06, .5, .5, .5, .5, .5, .5, .5, .06;
+    return out;
+}
+
+/// A cone with round ends, widened across the mirror plane.
+struct RestBone {
+    Vec3d from, to;
+    double from_radius, to_radius, from_width = 0, to_width = 0;
+};
+
+/// The model's half beside the mirror plane.
+struct RestModel {
+    std::array<RestBone, 5> bones; ///< head, trunk, arm, leg, foot
+    Vec3d top, neck, crotch, shoulder, fingertip, hip, ankle, toe;
+};
+
+inline RestModel model_of(const RestNumbers& n) {
+    const double head = std::exp(n[head_radius]), trunk = std::exp(n[trunk_radius]), chest = std::exp(n[chest_radius]);
+    const double upper_arm = std::exp(n[shoulder_radius]), wrist = std::exp(n[wrist_radius]);
+    const double thigh = std::exp(n[thigh_radius]), shin = std::exp(n[ankle_radius]);
+    RestModel out;
+    out.neck = {0, n[neck_y], n[neck_z]};
+    out.top = {0, n[top_y], n[head_z]};
+    out.crotch = {0, n[crotch_y] + 0.5 * trunk, n[crotch_z]};
+    out.shoulder = {n[shoulder_x], n[neck_y] - n[shoulder_drop], n[neck_z]};
+    out.fingertip = out.shoulder + Vec3d(n[arm_length] * std::cos(n[arm_angle]),
+                                         -n[arm_length] * std::sin(n[arm_angle]), n[hand_z] - n[neck_z]);
+    out.hip = {n[hip_x], n[crotch_y] + 0.3 * trunk, n[crotch_z]};
+    out.ankle = {n[ankle_x], n[floor_y] + shin, n[ankle_z]};
+    out.toe = out.ankle + Vec3d(0, 0, n[foot_length]);
+    const Vec3d skull(0, n[top_y] - head, n[head_z]);
+    const Vec3d chin(0, std::min(n[neck_y] + head, skull.y()), n[head_z]);
+    out.bones = {{{chin, skull, head, head},
+                  {out.crotch, out.neck, trunk, chest, n[hip_x], 0.8 * n[shoulder_x]},
+                  {out.shoulder, out.fingertip, upper_arm, wrist},
+                  {out.hip, out.ankle, thigh, shin},
+                  {out.ankle, out.toe, 0.8 * shin, 0.8 * shin}}};
+    return out;
+}
+
+/// How far a place is outside a bone; negative within it.
+inline double beyond(const RestBone& bone, const Vec3d& place) {
+    const Vec3d along = bone.to - bone.from;
+    const double u = std::clamp((place - bone.from).dot(along) / (along.squaredNorm() + 1e-12), 0.0, 1.0);
+    Vec3d across = place - bone.from - u * along;
+    const double width = bone.from_width + u * (bone.to_width - bone.from_width);
+    if (width > 0) across.x() = std::max(std::abs(across.x()) - width, 0.0);
+    return across.norm() - (bone.from_radius + u * (bone.to_radius - bone.from_radius));
+}
+
+/// Grows as the logarithm where a residual is large: what the body wears and holds counts no more than it is there.
+inline double robust(double residual) { return std::copysign(std::sqrt(std::log1p(residual * residual)), residual); }
+
+/// The way from the model's coordinates to the body's.
+struct RestFrame {
+    Vec3d across, up, ahead; ///< unit
+    double offset = 0, floor = 0, height = 1, depth = 0;
+
+    [[nodiscard]] Vec3d to_body(const Vec3d& place, double side) const {
+        return across * (offset + side * height * place.x()) + up * (floor + height * place.y()) +
+               ahead * (depth + height * place.z());
+    }
+    [[nodiscard]] Vec3d to_model(const Vec3d& place) const {
+        return Vec3d(std::abs(across.dot(place) - offset), up.dot(place) - floor, ahead.dot(place) - depth) / height;
+    }
+};
+
+/// The frames in which a body may stand that mirrors itself in a plane: its longest extent in the plane is up or down.
+inline std::array<RestFrame, 2> frames_of(const MirrorPlane& plane, const Places& cloud) {
+    constexpr double stray = 0.003; // of the places at either end
+    const Vec3d n = plane.normal;
+    Vec3d mean = Vec3d::Zero();
+    for (Eigen::Index i = 0; i < cloud.rows(); ++i) mean += cloud.row(i).transpose();
+    mean /= static_cast<double>(cloud.rows());
+    Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+    for (Eigen::Index i = 0; i < cloud.rows(); ++i) {
+        Vec3d d = cloud.row(i).transpose() - mean;
+        d -= n.dot(d) * n;
+        moment += d * d.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moment);
+    const auto range = [&](const Vec3d& axis) {
+        std::vector<double> along;
+        for (Eigen::Index i = 0; i < cloud.rows(); ++i) along.push_back(cloud.row(i).dot(axis));
+        std::sort(along.begin(), along.end());
+        const auto at = static_cast<std::size_t>(stray * static_cast<double>(along.size()));
+        return std::array{along[at], along[along.size() / 2], along[along.size() - 1 - at]};
+    };
+    Vec3d up = axes.eigenvectors().col(2), ahead = axes.eigenvectors().col(1);
+    auto upright = range(up), through = range(ahead);
+    if (through[2] - through[0] > upright[2] - upright[0]) {
+        std::swap(up, ahead);
+        std::swap(upright, through);
+    }
+    const double height = upright[2] - upright[0];
+    return {{{n, up, n.cross(up).dot(ahead) < 0 ? Vec3d(-ahead) : ahead, plane.offset, upright[0], height,
+              n.cross(up).dot(ahead) < 0 ? -through[1] : through[1]},
+             {n, -up, n.cross(-up).dot(ahead) < 0 ? Vec3d(-ahead) : ahead, plane.offset, -upright[2], height,
+              n.cross(-up).dot(ahead) < 0 ? -through[1] : through[1]}}};
+}
+
+/// Levenberg and Marquardt's method for the model's numbers.
+template <typename Distance>
+class RestSolver {
+public:
+    /// `places` in the model's coordinates; `distance`: from a place there to the surface.
+    RestSolver(std::vector<Vec3d> places, Distance distance) : places_(std::move(places)), distance_(distance) {}
+
+    struct Solution {
+        RestNumbers numbers;
+        double cost = 0;
+    };
+
+    /// `with_middles`: whether axes have to lie in the middle, which asks for distances to the surface.
+    [[nodiscard]] Solution solve(const RestNumbers& start, const RestNumbers& prior, int rounds,
+                                 bool with_middles) const {
+        constexpr double step = 1e-4, least_damping = 1e-6, most_damping = 1e6;
+        RestNumbers x = start;
+        Eigen::VectorXd r = residuals(x, prior, with_middles);
+        double cost = r.squaredNorm(), damping = 1e-2;
+        for (int round = 0; round < rounds; ++round) {
+            Eigen::Matrix<double, Eigen::Dynamic, numbers> jacobian(r.size(), static_cast<int>(numbers));
+            for (int k = 0; k < numbers; ++k) {
+                RestNumbers moved = x;
+                moved[k] += step;
+                jacobian.col(k) = (residuals(moved, prior, with_middles) - r) / step;
+            }
+            const Eigen::Matrix<double, numbers, numbers> normal = jacobian.transpose() * jacobian;
+            const RestNumbers gradient = jacobian.transpose() * r;
+            bool improved = false;
+            while (!improved && damping < most_damping) {
+                Eigen::Matrix<double, numbers, numbers> damped = normal;
+                damped.diagonal() *= 1 + damping;
+                const RestNumbers next = x - damped.ldlt().solve(gradient);
+                const Eigen::VectorXd there = residuals(next, prior, with_middles);
+                improved = there.squaredNorm() < cost;
+                damping = improved ? std::max(damping / 5, least_damping) : damping * 4;
+                if (!improved) continue;
+                const double gain = cost - there.squaredNorm();
+                x = next;
+                r = there;
+                cost = r.squaredNorm();
+                if (gain < 1e-4 * cost) return {x, cost};
+            }
+            if (!improved) break;
+        }
+        return {x, cost};
+    }
+
+private:
+    [[nodiscard]] Eigen::VectorXd residuals(const RestNumbers& x, const RestNumbers& prior, bool with_middles) const {
+        constexpr double on_surface = 0.02, in_middle = 0.03; // of the height: as much as counts 1
+        constexpr double surface_weight = 6, middle_weight = 4, prior_weight = 0.5; // of all residuals of the kind
+        constexpr std::array<double, 4> along{0.1, 0.35, 0.65, 0.9};
+        static const RestNumbers deviations = prior_deviations();
+        const RestModel model = model_of(x);
+        const auto middles = with_middles ? static_cast<Eigen::Index>(4 * along.size()) : 0;
+        const auto places = static_cast<Eigen::Index>(places_.size());
+        Eigen::VectorXd out(places + middles + numbers);
+        for (Eigen::Index i = 0; i < places; ++i) {
+            double least = std::numeric_limits<double>::infinity();
+            for (const RestBone& bone : model.bones)
+                least = std::min(least, std::abs(beyond(bone, places_[static_cast<std::size_t>(i)])));
+            out[i] = robust(least / on_surface) * surface_weight / std::sqrt(static_cast<double>(places));
+        }
+        Eigen::Index row = places;
+        for (std::size_t b = 0; b < 4 && with_middles; ++b)
+            for (const double u : along) {
+                const RestBone& bone = model.bones[b];
+                const double radius = bone.from_radius + u * (bone.to_radius - bone.from_radius);
+                out[row++] = robust((distance_(bone.from + u * (bone.to - bone.from)) - radius) / in_middle) *
+                             middle_weight / std::sqrt(static_cast<double>(middles));
+            }
+        out.tail<numbers>() = prior_weight * (x - prior).cwiseQuotient(deviations);
+        return out;
+    }
+
+    std::vector<Vec3d> places_;
+    Distance distance_;
+};
+
+/// How far the foot reaches ahead of the shin more than behind it, in the model's coordinates: that tells which way a
+/// body faces. Negative for a foot that points back; 0 where there is too little to see.
+inline double foot_ahead(const RestFrame& frame, const RestModel& model, const Places& cloud) {
+    constexpr double sole = 0.045, calf_from = 0.1, calf_to = 0.2; // of the height, above the floor
+    constexpr double beside = 0.08, stray = 0.05;
+    constexpr std::size_t least = 8; // places
+    const double floor = model.toe.y() - (model.ankle.y() - model.bones[3].to.y()) - model.bones[3].to_radius;
+    std::vector<double> foot, calf;
+    for (Eigen::Index i = 0; i < cloud.rows(); ++i) {
+        const Vec3d place = frame.to_model(cloud.row(i).transpose());
+        if (std::abs(place.x() - model.ankle.x()) > beside) continue;
+        const double above = place.y() - floor;
+        if (above < sole) foot.push_back(place.z());
+        if (above > calf_from && above < calf_to) calf.push_back(place.z());
+    }
+    if (foot.size() < least || calf.size() < least) return 0;
+    std::sort(foot.begin(), foot.end());
+    std::sort(calf.begin(), calf.end());
+    const auto at = [&](double part) {
+        return foot[static_cast<std::size_t>(part * static_cast<double>(foot.size() - 1))];
+    };
+    return at(1 - stray) + at(stray) - 2 * calf[calf.size() / 2];
+}
+
+/// How long head, arms and legs are beside the trunk, as multiples of the template's.
+inline embedding::Proportions proportions_of_model(const RestModel& model, const SkeletonTemplate& wanted) {
+    using enum JointRole;
+    const auto place = [&](JointRole role, Side side) -> std::optional<Vec3d> {
+        const int j = find_joint(wanted, role, side);
+        return j >= 0 ? std::optional(wanted.joint(j).position) : std::nullopt;
+    };
+    auto top = place(neck, Side::none);
+    if (!top) top = place(chest, Side::none);
+    const double unit = (model.neck - model.crotch).norm() / std::max((*top - wanted.joint(0).position).norm(), 1e-9);
+    const auto ratio = [&](double length, JointRole from, JointRole end) {
+        const int joint = find_joint(wanted, end, end == head ? Side::none : Side::left);
+        auto start = place(from, end == head ? Side::none : Side::left);
+        if (!start) start = place(chest, Side::none);
+        const TemplateJoint& last = wanted.joint(joint);
+        const double rest = ((last.tip ? *last.tip : last.position) - *start).norm();
+        return rest > 0 && unit > 0 ? length / (unit * rest) : 1;
+    };
+    return {ratio((model.top - model.neck).norm(), neck, head),
+            ratio((model.fingertip - model.shoulder).norm(), shoulder, hand),
+            ratio((model.ankle - model.hip).norm() + 0.5 * (model.toe - model.ankle).norm(), hip, foot), 1};
+}
+
+/// Where a template's joint is on the model's half.
+inline Vec3d place_of(const RestModel& model, const SkeletonTemplate& wanted, int joint) {
+    using enum JointRole;
+    // Parts of the way, in the mean over people and characters (see the calibration table).
+    constexpr double shoulder_at = 0.07, elbow_at = 0.43, wrist_at = 0.78, hand_at = 0.88, knee_at = 0.5,
+                     ankle_at = 0.955, waist_at = 0.33, chest_at = 0.7, head_at = 0.45;
+    constexpr double shoulder_lower = 0.004; // than the line of the arm's middle begins; of the height
+    const auto between = [](const Vec3d& a, const Vec3d& b, double part) -> Vec3d { return a + part * (b - a); };
+    switch (wanted.joint(joint).role) {
+    case pelvis:
+        return model.crotch;
+    case waist:
+        return between(model.crotch, model.neck, waist_at);
+    case chest:
+        return between(model.crotch, model.neck, chest_at);
+    case neck:
+        return model.neck;
+    case head:
+        return between(model.neck, model.top, head_at);
+    case shoulder:
+        return between(model.shoulder, model.fingertip, shoulder_at) - Vec3d(0, shoulder_lower, 0);
+    case elbow:
+        return between(model.shoulder, model.fingertip, elbow_at);
+    case wrist:
+        return between(model.shoulder, model.fingertip, wrist_at);
+    case hand:
+        return between(model.shoulder, model.fingertip, hand_at);
+    case hip:
+        return model.hip;
+    case knee:
+        return between(model.hip, model.ankle, knee_at);
+    case ankle:
+        return between(model.hip, model.ankle, ankle_at);
+    case foot:
+        return model.toe;
+    }
+    return model.crotch;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+std::vector<MirrorPlane> mirror_planes(const Body<Scalar>& body) {
+    using detail::Vec3d;
+    constexpr int few = 256, many = 2048;
+    constexpr int pairs = 30, best_pairs = 3;
+    constexpr double least_share = 0.35, same_direction = 0.985, least_way = 0.15, roughly = 0.05; // of the extent
+    const detail::Places places = detail::spread_places(body.mesh, few), cloud = detail::spread_places(body.mesh, many);
+    const detail::PlaceTree tree(cloud);
+    const double extent = (cloud.colwise().maxCoeff() - cloud.colwise().minCoeff()).maxCoeff();
+    std::vector<MirrorPlane> starts;
+    const Vec3d middle = cloud.colwise().mean().transpose();
+    for (int k = 0; k < 3; ++k) starts.push_back({Vec3d::Unit(k), middle[k], 1}); // canonical form: principal axes
+    std::vector<MirrorPlane> by_pair;
+    for (int k = 0; k < pairs; ++k) {
+        const Vec3d a = places.row((k * 89 + 13) % few).transpose(), b = places.row((k * 151 + 97) % few).transpose();
+        const double way = (a - b).norm();
+        if (way < least_way * extent) continue;
+        MirrorPlane plane{(a - b) / way, 0, 0};
+        plane.offset = plane.normal.dot(a + b) / 2;
+        plane.share = detail::mirrored_share_of(places, tree, plane, roughly * extent);
+        by_pair.push_back(plane);
+    }
+    const auto better = [](const MirrorPlane& a, const MirrorPlane& b) { return a.share > b.share; };
+    std::stable_sort(by_pair.begin(), by_pair.end(), better);
+    for (std::size_t k = 0; k < std::min<std::size_t>(best_pairs, by_pair.size()); ++k) starts.push_back(by_pair[k]);
+
+    std::vector<MirrorPlane> out;
+    for (const MirrorPlane& start : starts) {
+        const MirrorPlane plane = detail::settled(start, places, cloud, tree, extent);
+        if (plane.share < least_share) continue;
+        if (std::any_of(out.begin(), out.end(), [&](const MirrorPlane& known) {
+                return std::abs(known.normal.dot(plane.normal)) > same_direction;
+            }))
+            continue;
+        out.push_back(plane);
+    }
+    std::stable_sort(out.begin(), out.end(), better);
+    if (out.size() > 3) out.resize(3);
+    return out;
+}
+
+template <typename Scalar>
+std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>& body, const SkeletonTemplate& wanted,
+                                           const refinement::RefinementOptions& options) {
+    using detail::Vec3d;
+    constexpr int few = 256, many = 2048, first_rounds = 3, second_rounds = 4, last_rounds = 12;
+    constexpr std::size_t most_seconds = 16, most_finals = 4;
+    if (std::any_of(wanted.joints.begin(), wanted.joints.end(),
+                    [](const TemplateJoint& joint) { return joint.is_absent; }))
+        return std::nullopt;
+    if (!(core::enclosed_volume(body.mesh) > detail::least_volume<Scalar>)) return std::nullopt;
+    const std::vector<MirrorPlane> planes = mirror_planes(body);
+    if (planes.empty()) return std::nullopt;
+    const detail::Places places = detail::spread_places(body.mesh, few), cloud = detail::spread_places(body.mesh, many);
+
+    struct Run {
+        detail::RestFrame frame;
+        double mirror;
+        detail::RestNumbers prior, numbers;
+        double cost;
+    };
+    std::vector<Run> runs;
+    const auto solver_for = [&](const detail::RestFrame& frame) {
+        std::vector<Vec3d> in_model;
+        for (Eigen::Index i = 0; i < places.rows(); ++i) in_model.push_back(frame.to_model(places.row(i).transpose()));
+        const auto distance = [&body, frame](const Vec3d& place) {
+            const Vec3d there = frame.to_body(place, 1);
+            return static_cast<double>(body.tree.distance(body.mesh, Vector3<Scalar>(there.cast<Scalar>()))) /
+                   frame.height;
+        };
+        return detail::RestSolver(std::move(in_model), distance);
+    };
+    for (const MirrorPlane& plane : planes)
+        for (const detail::RestFrame& frame : detail::frames_of(plane, cloud)) {
+            const auto solver = solver_for(frame);
+            for (const detail::RestStart& start : detail::rest_starts)
+                for (const double angle : detail::arm_angles) {
+                    const detail::RestNumbers prior = detail::start_at(start, angle);
+                    const auto [numbers, cost] = solver.solve(prior, prior, first_rounds, false);
+                    runs.push_back({frame, plane.share, prior, numbers, cost});
+                }
+        }
+    const auto cheaper = [](const Run& a, const Run& b) { return a.cost < b.cost; };
+    const auto finish = [&](std::size_t most, int rounds) {
+        std::stable_sort(runs.begin(), runs.end(), cheaper);
+        if (runs.size() > most) runs.resize(most);
+        for (Run& run : runs) {
+            const auto [numbers, cost] = solver_for(run.frame).solve(run.numbers, run.prior, rounds, true);
+            run.numbers = numbers;
+            run.cost = cost;
+        }
+    };
+    finish(most_seconds, second_rounds);
+    finish(most_finals, last_rounds);
+    const Run& best = *std::min_element(runs.begin(), runs.end(), cheaper);
+
+    detail::RestModel model = detail::model_of(best.numbers);
+    // As far down as the foot is long where it points straight ahead: what hardly points says little of the sides.
+    model.toe = model.ankle + Vec3d(0, -0.8 * model.bones[3].to_radius, detail::foot_ahead(best.frame, model, cloud));
+    RestFit<Scalar> out;
+    out.cost = best.cost;
+    out.mirror = best.mirror;
+    out.skeleton_template = embedding::with_proportions(wanted, detail::proportions_of_model(model, wanted));
+    const detail::RestFrame frame = best.frame;
+    const auto in_body = [frame](const Vec3d& place, double side) -> Vector3<Scalar> {
+        const Vec3d there = frame.to_body(place, side);
+        return there.cast<Scalar>();
+    };
+    out.joints.positions.resize(static_cast<Eigen::Index>(wanted.joints.size()), 3);
+    out.joints.is_present.assign(wanted.joints.size(), true);
+    for (int j = 0; j < static_cast<int>(wanted.joints.size()); ++j) {
+        const TemplateJoint& joint = wanted.joint(j);
+        const double side = joint.side == Side::right ? -1 : 1;
+        core::set_point<Scalar>(out.joints.positions, j, in_body(detail::place_of(model, wanted, j), side));
+        if (!ends_limb(joint.role)) continue;
+        const Vec3d tip = joint.role == JointRole::head   ? model.top
+                          : joint.role == JointRole::hand ? model.fingertip
+                                                          : model.toe;
+        const int vertex = body.tree.nearest_corner(body.mesh, in_body(tip, side));
+        out.joints.tips.emplace_back(j, core::point(body.mesh.vertices, vertex));
+    }
+    const refinement::Slicer<Scalar> slicer(body);
+    out.joints.head = refinement::measure_head(slicer, in_body(model.top, 1), in_body(model.neck, 1), options.head);
+    out.joints.trunk = refinement::measure_trunk(
+        slicer, in_body(0.5 * (model.hip + Vec3d(-model.hip.x(), model.hip.y(), model.hip.z())), 1),
+        in_body(model.neck, 1), Vector3<Scalar>(in_body(model.hip, 1) - in_body(model.hip, -1)));
+    return out;
+}
+
+} // namespace skelgen::search

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <skelgen/core/outcome.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/curve/find_curve.hpp>
+#include <skelgen/search/extract_options.hpp>
+#include <skelgen/search/line.hpp>
+#include <skelgen/search/trail.hpp>
+#include <skelgen/surface/body.hpp>
+
+namespace skelgen::search {
+
+/// A candidate, and what it was found in.
+template <typename Scalar = double>
+struct Found {
+    Candidate<Scalar> candidate;
+    std::shared_ptr<const Body<Scalar>> body;  ///< in which it was found: opened, cut, without what is held
+    std::shared_ptr<const Body<Scalar>> whole; ///< the same surface before that
+    std::shared_ptr<const curve::CurveResult<Scalar>> curve;
+    Hypothesis hypothesis;
+    double noise = 0; ///< smoothed away before: the root mean square, part of the body's size
+};
+
+/// What a climb has led to.
+template <typename Scalar = double>
+struct Climb {
+    std::vector<Found<Scalar>>
+        found;       ///< the likeliest one; all of them, in the order of the trail, for an exhaustive one
+    Failure failure; ///< where none was found: of what came nearest
+    Trail trail;
+    StageTimings timings;
+};
+
+/// How far a climb goes.
+enum class Thoroughness {
+    until_sure, ///< to the first candidate that is sure enough
+    exhaustive  ///< through the whole budget, keeping all candidates: to calibrate with
+};
+
+/// The one loop of the search: tries what may be true of a mesh (hypothesis.hpp), in the order of what that promises,
+/// until a candidate is sure enough or the budget of curves is used up. What a try shows leads to further hypotheses:
+/// loops of a curve to cuts, forks at its ends to things held, doubtful skeletons to finer curves. Each surface, curve
+/// and embedding is found once. \throws Error bad_input when `mesh` is no usable surface; usage when
+/// `options.prepare.component` is larger than the number of bodies.
+template <typename Scalar>
+[[nodiscard]] Climb<Scalar> climb(const TriangleMesh<Scalar>& mesh, const SkeletonTemplate& wanted,
+                                  const ExtractOptions& options, Thoroughness thoroughness = Thoroughness::until_sure);
+
+} // namespace skelgen::search
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/search/impl/ladder.hpp>
+#endif

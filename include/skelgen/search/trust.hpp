@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include <skelgen/core/header_only.hpp>
+#include <skelgen/core/kinematic_skeleton.hpp>
+#include <skelgen/search/evidence.hpp>
+
+namespace skelgen::search {
+
+/// The probability that a skeleton is right: limbs where they are, sides not exchanged, joints near their places
+/// (README says how it was measured). Logistic in the evidence; the weights are of trust_table.hpp, fitted by
+/// `./dev calibrate`. It orders candidates, refuses what is less likely than `least_probability`, and is the
+/// confidence.
+[[nodiscard]] double probability_right(const Evidence& evidence);
+
+/// Less likely skeletons are no answer. Between this and one half an answer is a guess and says so.
+inline constexpr double least_probability = 0.05;
+
+/// Where one way to lay the template into a curve is likelier, no other one is tried.
+inline constexpr double likely_enough = 0.5;
+
+/// A candidate that is likelier ends the search.
+inline constexpr double sure_enough = 0.8;
+
+/// The skeleton with the confidence of its sides and joints, decided once: the probability that it is right, and of a
+/// joint the probability that it lies within 3 % of the geodesic diameter from its place, by its doubt
+/// (anatomy::joint_doubts) and that of the whole.
+template <typename Scalar>
+[[nodiscard]] KinematicSkeleton<Scalar> with_confidence(KinematicSkeleton<Scalar> skeleton, double probability,
+                                                        const std::vector<double>& doubt);
+
+/// The witness that speaks most against a skeleton, as a clause of a sentence: "its proportions are unusual".
+[[nodiscard]] const char* strongest_doubt(const Evidence& evidence);
+
+} // namespace skelgen::search
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/search/impl/trust.hpp>
+#endif

@@ -1,0 +1,40 @@
+// The search compiled for one scalar.
+
+#include <skelgen/search/impl/contacts.hpp>
+#include <skelgen/search/impl/evidence.hpp>
+#include <skelgen/search/impl/extract_options.hpp>
+#include <skelgen/search/impl/held_things.hpp>
+#include <skelgen/search/impl/hypothesis.hpp>
+#include <skelgen/search/impl/ladder.hpp>
+#include <skelgen/search/impl/line.hpp>
+#include <skelgen/search/impl/rest_fit.hpp>
+#include <skelgen/search/impl/trust.hpp>
+
+namespace skelgen::search {
+
+#define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
+    template std::vector<Body<Scalar>> cut_at_contacts(const Body<Scalar>&, const CurveSkeleton<Scalar>&,              \
+                                                       const SkeletonTemplate&, const embedding::MatchingOptions&);    \
+    template std::vector<Body<Scalar>> without_held_things(const Body<Scalar>&, const CurveSkeleton<Scalar>&,          \
+                                                           const SkeletonTemplate&,                                    \
+                                                           const embedding::MatchingOptions&);                         \
+    template Evidence evidence_of(const Body<Scalar>&, const CurveSkeleton<Scalar>&, const embedding::Embedding*,      \
+                                  const anatomy::CompletedSkeleton<Scalar>&, const SkeletonTemplate&, Scalar);         \
+    template KinematicSkeleton<Scalar> with_confidence(KinematicSkeleton<Scalar>, double, const std::vector<double>&); \
+    template Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>&, const curve::CurveResult<Scalar>&,            \
+                                                    const embedding::FittingTemplate&, const ExtractOptions&);         \
+    template Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>&, const curve::CurveResult<Scalar>&,            \
+                                                    const SkeletonTemplate&, const ExtractOptions&);                   \
+    template std::vector<MirrorPlane> mirror_planes(const Body<Scalar>&);                                              \
+    template std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>&, const SkeletonTemplate&,                  \
+                                                        const refinement::RefinementOptions&);                         \
+    template Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>&, const curve::CurveResult<Scalar>&,            \
+                                                    const RestFit<Scalar>&, const ExtractOptions&);                    \
+    template Climb<Scalar> climb(const TriangleMesh<Scalar>&, const SkeletonTemplate&, const ExtractOptions&,          \
+                                 Thoroughness);
+
+SKELGEN_INSTANTIATE(SKELGEN_SCALAR)
+
+#undef SKELGEN_INSTANTIATE
+
+} // namespace skelgen::search

@@ -1,0 +1,291 @@
+#!/usr/bin/python3
+"""Fit the trust in a skeleton: the weights of search/trust_table.hpp.
+
+usage: calibrate.py FOLDER... [--table FILE] [--ablate]
+
+Each FOLDER holds truth/NAME.json and candidates/NAME.jsonl, as find_candidates.py writes the latter. A truth has `expect` (body, refuse, either; a body where it says nothing) and, of a body whose joints
+are known, `scale`, `joints` and `markers`, and `missing`, the joints of what was cut off; `group` is its maker.
+
+A candidate is RIGHT when each hand, foot and the head lies nearer to its own marker than to the others and within 0.15
+of it (head 0.2), hands, feet, elbows, knees and shoulders lie nearer to their own side's marker than to the other's, the
+median of the joints' errors is at most 0.04 of the scale and none above 0.12. What comes of no body is wrong.
+
+The probability is logistic in the evidence, fitted with a penalty on the weights, each mesh counting once. What is printed is of folds: fitted without the makers that it is then judged on; how often the likeliest
+candidate is right, and how often those of each tenth of probability are. --ablate leaves out each kind of hypothesis and
+each witness in turn, and prints what that changes, by folds. Needs python3-numpy.
+"""
+import argparse
+import copy
+import hashlib
+import json
+import os
+
+import numpy as np
+
+ENDS = ["left_hand", "right_hand", "left_foot", "right_foot", "head"]
+PAIRS = ["hand", "foot", "elbow", "knee", "shoulder"]
+
+
+def judge(truth, joints):
+    """(is right, per joint the error) of a candidate; (None, {}) where the truth cannot tell."""
+    if truth.get("expect") in ("refuse", "quadruped"):
+        return (None if truth.get("species") == "human" else False), {}
+    if "joints" not in truth or truth.get("expect") == "either":
+        return None, {}
+    if any(joint in joints for joint in truth.get("missing", ())):
+        return False, {}  # what was cut off has to be said to be missing
+    scale = truth["scale"]
+    markers = {k: np.array(v) for k, v in truth["markers"].items()}
+    places = {k: np.array(v) for k, v in joints.items()}
+    true = {k: np.array(v) for k, v in truth["joints"].items()}
+    far = lambda a, b: float(np.linalg.norm(a - b)) / scale
+    for side in ("left_", "right_"):  # a rig without knuckles or toes has its hand or foot marked at the wrist or ankle
+        for end, joint in (("hand", "wrist"), ("foot", "ankle")):
+            a, b = side + end, side + joint
+            if a in markers and b in true and b in places and far(markers[a], true[b]) < 1e-6:
+                places[a] = places[b]
+    right = True
+    for end in ENDS:
+        if end in markers:
+            near = end in places and min((m for m in markers if m in ENDS), key=lambda m: far(places[end], markers[m])) == end
+            right = right and near and far(places[end], markers[end]) <= (0.2 if end == "head" else 0.15)
+    for a, b in (("left_", "right_"), ("right_", "left_")):
+        for pair in PAIRS:
+            if a + pair in markers and b + pair in markers:
+                right = right and a + pair in places and far(places[a + pair], markers[a + pair]) < far(places[a + pair], markers[b + pair])
+    errors = {k: far(places[k], v) if k in places else 1.0 for k, v in true.items()}
+    values = list(errors.values())
+    return right and float(np.median(values)) <= 0.04 and max(values) <= 0.12, errors
+
+
+class Mesh:
+    """One mesh's candidates: names, evidence (candidates x witnesses), whether each is right."""
+
+    def __init__(self, folder, name, truth):
+        self.name, self.group = name, str(truth.get("group") or os.path.basename(folder) + ":" + name)
+        self.is_body = truth.get("expect", "body") not in ("refuse", "quadruped")
+        self.rows = [json.loads(line) for line in open(f"{folder}/candidates/{name}.jsonl")]
+        judged = [judge(truth, row.get("joints", {})) for row in self.rows]
+        self.is_known = all(right is not None for right, _ in judged) and truth.get("expect") != "either" and ("joints" in truth or not self.is_body)
+        self.right = np.array([bool(right) for right, _ in judged])
+        self.errors = [errors for _, errors in judged]
+        self.evidence = np.array([list(row["evidence"].values()) for row in self.rows])
+
+
+def read_meshes(folders):
+    meshes, witnesses = [], None
+    for folder in folders:
+        for file in sorted(os.listdir(folder + "/truth")):
+            name = file[:-5]
+            if not os.path.exists(f"{folder}/candidates/{name}.jsonl"):
+                continue
+            mesh = Mesh(folder, name, json.load(open(f"{folder}/truth/{file}")))
+            if mesh.rows:
+                witnesses = list(mesh.rows[0]["evidence"])
+            if mesh.is_known:
+                meshes.append(mesh)
+    return meshes, witnesses
+
+
+def fit(meshes, penalty):
+    """Weights, means and offset of a logistic regression by Newton's method; each mesh counts once."""
+    used = [m for m in meshes if len(m.rows)]
+    x = np.concatenate([m.evidence for m in used])
+    y = np.concatenate([m.right for m in used]).astype(float)
+    w = np.concatenate([np.full(len(m.rows), 1 / len(m.rows)) for m in used])
+    mean = np.average(x, axis=0, weights=w)
+    deviation = np.sqrt(np.average((x - mean) ** 2, axis=0, weights=w))
+    deviation[deviation < 1e-9] = 1
+    z = np.hstack([(x - mean) / deviation, np.ones((len(x), 1))])
+    ridge = np.full(z.shape[1], penalty)
+    ridge[-1] = 0
+    beta = np.zeros(z.shape[1])
+    for _ in range(60):
+        p = 1 / (1 + np.exp(-z @ beta))
+        gradient = z.T @ (w * (p - y)) + ridge * beta
+        hessian = (z * (w * p * (1 - p))[:, None]).T @ z + np.diag(ridge) + 1e-9 * np.eye(len(beta))
+        step = np.linalg.solve(hessian, gradient)
+        beta -= step
+        if np.abs(step).max() < 1e-9:
+            break
+    return {"weights": beta[:-1] / deviation, "means": mean, "offset": beta[-1]}
+
+
+def probability(table, evidence):
+    return 1 / (1 + np.exp(-(table["offset"] + (evidence - table["means"]) @ table["weights"])))
+
+
+def fold_of(group, folds=5):
+    return int(hashlib.sha256(group.encode()).hexdigest(), 16) % folds
+
+
+def choose(mesh, p):
+    return int(np.argmax(p)) if len(p) else -1
+
+
+def report(meshes, chosen):
+    """Prints how often the likeliest candidate is right, and how reliable its probability is."""
+    bodies = [m for m in meshes if m.is_body]
+    right = sum(i >= 0 and m.right[i] for m, (i, _) in zip(meshes, chosen) if m.is_body)
+    possible = sum(m.right.any() for m in bodies)
+    print(f"bodies {len(bodies)}: likeliest candidate right {right}, some candidate right {possible}")
+    none = [(m, p) for m, (i, p) in zip(meshes, chosen) if not m.is_body and i >= 0]
+    print(f"no bodies {sum(not m.is_body for m in meshes)}: above .5 {[m.name for m, p in none if p >= 0.5]}")
+    print("wrong above .8:", [m.name for m, (i, p) in zip(meshes, chosen) if i >= 0 and p > 0.8 and not m.right[i]])
+    for low in np.arange(0, 1, 0.1):
+        tenth = [(m.right[i], p) for m, (i, p) in zip(meshes, chosen) if i >= 0 and low <= p < low + 0.1 + (low > 0.85)]
+        if tenth:
+            print(f"  {low:.1f}: {len(tenth):4d} candidates, right {np.mean([r for r, _ in tenth]):.2f}, said {np.mean([p for _, p in tenth]):.2f}")
+
+
+def by_folds(meshes, penalty):
+    chosen = [None] * len(meshes)
+    for fold in range(5):
+        table = fit([m for m in meshes if fold_of(m.group) != fold], penalty)
+        for k, m in enumerate(meshes):
+            if fold_of(m.group) == fold:
+                p = probability(table, m.evidence) if len(m.rows) else np.array([])
+                i = choose(m, p)
+                chosen[k] = (i, float(p[i]) if i >= 0 else 0.0)
+    return chosen
+
+
+def share_of_rest_fits(meshes, witnesses, penalty):
+    """Of bodies at rest that would be likelier than not, the share that is right, by folds: their evidence is fitted to fewer and
+    likelier ones than templates in curves are, and says more than is true of makers left out."""
+    fitted, right = witnesses.index("fitted"), []
+    for fold in range(5):
+        table = fit([m for m in meshes if fold_of(m.group) != fold], penalty)
+        for m in meshes:
+            if fold_of(m.group) != fold or not len(m.rows):
+                continue
+            p = probability(table, m.evidence) * (m.evidence[:, fitted] == 1)
+            if p.max() >= 0.5:
+                right.append(m.right[int(np.argmax(p))])
+    share = float(np.mean(right)) if right else 1.0
+    print(f"bodies at rest that would be likelier than not: {len(right)}, right {share:.2f}")
+    return share
+
+
+def fit_joints(meshes, chosen, near=0.03):
+    """Offset and weights of a joint's log odds to lie within `near` of the scale: of the whole's log odds and of -log(1 + doubt)."""
+    x, y = [], []
+    for m, (i, p) in zip(meshes, chosen):
+        if i < 0 or not m.errors[i]:
+            continue
+        odds = np.log(max(p, 1e-6) / max(1 - p, 1e-6))
+        for joint, error in m.errors[i].items():
+            if joint in m.rows[i]["doubt"]:
+                x.append([odds, -np.log1p(m.rows[i]["doubt"][joint]), 1.0])
+                y.append(error <= near)
+    x, y, beta = np.array(x), np.array(y, float), np.zeros(3)
+    for _ in range(50):
+        p = 1 / (1 + np.exp(-x @ beta))
+        beta -= np.linalg.solve((x * (p * (1 - p))[:, None]).T @ x + 1e-6 * np.eye(3), x.T @ (p - y))
+    p = 1 / (1 + np.exp(-x @ beta))
+    print(f"joints {len(y)}: above .7 {np.mean(p > 0.7):.2f} of them, of these within {near} {np.mean(y[p > 0.7]):.3f}; above .9 {np.mean(y[p > 0.9]):.3f}")
+    return beta
+
+
+def write_table(path, table, joint, rest, witnesses, meshes):
+    makers = len({m.group for m in meshes})
+    rows = sum(len(m.rows) for m in meshes)
+    numbers = lambda values: ",\n    ".join(f"{v:.5g}" + f" /* {w} */" * 0 for v, w in zip(values, witnesses))
+    with open(path, "w") as f:
+        f.write(f"""// Written by `./dev calibrate`: what the probability that a skeleton is right is made of. No unit. Fitted on {rows} candidates of
+// {len(meshes)} meshes by {makers} makers; tests/calibration/calibrate.py says how, and how well on makers left out.
+#pragma once
+
+#include <array>
+
+#include <skelgen/search/evidence.hpp>
+
+namespace skelgen::search {{
+
+inline constexpr double trust_offset = {table["offset"]:.5g};
+inline constexpr std::array<double, witness_count> trust_weights{{
+    // {", ".join(witnesses[:6])}, ... in the order of Witness
+    {numbers(table["weights"])}}};
+inline constexpr std::array<double, witness_count> trust_means{{
+    {numbers(table["means"])}}};
+/// Of bodies at rest that would be likelier than not the share that is right on makers left out.
+inline constexpr double trust_in_rest_fits = {rest:.3g};
+inline constexpr double joint_trust_offset = {joint[2]:.4g}, joint_trust_of_whole = {joint[0]:.4g}, joint_trust_of_doubt = {joint[1]:.4g};
+
+}} // namespace skelgen::search
+""")
+
+
+def without(mesh, keep=None, witness=None):
+    """The mesh with the candidates that `keep` wants alone, or with a witness that says nothing."""
+    out = copy.copy(mesh)
+    if keep is not None:
+        kept = [i for i, row in enumerate(mesh.rows) if keep(row)]
+        out.rows, out.errors = [mesh.rows[i] for i in kept], [mesh.errors[i] for i in kept]
+        out.right, out.evidence = mesh.right[kept], mesh.evidence[kept] if kept else np.array([])
+    elif len(mesh.rows):
+        out.evidence = mesh.evidence.copy()
+        out.evidence[:, witness] = 0
+    return out
+
+
+def measures(meshes, penalty):
+    """Of folds: how many bodies' likeliest candidates are right, how many things' are above .5, log loss."""
+    chosen = by_folds(meshes, penalty)
+    right = sum(i >= 0 and m.right[i] for m, (i, _) in zip(meshes, chosen) if m.is_body)
+    false = sum(p >= 0.5 for m, (i, p) in zip(meshes, chosen) if not m.is_body and i >= 0)
+    loss = -np.mean([np.log(max(p if m.right[i] else 1 - p, 1e-6)) for m, (i, p) in zip(meshes, chosen) if i >= 0])
+    return right, false, loss
+
+
+def ablate(meshes, witnesses, penalty):
+    kinds = {
+        "bodies at rest": lambda row: row["hypothesis"][4] != "rest_fit",
+        "whole curves": lambda row: row["hypothesis"][4] in ("draft", "quick", "rest_fit"),
+        "finer curves": lambda row: row["hypothesis"][4] not in ("finer", "finest"),
+        "few rounds of centring": lambda row: row["hypothesis"][4] != "less_centred",
+        "cuts at contacts": lambda row: row["hypothesis"][2] == 0,
+        "things held": lambda row: row["hypothesis"][3] == "nothing",
+        "surfaces as given": lambda row: row["hypothesis"][1] != "as_given",
+        "short handles": lambda row: row["hypothesis"][1] != "short_handles",
+        "envelopes": lambda row: row["hypothesis"][0] != "envelope",
+        "wraps": lambda row: row["hypothesis"][0] != "wrap",
+        "rounded surfaces": lambda row: row["hypothesis"][0] != "rounded",
+        "limbs that are lacking": lambda row: row["evidence"]["lacks_head"] + row["evidence"]["lacks_limbs"] == 0,
+        "adapted proportions": lambda row: row["evidence"]["adapted"] == 0 or row["evidence"]["fitted"] == 1,
+    }
+    right, false, loss = measures(meshes, penalty)
+    print(f"left out: nothing: right {right}, things above .5: {false}, log loss {loss:.4f}")
+    for name, keep in kinds.items():
+        r, f, l = measures([without(m, keep=keep) for m in meshes], penalty)
+        print(f"left out: {name}: right {r - right:+d}, things above .5 {f - false:+d}, log loss {l - loss:+.4f}")
+    for k, name in enumerate(witnesses):
+        r, f, l = measures([without(m, witness=k) for m in meshes], penalty)
+        print(f"left out: witness {name}: right {r - right:+d}, things above .5 {f - false:+d}, log loss {l - loss:+.4f}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folders", nargs="+")
+    parser.add_argument("--table", help="trust_table.hpp to write")
+    parser.add_argument("--penalty", type=float, default=0.3)
+    parser.add_argument("--ablate", action="store_true")
+    a = parser.parse_args()
+    meshes, witnesses = read_meshes(a.folders)
+    print(len(meshes), "meshes,", sum(len(m.rows) for m in meshes), "candidates of", len({m.group for m in meshes}), "makers")
+    chosen = by_folds(meshes, a.penalty)
+    report(meshes, chosen)
+    joint = fit_joints(meshes, chosen)
+    rest = share_of_rest_fits(meshes, witnesses, a.penalty)
+    table = fit(meshes, a.penalty)
+    spread = np.std(np.concatenate([m.evidence for m in meshes if len(m.rows)]), axis=0)
+    for name, weight, deviation in sorted(zip(witnesses, table["weights"], spread), key=lambda t: -abs(t[1] * t[2])):
+        print(f"  {name:16s} weight {weight:8.3f} times spread {weight * deviation:6.2f}")
+    if a.ablate:
+        ablate(meshes, witnesses, a.penalty)
+    if a.table:
+        write_table(a.table, table, joint, rest, witnesses, meshes)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,416 @@
+// What a skeleton shows by itself, in closed forms: on the template's own bones, as a curve, as tubes, as a skeleton.
+
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <skelgen/anatomy/complete.hpp>
+#include <skelgen/anatomy/confidence.hpp>
+#include <skelgen/anatomy/equal_bones.hpp>
+#include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/search/evidence.hpp>
+
+#include "anatomy/rest_skeleton.hpp"
+#include "catch.hpp"
+#include "embedding/human_curve.hpp"
+#include "mesh_changes.hpp"
+#include "shapes.hpp"
+
+using namespace skelgen;
+using namespace skelgen::search;
+using namespace skelgen::test;
+
+namespace {
+
+const SkeletonTemplate& human() { return builtin_template("human21"); }
+
+/// The rest pose with a head that has an end, as files have it.
+KinematicSkeleton<double> rest_pose() {
+    KinematicSkeleton<double> skeleton = rest_skeleton();
+    for (const TemplateJoint& joint : human().joints)
+        if (joint.tip) skeleton.end_points.emplace_back(end_point_name(joint), *joint.tip);
+    skeleton.frame = {skeleton.joints.front().position, Vec3::UnitX(), Vec3::UnitZ(), Vec3::UnitY()};
+    for (Joint<double>& joint : skeleton.joints) joint.radius = 0.04;
+    return skeleton;
+}
+
+anatomy::CompletedSkeleton<double> completed(const KinematicSkeleton<double>& skeleton) {
+    return {skeleton, std::vector<double>(skeleton.joints.size(), 0), anatomy::bone_lengths(skeleton), {}};
+}
+
+/// Tubes around the bones of a skeleton, as they stand.
+Mesh tubes_around(const KinematicSkeleton<double>& skeleton, double radius = 0.04) {
+    std::vector<std::array<Vec3, 2>> bones;
+    for (const Joint<double>& joint : skeleton.joints)
+        if (joint.parent >= 0)
+            bones.push_back({skeleton.joints[static_cast<std::size_t>(joint.parent)].position, joint.position});
+    return tubes(bones, radius, 0.03);
+}
+
+const Body<double>& resting_body() {
+    static const Body<double> body = body_of(tubes_around(rest_pose()));
+    return body;
+}
+
+embedding::Embedding embedded(const CurveSkeleton<double>& curve) {
+    const auto found = embedding::embed(curve, human());
+    REQUIRE(found);
+    return *found;
+}
+
+constexpr double usual_diameter = 1.5;
+
+/// As evidence_of, of a template that was laid into the curve so.
+template <typename Scalar>
+Evidence evidence_in(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve, const embedding::Embedding& laid,
+                     const anatomy::CompletedSkeleton<Scalar>& skeleton, const SkeletonTemplate& wanted,
+                     Scalar diameter) {
+    return evidence_of(body, curve, &laid, skeleton, wanted, diameter);
+}
+
+/// Of a skeleton in the resting body and on the resting curve.
+Evidence evidence_of_skeleton(const anatomy::CompletedSkeleton<double>& skeleton,
+                              const SkeletonTemplate& wanted = human()) {
+    const CurveSkeleton<double> curve = human_curve();
+    return evidence_in(resting_body(), curve, embedded(curve), skeleton, wanted, usual_diameter);
+}
+
+Evidence evidence_of_pose(const KinematicSkeleton<double>& skeleton) {
+    return evidence_of_skeleton(completed(skeleton));
+}
+
+/// Of a curve that the resting curve's embedding is laid into.
+Evidence evidence_of_curve(const CurveSkeleton<double>& curve) {
+    return evidence_in(resting_body(), curve, embedded(human_curve()), completed(rest_pose()), human(), usual_diameter);
+}
+
+/// The curve with a straight branch of five edges at the node of a joint.
+CurveSkeleton<double> with_branch(CurveSkeleton<double> curve, const char* joint, const Vec3& way) {
+    int last = find_joint(rest_skeleton(), joint);
+    const Vec3 from = core::point(curve.nodes, last);
+    for (int i = 1; i <= 5; ++i) {
+        const auto node = static_cast<int>(curve.nodes.rows());
+        curve.nodes.conservativeResize(node + 1, 3);
+        curve.nodes.row(node) = (from + i / 5.0 * way).transpose();
+        curve.edges.push_back({last, node});
+        curve.regions.push_back({});
+        curve.radii.push_back(0.02);
+        last = node;
+    }
+    return curve;
+}
+
+double length_of_chains() {
+    double length = 0;
+    for (const embedding::Chain& chain : embedded(human_curve()).chains)
+        length += core::path_length(human_curve(), chain.nodes);
+    return length;
+}
+
+/// All joints from this one on moved.
+void move_from(KinematicSkeleton<double>& skeleton, const std::string& first, const Vec3& way) {
+    std::set<int> moved{find_joint(skeleton, first)};
+    for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+        if (moved.count(skeleton.joints[j].parent) > 0) moved.insert(static_cast<int>(j));
+        if (moved.count(static_cast<int>(j)) > 0) skeleton.joints[j].position += way;
+    }
+}
+
+/// A limb below its first joint laid straight along a direction, its bones as long as they were.
+void lay(KinematicSkeleton<double>& skeleton, const std::string& first, const Vec3& direction) {
+    int last = find_joint(skeleton, first);
+    const KinematicSkeleton<double> before = skeleton;
+    for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+        if (skeleton.joints[j].parent != last) continue;
+        const double length =
+            (before.joints[j].position - before.joints[static_cast<std::size_t>(last)].position).norm();
+        skeleton.joints[j].position = skeleton.joints[static_cast<std::size_t>(last)].position + length * direction;
+        last = static_cast<int>(j);
+    }
+}
+
+} // namespace
+
+TEST_CASE("what hangs on the curve is told by where it hangs, and how long it is") {
+    struct Hanging {
+        const char* joint;
+        Vec3 way;
+        Witness witness;
+    };
+    const std::vector<Hanging> all{{"head", Vec3(0, 0, -0.5), Witness::clutter_head},
+                                   {"left_wrist", Vec3(0, 0.4, 0.3), Witness::clutter_hands},
+                                   {"right_wrist", Vec3(0, 0.4, 0.3), Witness::clutter_hands},
+                                   {"left_shoulder", Vec3(0, 0, -0.5), Witness::clutter_back},
+                                   {"waist", Vec3(0, 0, -0.5), Witness::clutter_legs},
+                                   {"left_knee", Vec3(0.1, 0, -0.5), Witness::clutter_legs},
+                                   {"right_ankle", Vec3(-0.1, 0, -0.5), Witness::clutter_legs}};
+    for (const Hanging& hanging : all) {
+        INFO(hanging.joint);
+        const Evidence evidence = evidence_of_curve(with_branch(human_curve(), hanging.joint, hanging.way));
+        const double share = hanging.way.norm() / length_of_chains();
+        for (const Witness witness :
+             {Witness::clutter_head, Witness::clutter_hands, Witness::clutter_back, Witness::clutter_legs}) {
+            INFO(to_string(witness));
+            CHECK(evidence[witness] == Approx(witness == hanging.witness ? share : 0).margin(1e-12));
+        }
+        CHECK(evidence[Witness::unmatched] == Approx(share));
+        CHECK(evidence[Witness::unmatched_reach] == Approx(share));
+    }
+}
+
+TEST_CASE("all that hangs on the curve hangs somewhere, and a bulge hangs nowhere") {
+    CurveSkeleton<double> curve = human_curve();
+    for (const char* joint : {"head", "chest", "left_wrist", "left_elbow", "crotch", "right_knee"})
+        curve = with_branch(curve, joint, Vec3(0, 0, -0.6));
+    const Evidence evidence = evidence_of_curve(curve);
+    CHECK(evidence[Witness::unmatched] == Approx(6 * 0.6 / length_of_chains()));
+    CHECK(evidence[Witness::clutter_head] + evidence[Witness::clutter_hands] + evidence[Witness::clutter_back] +
+              evidence[Witness::clutter_legs] ==
+          Approx(evidence[Witness::unmatched]));
+
+    CurveSkeleton<double> belly = human_curve(); // a branch within the ball around the waist
+    belly.radii[static_cast<std::size_t>(find_joint(rest_skeleton(), "waist"))] = 0.2;
+    const Evidence of_belly = evidence_of_curve(with_branch(belly, "waist", Vec3(0, 0, 0.15)));
+    CHECK(of_belly[Witness::clutter_legs] == 0);
+    CHECK(of_belly[Witness::unmatched] == 0);
+}
+
+TEST_CASE("a curve's loops are counted") {
+    CHECK(evidence_of_curve(human_curve())[Witness::contacts] == 0);
+    CurveSkeleton<double> curve = human_curve();
+    const KinematicSkeleton<double> rest = rest_skeleton();
+    curve.edges.push_back({find_joint(rest, "left_wrist"), find_joint(rest, "left_knee")});
+    CHECK(evidence_of_curve(curve)[Witness::contacts] == 1);
+    curve.edges.push_back({find_joint(rest, "right_wrist"), find_joint(rest, "right_knee")});
+    CHECK(evidence_of_curve(curve)[Witness::contacts] == 2);
+}
+
+TEST_CASE("reach is the logarithm of the diameter over an adult's") {
+    const CurveSkeleton<double> curve = human_curve();
+    for (const auto& [diameter, reach] :
+         {std::pair(1.5, 0.0), std::pair(3.0, std::log(2.0)), std::pair(0.75, -std::log(2.0))})
+        CHECK(evidence_in(resting_body(), curve, embedded(curve), completed(rest_pose()), human(),
+                          diameter)[Witness::reach] == Approx(reach).margin(1e-12));
+}
+
+TEST_CASE("the proportions of the template's own rest pose are the usual ones") {
+    const Evidence evidence = evidence_of_pose(rest_pose());
+    for (const Witness witness : {Witness::head_size, Witness::arm_length, Witness::leg_length, Witness::shoulder_width,
+                                  Witness::hip_width, Witness::pairs_lengths}) {
+        INFO(to_string(witness));
+        CHECK(evidence[witness] == Approx(0).margin(1e-12));
+    }
+}
+
+TEST_CASE("proportions are logarithms of how much longer limbs are beside the trunk") {
+    KinematicSkeleton<double> skeleton = rest_pose();
+    for (const std::string side : {"left_", "right_"}) {
+        const Vec3 shoulder = at(skeleton, side + "shoulder"), hip = at(skeleton, side + "hip");
+        for (const char* name : {"elbow", "wrist", "hand"})
+            at(skeleton, side + name) = shoulder + 2 * (at(skeleton, side + name) - shoulder);
+        for (const char* name : {"knee", "ankle", "foot"})
+            at(skeleton, side + name) = hip + 0.5 * (at(skeleton, side + name) - hip);
+    }
+    const Evidence evidence = evidence_of_pose(skeleton);
+    CHECK(evidence[Witness::arm_length] == Approx(std::log(2.0)));
+    CHECK(evidence[Witness::leg_length] == Approx(-std::log(2.0)));
+    CHECK(evidence[Witness::shoulder_width] == Approx(0).margin(1e-12));
+    CHECK(evidence[Witness::head_size] == Approx(0).margin(1e-12));
+
+    KinematicSkeleton<double> wide = rest_pose(); // shoulders three times as far apart, with their arms
+    for (const char* name : {"left_shoulder", "right_shoulder"})
+        move_from(wide, name, Vec3(2 * at(wide, name).x(), 0, 0));
+    CHECK(evidence_of_pose(wide)[Witness::shoulder_width] == Approx(std::log(3.0)));
+    CHECK(evidence_of_pose(wide)[Witness::arm_length] == Approx(0).margin(1e-12));
+}
+
+TEST_CASE("a side that is absent leaves the proportions of the other one") {
+    KinematicSkeleton<double> skeleton = rest_pose();
+    for (const char* name : {"left_elbow", "left_wrist", "left_hand"})
+        skeleton.joints[static_cast<std::size_t>(find_joint(skeleton, name))].is_present = false;
+    CHECK(evidence_of_pose(skeleton)[Witness::arm_length] == Approx(0).margin(1e-12));
+    CHECK(evidence_of_pose(skeleton)[Witness::leg_length] == Approx(0).margin(1e-12));
+}
+
+TEST_CASE("pairs that were measured unlike each other are a witness in their logarithms' mean") {
+    auto skeleton = completed(rest_pose());
+    skeleton.measured[static_cast<std::size_t>(find_joint(skeleton.skeleton, "left_elbow"))] *= 2;
+    CHECK(evidence_of_skeleton(skeleton)[Witness::pairs_lengths] == Approx(std::log(2.0) / 8)); // of eight pairs
+}
+
+TEST_CASE("doubts, misplaced joints and those that were outside are means over the joints that are there") {
+    auto skeleton = completed(rest_pose());
+    skeleton.doubt[3] = std::exp(2.0) - 1;
+    skeleton.doubt[7] = anatomy::misplaced_from + 1;
+    skeleton.moved = {7, 9, 11};
+    const Evidence evidence = evidence_of_skeleton(skeleton);
+    CHECK(evidence[Witness::doubt] == Approx((2 + std::log(anatomy::misplaced_from + 2)) / 21));
+    CHECK(evidence[Witness::misplaced] == Approx(1.0 / 21));
+    CHECK(evidence[Witness::outside] == Approx(3.0 / 21));
+}
+
+TEST_CASE("what the template lacks is counted, the head apart, and adapted ones are known") {
+    const auto lacks = [](const SkeletonTemplate& wanted) {
+        KinematicSkeleton<double> skeleton = rest_pose();
+        for (std::size_t j = 0; j < skeleton.joints.size(); ++j)
+            skeleton.joints[j].is_present = !wanted.joints[j].is_absent;
+        const Evidence evidence = evidence_of_skeleton(completed(skeleton), wanted);
+        CHECK(evidence[Witness::cut_limbs] == 0);
+        return std::pair(evidence[Witness::lacks_head], evidence[Witness::lacks_limbs]);
+    };
+    CHECK(lacks(human()) == std::pair(0.0, 0.0));
+    const SkeletonTemplate headless = without_limb(human(), find_joint(human(), JointRole::head));
+    CHECK(lacks(headless) == std::pair(1.0, 0.0));
+    const SkeletonTemplate armless = without_limb(human(), find_joint(human(), JointRole::elbow, Side::left));
+    CHECK(lacks(armless) == std::pair(0.0, 1.0));
+    CHECK(lacks(without_limb(armless, find_joint(human(), JointRole::knee, Side::right))) == std::pair(0.0, 2.0));
+
+    SkeletonTemplate adapted = human();
+    adapted.is_adapted = true;
+    CHECK(evidence_of_skeleton(completed(rest_pose()))[Witness::adapted] == 0);
+    CHECK(evidence_of_skeleton(completed(rest_pose()), adapted)[Witness::adapted] == 1);
+}
+
+TEST_CASE("limbs whose ends the surface shows to be cut off are counted apart from those that the template lacks") {
+    KinematicSkeleton<double> skeleton = rest_pose();
+    for (const char* name : {"left_hand", "right_foot"})
+        skeleton.joints[static_cast<std::size_t>(find_joint(skeleton, name))].is_present = false;
+    const Evidence evidence = evidence_of_pose(skeleton);
+    CHECK(evidence[Witness::cut_limbs] == 2);
+    CHECK(evidence[Witness::lacks_limbs] == 0);
+    CHECK(evidence[Witness::lacks_head] == 0);
+}
+
+TEST_CASE("where no template was laid into the curve, the curve is no witness") {
+    const CurveSkeleton<double> curve = with_branch(human_curve(), "head", Vec3(0, 0, -0.5));
+    const Evidence evidence =
+        evidence_of<double>(resting_body(), curve, nullptr, completed(rest_pose()), human(), usual_diameter);
+    const Evidence expected = evidence_of_pose(rest_pose());
+    for (const Witness witness :
+         {Witness::distortion, Witness::unmatched, Witness::unmatched_reach, Witness::clutter_head, Witness::contacts})
+        CHECK(evidence[witness] == 0);
+    for (const Witness witness : {Witness::support, Witness::mirror, Witness::arm_length, Witness::slack})
+        CHECK(evidence[witness] == expected[witness]);
+}
+
+TEST_CASE("a limb's joint in another limb or in the trunk lies there as deep as it is near that one's bone") {
+    CHECK(evidence_of_pose(rest_pose())[Witness::apart] == 0);
+
+    KinematicSkeleton<double> knees = rest_pose();
+    const Vec3 thigh = 0.5 * (at(knees, "right_hip") + at(knees, "right_knee"));
+    at(knees, "left_knee") = thigh;
+    CHECK(evidence_of_pose(knees)[Witness::apart] == Approx(1));
+    at(knees, "left_knee") = thigh + Vec3(0, 0, 0.01); // of a radius of 0.04
+    CHECK(evidence_of_pose(knees)[Witness::apart] == Approx(0.75));
+
+    KinematicSkeleton<double> elbow = rest_pose();
+    at(elbow, "right_elbow") = 0.5 * (at(elbow, "waist") + at(elbow, "chest"));
+    CHECK(evidence_of_pose(elbow)[Witness::apart] == Approx(1));
+    elbow.joints[static_cast<std::size_t>(find_joint(elbow, "right_elbow"))].is_present = false;
+    CHECK(evidence_of_pose(elbow)[Witness::apart] == 0);
+}
+
+TEST_CASE("limbs that point alike across the trunk are an animal's, those of a person who stands or sits are not") {
+    const Evidence standing = evidence_of_pose(rest_pose());
+    CHECK(standing[Witness::four_legged] == Approx(0).margin(0.01));
+    CHECK(standing[Witness::legs_go_on] > 0.99);
+
+    KinematicSkeleton<double> animal = rest_pose(), seated = rest_pose();
+    for (const std::string side : {"left_", "right_"}) {
+        lay(animal, side + "shoulder", Vec3::UnitZ());
+        lay(animal, side + "hip", Vec3::UnitZ());
+        lay(seated, side + "shoulder", -Vec3::UnitY());
+        lay(seated, side + "hip", Vec3::UnitZ());
+    }
+    CHECK(evidence_of_pose(animal)[Witness::four_legged] > 0.85);
+    CHECK(evidence_of_pose(animal)[Witness::legs_go_on] < 0.1);
+    CHECK(evidence_of_pose(seated)[Witness::four_legged] == Approx(0).margin(0.01));
+    CHECK(evidence_of_pose(seated)[Witness::legs_go_on] < 0.1);
+}
+
+TEST_CASE("bones inside the body are supported by it, those beside it are not") {
+    CHECK(evidence_of_pose(rest_pose())[Witness::support] == 1);
+    KinematicSkeleton<double> beside = rest_pose();
+    for (Joint<double>& joint : beside.joints) joint.position += Vec3(0, 0, 1);
+    CHECK(evidence_of_pose(beside)[Witness::support] == 0);
+    KinematicSkeleton<double> one = rest_pose();
+    at(one, "left_hand") = at(one, "left_wrist") + Vec3(0, 0, 1); // one bone of twenty leaves it soon
+    const double support = evidence_of_pose(one)[Witness::support];
+    CHECK(support < 1);
+    CHECK(support >= 0.95);
+}
+
+TEST_CASE("thicker limbs fill more of the space around their bones") {
+    const CurveSkeleton<double> curve = human_curve();
+    double last = -10;
+    for (const double radius : {0.04, 0.05, 0.06}) {
+        const Body<double> body = body_of(tubes_around(rest_pose(), radius));
+        const double slack =
+            evidence_in(body, curve, embedded(curve), completed(rest_pose()), human(), usual_diameter)[Witness::slack];
+        CHECK(slack > last);
+        last = slack;
+    }
+    CHECK(evidence_of_pose(rest_pose())[Witness::pairs_girths] < 0.1);
+}
+
+TEST_CASE("a body that is its own mirror image mirrors itself, one with an arm down does by less") {
+    CHECK(evidence_of_pose(rest_pose())[Witness::mirror] > 0.97);
+    KinematicSkeleton<double> one_down = rest_pose(), aside = rest_pose();
+    lay(one_down, "left_shoulder", -Vec3::UnitY());
+    const CurveSkeleton<double> curve = human_curve();
+    const double mirror = evidence_in(body_of(tubes_around(one_down)), curve, embedded(curve), completed(rest_pose()),
+                                      human(), usual_diameter)[Witness::mirror];
+    CHECK(mirror < 0.9); // both arms have nothing on the other side
+    CHECK(mirror > 0.5);
+    aside.frame.origin += Vec3(0.3, 0, 0); // nor does it mirror itself in a plane beside its middle
+    CHECK(evidence_of_pose(aside)[Witness::mirror] < 0.5);
+}
+
+TEST_CASE("how a body is turned, and its unit, are no evidence") {
+    const Motion motion{random_rotation(5), 3, {10, -20, 30}};
+    KinematicSkeleton<double> skeleton = rest_pose();
+    const Evidence expected = evidence_of_pose(skeleton);
+    CurveSkeleton<double> curve = human_curve();
+    const embedding::Embedding embedding = embedded(curve);
+    for (Joint<double>& joint : skeleton.joints) {
+        joint.position = motion.apply(joint.position);
+        joint.radius *= motion.scale;
+    }
+    for (auto& [name, place] : skeleton.end_points) place = motion.apply(place);
+    skeleton.frame = {motion.apply(skeleton.frame.origin), motion.rotation * skeleton.frame.left,
+                      motion.rotation * skeleton.frame.forward, motion.rotation * skeleton.frame.up};
+    for (Eigen::Index v = 0; v < curve.nodes.rows(); ++v)
+        curve.nodes.row(v) = motion.apply(core::point(curve.nodes, static_cast<int>(v))).transpose();
+    for (double& radius : curve.radii) radius *= motion.scale;
+    const Evidence found = evidence_in(body_of(moved(tubes_around(rest_pose()), motion)), curve, embedding,
+                                       completed(skeleton), human(), usual_diameter);
+    for (std::size_t w = 0; w < witness_count; ++w) {
+        INFO(to_string(static_cast<Witness>(w)));
+        CHECK(found.values[w] == Approx(expected.values[w]).margin(1e-6));
+    }
+}
+
+TEST_CASE("single precision sees the same evidence") {
+    const KinematicSkeleton<double> rest = rest_pose();
+    KinematicSkeleton<float> skeleton = rest_skeleton<float>();
+    skeleton.end_points.emplace_back("head_top", rest.end_points.front().second.cast<float>());
+    skeleton.frame = {rest.frame.origin.cast<float>(), Vector3<float>::UnitX(), Vector3<float>::UnitZ(),
+                      Vector3<float>::UnitY()};
+    for (Joint<float>& joint : skeleton.joints) joint.radius = 0.04F;
+    const auto curve = in_precision<float>(human_curve());
+    const anatomy::CompletedSkeleton<float> complete{
+        skeleton, std::vector<double>(21, 0), anatomy::bone_lengths(skeleton), {}};
+    const Evidence found = evidence_in(body_of<float>(tubes_around(rest)), curve, embedded(human_curve()), complete,
+                                       human(), static_cast<float>(usual_diameter));
+    const Evidence expected = evidence_of_pose(rest);
+    for (std::size_t w = 0; w < witness_count; ++w) {
+        INFO(to_string(static_cast<Witness>(w)));
+        CHECK(found.values[w] == Approx(expected.values[w]).margin(1e-3));
+    }
+}

@@ -1,0 +1,116 @@
+#include <array>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include <skelgen/search/hypothesis.hpp>
+
+#include "catch.hpp"
+
+using namespace skelgen;
+using namespace skelgen::search;
+
+namespace {
+
+constexpr std::array efforts{Effort::draft,  Effort::quick,        Effort::whole,   Effort::finer,
+                             Effort::finest, Effort::less_centred, Effort::rest_fit};
+
+/// How many different spellings these values have, empty ones not counted.
+template <typename Values>
+std::size_t spellings(const Values& values) {
+    std::set<std::string_view> names;
+    for (const auto value : values) names.insert(to_string(value));
+    names.erase("");
+    return names.size();
+}
+
+} // namespace
+
+TEST_CASE("a draft has half as many vertices, but no fewer than a body's, and is held more firmly") {
+    curve::CurveOptions options;
+    const double weight = options.contraction.medial_weight;
+    for (const auto& [wanted, tried] : {std::pair(3000, 1500), std::pair(1600, 800), std::pair(1000, 750),
+                                        std::pair(500, 500)}) { // who wants fewer gets these
+        options.proxy.vertices = wanted;
+        const curve::CurveOptions draft = curve_options(Effort::draft, options);
+        CHECK(draft.proxy.vertices == tried);
+        CHECK(draft.contraction.medial_weight == 5 * weight);
+        CHECK(draft.is_draft);
+    }
+}
+
+TEST_CASE("a quick curve has a draft's proxy and is centred") {
+    const curve::CurveOptions draft = curve_options(Effort::draft, {}), quick = curve_options(Effort::quick, {});
+    CHECK_FALSE(quick.is_draft);
+    CHECK(quick.proxy.vertices == draft.proxy.vertices);
+    CHECK(quick.contraction.medial_weight == draft.contraction.medial_weight);
+}
+
+TEST_CASE("a whole curve is as the options have it, also one that is centred less") {
+    curve::CurveOptions options;
+    options.proxy.vertices = 2222;
+    options.contraction.medial_weight *= 2;
+    options.is_draft = true; // a draft that nobody asked for
+    for (const Effort effort : {Effort::whole, Effort::less_centred}) {
+        const curve::CurveOptions whole = curve_options(effort, options);
+        CHECK(whole.proxy.vertices == 2222);
+        CHECK(whole.contraction.medial_weight == options.contraction.medial_weight);
+        CHECK(whole.centring.rounds == options.centring.rounds);
+        CHECK_FALSE(whole.is_draft);
+    }
+}
+
+TEST_CASE("finer curves have proxies half as fine again each, as far as proxies go") {
+    curve::CurveOptions options;
+    options.proxy.vertices = 2000;
+    CHECK(curve_options(Effort::finer, options).proxy.vertices == 3000);
+    CHECK(curve_options(Effort::finest, options).proxy.vertices == 4500);
+    options.proxy.vertices = curve::most_proxy_vertices - 1;
+    CHECK(curve_options(Effort::finer, options).proxy.vertices == curve::most_proxy_vertices);
+    CHECK(curve_options(Effort::finest, options).proxy.vertices == curve::most_proxy_vertices);
+    CHECK(curve_options(Effort::finest, options).contraction.medial_weight == options.contraction.medial_weight);
+}
+
+TEST_CASE("whatever is allowed to be wanted, every effort's options are allowed, too") {
+    curve::CurveOptions least, most;
+    least.proxy.vertices = 100;
+    most.proxy.vertices = curve::most_proxy_vertices;
+    most.contraction.medial_weight = 1e6;
+    for (const curve::CurveOptions& options : {curve::CurveOptions{}, least, most}) {
+        REQUIRE_NOTHROW(curve::validate(options));
+        for (const Effort effort : efforts) {
+            INFO(to_string(effort));
+            CHECK_NOTHROW(curve::validate(curve_options(effort, options)));
+        }
+    }
+}
+
+TEST_CASE("a curve costs a draft or more, and the more the finer it is") {
+    for (const Effort effort : efforts) CHECK(cost_of(effort) >= 1);
+    CHECK(cost_of(Effort::draft) == 1);
+    CHECK(cost_of(Effort::draft) < cost_of(Effort::quick));
+    CHECK(cost_of(Effort::quick) < cost_of(Effort::whole));
+    CHECK(cost_of(Effort::whole) < cost_of(Effort::finer));
+    CHECK(cost_of(Effort::finer) < cost_of(Effort::finest));
+}
+
+TEST_CASE("every part of a hypothesis has a name of its own, as trails spell it") {
+    using surface::Remedy;
+    CHECK(spellings(efforts) == efforts.size());
+    CHECK(spellings(std::array{Remedy::largest_piece, Remedy::envelope, Remedy::wrap, Remedy::rounded}) == 4);
+    CHECK(spellings(std::array{Opening::opened, Opening::short_handles, Opening::as_given}) == 3);
+    CHECK(spellings(std::array{Held::nothing, Held::all, Held::all_but_fist}) == 3);
+    CHECK(to_string(Effort::less_centred) == "less_centred");
+    CHECK(to_string(Remedy::largest_piece) == "largest_piece");
+    CHECK(to_string(Opening::as_given) == "as_given");
+    CHECK(to_string(Held::all_but_fist) == "all_but_fist");
+}
+
+TEST_CASE("what is assumed first is the gentlest: a draft of the largest piece, nothing cut, nothing held") {
+    constexpr Hypothesis first;
+    CHECK(first.surface == surface::Remedy::largest_piece);
+    CHECK(first.opening == Opening::opened);
+    CHECK(first.cuts == 0);
+    CHECK(first.held == Held::nothing);
+    CHECK(first.effort == Effort::draft);
+}

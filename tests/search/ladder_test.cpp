@@ -1,0 +1,299 @@
+// The loop that tries what may be true of a mesh: its order, its budget, its trail.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <skelgen/core/error.hpp>
+#include <skelgen/core/parallel.hpp>
+#include <skelgen/extract.hpp>
+#include <skelgen/search/trust.hpp>
+
+#include "catch.hpp"
+#include "fixture_bodies.hpp"
+#include "mesh_changes.hpp"
+#include "shapes.hpp"
+
+using namespace skelgen;
+using namespace skelgen::search;
+using namespace skelgen::test;
+
+namespace {
+
+const Mesh& standing_man() {
+    static const Mesh mesh = load_fixture_body("standing-man").mesh;
+    return mesh;
+}
+
+Climb<double> climbed(const Mesh& mesh, int budget, Thoroughness thoroughness = Thoroughness::until_sure) {
+    ExtractOptions options;
+    options.budget = budget;
+    return climb(mesh, builtin_template("human21"), options, thoroughness);
+}
+
+/// The standing man with everything tried that eleven drafts' time is enough for.
+const Climb<double>& thorough() {
+    static const Climb<double> made = climbed(standing_man(), 11, Thoroughness::exhaustive);
+    return made;
+}
+
+/// What a trail cost, in drafts.
+int spent_on(const Trail& trail) {
+    int spent = 0;
+    for (const Tried& each : trail) spent += cost_of(each.hypothesis.effort);
+    return spent;
+}
+
+Mesh two_balls() {
+    return side_by_side(sphere(1, 3), moved(sphere(0.8, 3), {Eigen::Matrix3d::Identity(), 1, {5, 0, 0}}));
+}
+
+bool is_same(const Tried& a, const Tried& b) {
+    return a.hypothesis.surface == b.hypothesis.surface && a.hypothesis.opening == b.hypothesis.opening &&
+           a.hypothesis.cuts == b.hypothesis.cuts && a.hypothesis.held == b.hypothesis.held &&
+           a.hypothesis.effort == b.hypothesis.effort && a.refusal == b.refusal && a.candidates == b.candidates &&
+           a.probability == b.probability && a.lacks_limb == b.lacks_limb;
+}
+
+} // namespace
+
+TEST_CASE("a body that stands free is sure after one draft", "[search]") {
+    const Climb<double> climb = climbed(standing_man(), 24);
+    REQUIRE(climb.trail.size() == 1);
+    CHECK(climb.trail.front().hypothesis.effort == Effort::draft);
+    CHECK(climb.trail.front().refusal == Refusal::none);
+    CHECK(climb.trail.front().candidates == 1);
+    REQUIRE(climb.found.size() == 1);
+    CHECK(climb.found.front().candidate.probability >= sure_enough);
+    CHECK(climb.failure.reason == Refusal::none);
+}
+
+TEST_CASE("a thorough climb goes on from a draft to whole curves, and to finer ones after all else") {
+    const Trail& trail = thorough().trail;
+    REQUIRE(trail.size() >= 3);
+    CHECK(trail.front().hypothesis.effort == Effort::draft);
+    CHECK(trail.front().hypothesis.surface == surface::Remedy::largest_piece);
+    const auto place_of = [&](Effort effort) {
+        return std::find_if(trail.begin(), trail.end(),
+                            [&](const Tried& each) { return each.hypothesis.effort == effort; }) -
+               trail.begin();
+    };
+    CHECK(place_of(Effort::draft) < place_of(Effort::whole));
+    CHECK(place_of(Effort::whole) < place_of(Effort::finer));
+    CHECK(place_of(Effort::finer) < static_cast<std::ptrdiff_t>(trail.size()));
+    for (std::size_t i = 0; i < trail.size(); ++i)
+        if (trail[i].hypothesis.effort == Effort::finer || trail[i].hypothesis.effort == Effort::finest)
+            CHECK(i >= trail.size() - 2);
+}
+
+TEST_CASE("no hypothesis is tried twice") {
+    const Trail& trail = thorough().trail;
+    for (std::size_t i = 0; i < trail.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k) {
+            const Hypothesis &a = trail[i].hypothesis, &b = trail[k].hypothesis;
+            CHECK((a.surface != b.surface || a.opening != b.opening || a.cuts != b.cuts || a.held != b.held ||
+                   a.effort != b.effort));
+        }
+}
+
+TEST_CASE("the budget is kept, and used where there is something to try") {
+    for (const int budget : {1, 2, 5}) {
+        INFO(budget);
+        const Trail trail = climbed(standing_man(), budget, Thoroughness::exhaustive).trail;
+        CHECK(spent_on(trail) <= budget);
+        CHECK(trail.size() ==
+              (budget < 5 ? static_cast<std::size_t>(budget) : 3)); // a draft, one at rest, a whole curve
+    }
+    CHECK(spent_on(thorough().trail) <= 11);
+    CHECK(spent_on(thorough().trail) > 5); // and with five more a finer one
+}
+
+TEST_CASE("a thorough climb keeps all candidates, in the order of the trail") {
+    const Climb<double>& climb = thorough();
+    std::size_t first = 0;
+    for (const Tried& each : climb.trail) {
+        const auto count = static_cast<std::size_t>(each.candidates);
+        REQUIRE(climb.found.size() >= first + count);
+        double likeliest = 0;
+        for (std::size_t i = first; i < first + count; ++i) {
+            CHECK(climb.found[i].hypothesis.effort == each.hypothesis.effort);
+            CHECK(climb.found[i].hypothesis.held == each.hypothesis.held);
+            likeliest = std::max(likeliest, climb.found[i].candidate.probability);
+        }
+        CHECK(each.probability == likeliest);
+        first += count;
+    }
+    CHECK(climb.found.size() == first);
+}
+
+TEST_CASE("every candidate of a climb is likely as its evidence says, and comes with what it was found in") {
+    for (const Found<double>& each : thorough().found) {
+        CHECK(each.candidate.probability == probability_right(each.candidate.evidence));
+        CHECK(each.candidate.evidence[Witness::held] == (each.hypothesis.held == Held::nothing ? 0 : 1));
+        CHECK(each.candidate.evidence[Witness::cut] == (each.hypothesis.cuts > 0 ? 1 : 0));
+        REQUIRE(each.body);
+        REQUIRE(each.whole);
+        REQUIRE(each.curve);
+        const Effort effort = each.hypothesis.effort;
+        CHECK(each.curve->is_draft == (effort == Effort::draft || effort == Effort::rest_fit));
+        CHECK(each.candidate.skeleton.joints.size() == 21);
+        CHECK(each.candidate.doubt.size() == 21);
+    }
+}
+
+TEST_CASE("a try that has led to a skeleton has no refusal, one that has not says why") {
+    const auto check = [](const Trail& trail) {
+        REQUIRE_FALSE(trail.empty());
+        for (const Tried& each : trail) {
+            CHECK((each.refusal == Refusal::none) == (each.candidates > 0));
+            CHECK(each.seconds >= 0);
+            if (each.candidates == 0) CHECK(each.probability == 0);
+        }
+    };
+    check(thorough().trail);
+    check(climbed(three_tubes(), 1).trail);
+    check(climbed(sphere(1, 3), 1).trail);
+}
+
+TEST_CASE("a climb that is to end where it is sure keeps the likeliest candidate of all that it tried") {
+    for (const char* name : {"figure", "kneeling-boy"}) {
+        INFO(name);
+        const Climb<double> climb = climbed(load_fixture_body(name).mesh, 4);
+        REQUIRE(climb.found.size() == 1);
+        double likeliest = 0;
+        for (std::size_t i = 0; i < climb.trail.size(); ++i) {
+            likeliest = std::max(likeliest, climb.trail[i].probability);
+            if (i + 1 < climb.trail.size()) CHECK(climb.trail[i].probability < sure_enough);
+        }
+        CHECK(climb.found.front().candidate.probability == likeliest);
+    }
+}
+
+TEST_CASE("several bodies are refused before a curve is looked for, and one of them can be chosen") {
+    const Climb<double> both = climbed(two_balls(), 1);
+    CHECK(both.found.empty());
+    CHECK(both.trail.empty());
+    CHECK(both.failure.reason == Refusal::several_bodies);
+    CHECK_THAT(both.failure.what, Catch::Matchers::StartsWith("2 bodies apart"));
+
+    ExtractOptions second;
+    second.budget = 1;
+    second.prepare.component = 2;
+    const Climb<double> one = climb(two_balls(), builtin_template("human21"), second);
+    CHECK(one.failure.reason == Refusal::too_compact);
+    CHECK(one.trail.size() == 1);
+    second.prepare.component = 3;
+    try {
+        static_cast<void>(climb(two_balls(), builtin_template("human21"), second));
+        FAIL("there is no third body");
+    } catch (const Error& error) {
+        CHECK(error.code() == ErrorCode::usage);
+    }
+}
+
+TEST_CASE("a surface that encloses nothing is a try that has failed") {
+    const Mesh sheet = make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}},
+                                 {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
+    const Climb<double> climb = climbed(sheet, 24);
+    CHECK(climb.found.empty());
+    REQUIRE_FALSE(climb.trail.empty());
+    CHECK(climb.failure.reason == climb.trail.front().refusal);
+    const auto nothing = std::find_if(climb.trail.begin(), climb.trail.end(),
+                                      [](const Tried& each) { return each.refusal == Refusal::nothing_enclosed; });
+    REQUIRE(nothing != climb.trail.end());
+    CHECK(nothing->candidates == 0);
+}
+
+TEST_CASE("what has nothing to open is tried but as it is") {
+    for (const Tried& each : thorough().trail) CHECK(each.hypothesis.opening == Opening::opened);
+    for (const Tried& each : thorough().trail) CHECK(each.hypothesis.cuts == 0);
+}
+
+TEST_CASE("limbs that have grown together lead to cuts at the curve's loops") {
+    const Climb<double> climb = climbed(load_fixture_body("hands-clasped-woman").mesh, 3, Thoroughness::exhaustive);
+    REQUIRE(climb.trail.size() == 2);
+    CHECK(climb.trail[0].hypothesis.cuts == 0);
+    CHECK(climb.trail[1].hypothesis.cuts == 1);
+    CHECK(climb.trail[1].hypothesis.effort == Effort::quick);
+    REQUIRE(climb.found.size() >= 2);
+    CHECK(climb.found.front().candidate.evidence[Witness::contacts] == 1);
+    CHECK(climb.found.back().candidate.evidence[Witness::contacts] == 0);
+    CHECK(climb.found.back().body != climb.found.back().whole);
+}
+
+TEST_CASE("a curve with too few ends is no body's: the failure says so, and so does the trail") {
+    const Climb<double> climb = climbed(three_tubes(), 1);
+    CHECK(climb.found.empty());
+    CHECK(climb.failure.reason == Refusal::too_few_ends);
+    REQUIRE(climb.trail.size() == 1);
+    CHECK(climb.trail.front().refusal == Refusal::too_few_ends);
+    CHECK(climb.trail.front().candidates == 0);
+}
+
+TEST_CASE("what no skeleton is found in carries its trail, its code and its reason") {
+    ExtractOptions options;
+    options.budget = 1;
+    const auto refusal_of_mesh = [&](const Mesh& mesh, std::size_t least_tries) {
+        try {
+            static_cast<void>(extract(mesh, options));
+        } catch (const NoSkeleton& none) {
+            CHECK(none.code() == ErrorCode::no_skeleton);
+            CHECK(none.trail().size() >= least_tries);
+            CHECK(std::string(none.what()).size() > 10);
+            return none.refusal();
+        }
+        return Refusal::none;
+    };
+    CHECK(refusal_of_mesh(sphere(1, 3), 1) == Refusal::too_compact);
+    CHECK(refusal_of_mesh(two_balls(), 0) == Refusal::several_bodies);
+    CHECK(refusal_of_mesh(three_tubes(), 1) == Refusal::too_few_ends);
+    // Other errors have none.
+    try {
+        static_cast<void>(extract(Mesh{Points<double>(0, 3), Triangles(0, 3)}, options));
+        FAIL("a skeleton of nothing");
+    } catch (const Error& error) {
+        CHECK(error.code() == ErrorCode::bad_input);
+        CHECK(error.refusal() == Refusal::none);
+    }
+}
+
+TEST_CASE("every refusal has a name of its own, as files spell it") {
+    std::vector<std::string_view> names;
+    for (int r = static_cast<int>(Refusal::none); r <= static_cast<int>(Refusal::unlikely); ++r)
+        names.push_back(to_string(static_cast<Refusal>(r)));
+    std::sort(names.begin(), names.end());
+    CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
+    CHECK(std::find(names.begin(), names.end(), "too_few_ends") != names.end());
+    CHECK(std::find(names.begin(), names.end(), "") == names.end());
+}
+
+TEST_CASE("a climb is the same by however many threads") {
+    const Mesh mesh = load_fixture_body("figure").mesh;
+    const Climb<double> alone = climbed(mesh, 4, Thoroughness::exhaustive);
+    const core::ThreadScope threads(3);
+    const Climb<double> together = climbed(mesh, 4, Thoroughness::exhaustive);
+    REQUIRE(together.trail.size() == alone.trail.size());
+    for (std::size_t i = 0; i < alone.trail.size(); ++i) CHECK(is_same(together.trail[i], alone.trail[i]));
+    REQUIRE(together.found.size() == alone.found.size());
+    for (std::size_t i = 0; i < alone.found.size(); ++i) {
+        const Candidate<double>&a = alone.found[i].candidate, &b = together.found[i].candidate;
+        CHECK(a.evidence.values == b.evidence.values);
+        for (std::size_t j = 0; j < a.skeleton.joints.size(); ++j)
+            CHECK(a.skeleton.joints[j].position == b.skeleton.joints[j].position);
+    }
+}
+
+TEST_CASE("where a body lies, and how large it is, does not change what is tried") {
+    const Motion motion{random_rotation(6), 250, {1000, -2000, 500}};
+    const Mesh mesh = load_fixture_body("figure").mesh;
+    const Climb<double> expected = climbed(mesh, 4, Thoroughness::exhaustive);
+    const Climb<double> found = climbed(moved(mesh, motion), 4, Thoroughness::exhaustive);
+    REQUIRE(found.trail.size() == expected.trail.size());
+    for (std::size_t i = 0; i < expected.trail.size(); ++i) {
+        CHECK(found.trail[i].hypothesis.effort == expected.trail[i].hypothesis.effort);
+        CHECK(found.trail[i].candidates == expected.trail[i].candidates);
+        const bool is_optimised = expected.trail[i].hypothesis.effort == Effort::rest_fit; // as far as that converges
+        CHECK(found.trail[i].probability == Approx(expected.trail[i].probability).margin(is_optimised ? 1e-3 : 1e-6));
+    }
+}

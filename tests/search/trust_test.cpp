@@ -1,0 +1,170 @@
+// Trust as a function of the evidence, whatever the table says that it is calibrated by.
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <skelgen/search/trust.hpp>
+#include <skelgen/search/trust_table.hpp>
+
+#include "catch.hpp"
+
+using namespace skelgen;
+using namespace skelgen::search;
+
+namespace {
+
+Evidence usual_evidence() { return {trust_means}; }
+
+/// The usual evidence with one witness moved, towards what speaks against a skeleton for negative ways.
+Evidence with_voice(std::size_t witness, double way) {
+    Evidence evidence = usual_evidence();
+    evidence.values[witness] += trust_weights[witness] < 0 ? -way : way;
+    return evidence;
+}
+
+/// Three joints, the last one absent.
+KinematicSkeleton<double> three_joints() {
+    KinematicSkeleton<double> skeleton;
+    for (const bool is_present : {true, true, false}) {
+        Joint<double> joint;
+        joint.position = {static_cast<double>(skeleton.joints.size()), 1, 2};
+        joint.is_present = is_present;
+        skeleton.joints.push_back(joint);
+    }
+    return skeleton;
+}
+
+} // namespace
+
+TEST_CASE("usual evidence is as likely as the table's offset says") {
+    CHECK(probability_right(usual_evidence()) == Approx(1 / (1 + std::exp(-trust_offset))));
+}
+
+TEST_CASE("each witness moves the probability one way, as its weight says, and stays within 0 and 1") {
+    int heard = 0;
+    for (std::size_t w = 0; w < witness_count; ++w) {
+        INFO(to_string(static_cast<Witness>(w)));
+        if (static_cast<Witness>(w) == Witness::fitted) continue; // bodies at rest have a factor of their own
+        double last = 0;
+        for (const double way : {-4.0, -1.0, -0.1, 0.0, 0.1, 1.0, 4.0}) {
+            const double probability = probability_right(with_voice(w, way));
+            CHECK(probability > 0);
+            CHECK(probability <= 1);
+            CHECK(probability >= last);
+            last = probability;
+        }
+        heard += probability_right(with_voice(w, 1)) > probability_right(with_voice(w, -1));
+    }
+    CHECK(heard >= 5);
+}
+
+TEST_CASE("witnesses add up: two of them say what both say, in logarithms of the odds") {
+    const auto log_odds = [](const Evidence& evidence) {
+        const double p = probability_right(evidence);
+        return std::log(p / (1 - p));
+    };
+    Evidence both = usual_evidence();
+    const auto a = static_cast<std::size_t>(Witness::distortion), b = static_cast<std::size_t>(Witness::doubt);
+    both.values[a] += 0.3;
+    both.values[b] += 0.2;
+    Evidence one = usual_evidence(), other = usual_evidence();
+    one.values[a] += 0.3;
+    other.values[b] += 0.2;
+    CHECK(log_odds(both) - log_odds(one) == Approx(log_odds(other) - log_odds(usual_evidence())).margin(1e-9));
+}
+
+TEST_CASE("what is refused is no guess that would end the search") {
+    CHECK(least_probability > 0);
+    CHECK(least_probability < 0.5);
+    CHECK(sure_enough > 0.5);
+    CHECK(sure_enough < 1);
+}
+
+TEMPLATE_TEST_CASE("confidences are those of what is there: of the sides the whole's, none of what is absent", "",
+                   float, double) {
+    KinematicSkeleton<TestType> skeleton;
+    skeleton.joints.resize(3);
+    skeleton.joints[1].position = {1, 2, 3};
+    skeleton.joints[2].is_present = false;
+    const auto trusted = with_confidence(skeleton, 0.7, {0, 1, 0});
+    CHECK(trusted.quality.sides_confidence == 0.7);
+    CHECK(trusted.joints[2].confidence == 0);
+    for (const std::size_t j : {0, 1}) {
+        CHECK(trusted.joints[j].confidence > 0);
+        CHECK(trusted.joints[j].confidence < 1);
+        CHECK(trusted.joints[j].position == skeleton.joints[j].position);
+    }
+}
+
+TEST_CASE("the more a joint is doubted the less it is trusted, and the less the likelier the whole is") {
+    double last = 1;
+    for (const double doubt : {0.0, 0.5, 2.0, 9.0, 100.0}) {
+        const double confidence = with_confidence(three_joints(), 0.6, {doubt, 0, 0}).joints[0].confidence;
+        CHECK(confidence < last);
+        last = confidence;
+    }
+    last = 0;
+    for (const double probability : {0.05, 0.3, 0.6, 0.9, 0.99}) {
+        const double confidence = with_confidence(three_joints(), probability, {1, 1, 1}).joints[1].confidence;
+        CHECK(confidence > last);
+        last = confidence;
+    }
+}
+
+TEST_CASE("certainty either way leaves confidences that are numbers from 0 to 1") {
+    for (const double probability : {0.0, 1.0})
+        for (const double doubt : {0.0, 1e6}) {
+            const auto trusted = with_confidence(three_joints(), probability, {doubt, doubt, doubt});
+            for (const Joint<double>& joint : trusted.joints) {
+                CHECK(joint.confidence >= 0);
+                CHECK(joint.confidence <= 1);
+            }
+        }
+}
+
+TEST_CASE("the strongest doubt is the one of the witness that speaks most against it") {
+    const std::map<Witness, std::string> clauses{{Witness::unmatched, "belongs to no limb"},
+                                                 {Witness::unmatched_reach, "belongs to no limb"},
+                                                 {Witness::clutter_back, "belongs to no limb"},
+                                                 {Witness::reach, "too compact, or too long"},
+                                                 {Witness::lacks_head, "a limb or the head"},
+                                                 {Witness::lacks_limbs, "a limb or the head"},
+                                                 {Witness::contacts, "lie on each other"},
+                                                 {Witness::apart, "lie on each other"},
+                                                 {Witness::doubt, "unlikely lengths"},
+                                                 {Witness::misplaced, "unlikely lengths"},
+                                                 {Witness::outside, "outside of it"},
+                                                 {Witness::support, "outside of it"},
+                                                 {Witness::legs_go_on, "four legs"},
+                                                 {Witness::four_legged, "four legs"},
+                                                 {Witness::adapted, "no person's"},
+                                                 {Witness::distortion, "no person's"}};
+    int heard = 0;
+    for (const auto& [witness, clause] : clauses) {
+        const auto w = static_cast<std::size_t>(witness);
+        if (trust_weights[w] == 0) continue;
+        ++heard;
+        INFO(to_string(witness));
+        CHECK_THAT(strongest_doubt(with_voice(w, -100)), Catch::Matchers::Contains(clause));
+        Evidence both = with_voice(w, -100); // and not of one that says less
+        const std::size_t other = w == 0 ? 1 : 0;
+        both.values[other] = with_voice(other, -1e-3).values[other];
+        CHECK_THAT(strongest_doubt(both), Catch::Matchers::Contains(clause));
+    }
+    CHECK(heard >= 1);
+}
+
+TEST_CASE("every witness has a name of its own, in the order of the table") {
+    std::set<std::string_view> names;
+    for (std::size_t w = 0; w < witness_count; ++w) names.insert(to_string(static_cast<Witness>(w)));
+    CHECK(names.size() == witness_count);
+    CHECK(names.count("") == 0);
+    CHECK(to_string(Witness::distortion) == "distortion");
+    CHECK(to_string(Witness::clutter_head) == "clutter_head");
+    CHECK(to_string(Witness::four_legged) == "four_legged");
+}
