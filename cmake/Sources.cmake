@@ -86,6 +86,7 @@ set(skelgen_core_headers
     include/skelgen/applications/part_shares.hpp
     include/skelgen/applications/pose_transfer.hpp
     include/skelgen/applications/posing.hpp
+    include/skelgen/applications/rest_posture.hpp
     include/skelgen/applications/resting_surface.hpp
     include/skelgen/applications/retarget.hpp
     include/skelgen/applications/rig.hpp
@@ -108,6 +109,7 @@ set(skelgen_core_headers
     include/skelgen/core/kinematic_skeleton.hpp
     include/skelgen/core/mesh.hpp
     include/skelgen/core/min_cut.hpp
+    include/skelgen/core/nearest_share.hpp
     include/skelgen/core/options.hpp
     include/skelgen/core/outcome.hpp
     include/skelgen/core/parallel.hpp
@@ -148,6 +150,7 @@ set(skelgen_core_headers
     include/skelgen/embedding/reduced_graph.hpp
     include/skelgen/embedding/spectral_matching.hpp
     include/skelgen/extract.hpp
+    include/skelgen/fit_skeleton.hpp
     include/skelgen/hands/digit.hpp
     include/skelgen/hands/digit_tubes.hpp
     include/skelgen/hands/find_hands.hpp
@@ -258,6 +261,7 @@ set(skelgen_core_definitions
     include/skelgen/applications/impl/part_shares.hpp
     include/skelgen/applications/impl/pose_transfer.hpp
     include/skelgen/applications/impl/posing.hpp
+    include/skelgen/applications/impl/rest_posture.hpp
     include/skelgen/applications/impl/resting_surface.hpp
     include/skelgen/applications/impl/retarget.hpp
     include/skelgen/applications/impl/rig.hpp
@@ -303,6 +307,7 @@ set(skelgen_core_definitions
     include/skelgen/hands/impl/hand_surface.hpp
     include/skelgen/hands/impl/phalanges.hpp
     include/skelgen/impl/extract.hpp
+    include/skelgen/impl/fit_skeleton.hpp
     include/skelgen/refinement/impl/bare_joints.hpp
     include/skelgen/refinement/impl/bend.hpp
     include/skelgen/refinement/impl/bone_line.hpp
@@ -377,6 +382,7 @@ set(skelgen_io_headers
     include/skelgen/io/half_edge_mesh.hpp
     include/skelgen/io/measurements_text.hpp
     include/skelgen/io/mesh_format.hpp
+    include/skelgen/io/npz.hpp
     include/skelgen/io/openmesh_adaptor.hpp
     include/skelgen/io/part_looks.hpp
     include/skelgen/io/polygon_mesh.hpp
@@ -455,6 +461,7 @@ set(skelgen_io_sources
     src/io/bvh_writer.cpp
     src/io/coloured_ply.cpp
     src/io/companion_file.cpp
+    src/io/credits.cpp
     src/io/correspondence_json.cpp
     src/io/curve_formats.cpp
     src/io/curve_json.cpp
@@ -483,6 +490,7 @@ set(skelgen_io_sources
     src/io/mesh_format.cpp
     src/io/mesh_primitives.cpp
     src/io/mtl_parser.cpp
+    src/io/npz.cpp
     src/io/obj_looks.cpp
     src/io/obj_materials.cpp
     src/io/obj_parser.cpp
@@ -511,6 +519,8 @@ set(skelgen_io_sources
     src/io/transform_json.cpp
     src/io/truth_json.cpp
     src/io/view_page.cpp
+    src/io/vrm_reader.cpp
+    src/io/vrm_writer.cpp
     src/io/write_mesh.cpp
 )
 
@@ -587,9 +597,11 @@ set(skelgen_cli_sources
     batch_inputs.cpp
     batch_parts.cpp
     batch_summary.cpp
+    batch_table.cpp
     character.cpp
     clip_input.cpp
     command_outline.cpp
+    compared_file.cpp
     completions.cpp
     console.cpp
     convert.cpp
@@ -601,14 +613,15 @@ set(skelgen_cli_sources
     fingerprint.cpp
     fitted_file.cpp
     fitted_inputs.cpp
-    main.cpp
     manual_page.cpp
     measure.cpp
     merge.cpp
     merge_shards.cpp
     mesh_input.cpp
+    nearest_word.cpp
     parts.cpp
     pose.cpp
+    program.cpp
     progress_bar.cpp
     rig.cpp
     segment.cpp

@@ -39,7 +39,7 @@ void run(const AnimateCommand& command) {
     in_file(command.output, [&] {
         io::write_file_atomically(command.output, rig_to_glb(character.rig, names, character.kept.looks, {animation}));
     });
-    if (!command.quiet) print_warnings(command.mesh.file, character);
+    print_warnings(command.mesh.file, character, io::RigFormat::glb, command.quiet);
 }
 
 } // namespace
@@ -56,7 +56,8 @@ void add_animate_command(CLI::App& app) {
         ->required();
     add_joint_names_option(*sub, command->names, "Whose names the joints get");
     add_component_option(*sub, command->component);
-    sub->add_flag("-q,--quiet", command->quiet, "No warnings");
+    add_skeleton_option(*sub, command->mesh.skeleton);
+    sub->add_flag("-q,--quiet", command->quiet, "No warnings but what a licence forbids, and guesses");
     sub->footer("Example:\n  skelgen animate body.off --bvh walk.bvh -o walking.glb");
     sub->callback([command] { run(*command); });
 }

@@ -12,6 +12,7 @@
 #include "batch_inputs.hpp"
 #include "batch_parts.hpp"
 #include "batch_summary.hpp"
+#include "batch_table.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "extract_file.hpp"
@@ -34,8 +35,10 @@ struct BatchCommand {
     std::string output_folder;
     std::string skeleton_template = "human21";
     std::string shard = "1/1";
-    std::string also;   ///< further results, as `parse_batch_parts` takes them
-    std::string report; ///< page to write; empty: none
+    std::string also;       ///< further results, as `parse_batch_parts` takes them
+    fs::path template_body; ///< whose vertices the part correspond looks for; empty: none
+    std::string report;     ///< page to write; empty: none
+    TableFiles tables;
     std::size_t jobs = std::max(1U, std::thread::hardware_concurrency());
     double timeout_seconds = 600;
     std::size_t memory = 0; ///< mebibytes
@@ -80,14 +83,28 @@ FileExtraction extract_within_memory(const BatchItem& item, const ExtractOptions
     }
 }
 
+/// What all meshes of a batch are worked on with.
+struct Background {
+    ExtractOptions options;
+    PartContext parts;
+    std::string template_body; ///< its fingerprint; empty: there is none
+    std::size_t mebibytes = 0;
+};
+
+/// Of all that a mesh's results depend on.
+std::string fingerprint_of(const BatchItem& item, const Background& background) {
+    const std::string input = input_fingerprint(item.mesh, background.options.skeleton_template);
+    return input.empty() || background.template_body.empty() ? input : fingerprint(input + background.template_body);
+}
+
 /// Writes the further results; what fails costs itself alone. The reasons, empty where there is none, and what else is
 /// to be said of them goes into the line.
-void write_parts(const BatchItem& item, const FileExtraction& found, const SkeletonTemplate& skeleton_template,
+void write_parts(const BatchItem& item, const FileExtraction& found, const PartContext& context,
                  const std::vector<std::string>& parts, SummaryLine& line) {
     for (const std::string& part : parts) {
         std::string& fault = line.also[part];
         try {
-            std::string warning = write_part(part, item, found, skeleton_template);
+            std::string warning = write_part(part, item, found, context);
             if (!warning.empty()) line.warnings.push_back(std::move(warning));
         } catch (const Error& error) {
             fault = error.what() + (" (--also " + part + ")");
@@ -115,15 +132,14 @@ double least_confidence(const KinematicSkeleton<double>& skeleton) {
 }
 
 /// Extracts one mesh to its output file.
-SummaryLine process(const BatchItem& item, const ExtractOptions& options, std::size_t mebibytes,
-                    const std::vector<std::string>& parts) {
+SummaryLine process(const BatchItem& item, const Background& background, const std::vector<std::string>& parts) {
     SummaryLine line;
     line.file = item.file;
     try {
         if (!item.fault.empty()) throw Error(ErrorCode::bad_input, item.mesh.string() + ": " + item.fault);
-        const std::string input = input_fingerprint(item.mesh, options.skeleton_template);
-        const FileExtraction result =
-            in_file(item.mesh, [&] { return extract_within_memory(item, options, mebibytes, line); });
+        const std::string input = fingerprint_of(item, background);
+        const FileExtraction result = in_file(
+            item.mesh, [&] { return extract_within_memory(item, background.options, background.mebibytes, line); });
         make_folder(item.output.parent_path());
         in_file(item.output, [&] { io::write_file_atomically(item.output, result.json); });
         line.status = "ok";
@@ -134,7 +150,7 @@ SummaryLine process(const BatchItem& item, const ExtractOptions& options, std::s
         line.least_confidence = least_confidence(skeleton);
         line.input = input;
         line.output = result_fingerprint(skeleton, result.provenance.mesh);
-        write_parts(item, result, options.skeleton_template, parts, line);
+        write_parts(item, result, background.parts, parts, line);
     } catch (const Error& error) {
         if (line.status.empty()) line.status = to_status(error.code());
         line.error = error.what();
@@ -149,25 +165,24 @@ SummaryLine process(const BatchItem& item, const ExtractOptions& options, std::s
 /// Whether an earlier run has found the skeleton in what the mesh is now, with the same template and the same skelgen,
 /// its file is still as it was written, and the further results are there. One that was killed between a skeleton and
 /// its line has to find it again.
-bool is_done(const BatchItem& item, const SummaryLine& line, const SkeletonTemplate& skeleton_template,
+bool is_done(const BatchItem& item, const SummaryLine& line, const Background& background,
              const std::vector<std::string>& parts) {
     const bool has_parts = std::all_of(parts.begin(), parts.end(), [&](const std::string& part) {
         const auto known = line.also.find(part);
         return known != line.also.end() && known->second.empty() && fs::exists(part_file(item, part));
     });
     return has_parts && line.status == "ok" && !line.input.empty() && !line.output.empty() &&
-           line.output == result_fingerprint(item.output) &&
-           line.input == input_fingerprint(item.mesh, skeleton_template);
+           line.output == result_fingerprint(item.output) && line.input == fingerprint_of(item, background);
 }
 
 /// Brings the summary in order after a run that was cut off. Returns the items still to be done.
 std::vector<BatchItem> resume(const std::vector<BatchItem>& items, const BatchSummary& summary,
-                              const SkeletonTemplate& skeleton_template, const std::vector<std::string>& parts) {
+                              const Background& background, const std::vector<std::string>& parts) {
     const SummaryLines known = summary.read();
     std::vector<BatchItem> left;
     for (const BatchItem& item : items) {
         const auto line = known.find(item.file);
-        if (line == known.end() || !is_done(item, line->second, skeleton_template, parts)) left.push_back(item);
+        if (line == known.end() || !is_done(item, line->second, background, parts)) left.push_back(item);
     }
     start_over(left, summary, parts);
     return left;
@@ -254,18 +269,49 @@ private:
     std::size_t failed_parts_ = 0;
 };
 
-/// The further results that are wanted; a report shows pictures.
-std::vector<std::string> parts_of(const BatchCommand& command) {
+/// The further results that are wanted; a report shows pictures, a table the measures that bodies of human21 have.
+std::vector<std::string> parts_of(const BatchCommand& command, const SkeletonTemplate& skeleton_template) {
     std::vector<std::string> parts = parse_batch_parts(command.also);
-    if (!command.report.empty() && std::find(parts.begin(), parts.end(), "render") == parts.end())
-        parts.emplace_back("render");
+    const auto add = [&](const char* part) {
+        if (std::find(parts.begin(), parts.end(), part) == parts.end()) parts.emplace_back(part);
+    };
+    if (!command.report.empty()) add("render");
+    if (!files_of(command.tables).empty() && skeleton_template.name == "human21") add("measure");
     return parts;
 }
 
-/// What a report must not replace, and the report itself; nothing where no file is to be written.
-std::vector<fs::path> files_beside(const BatchCommand& command, const BatchSummary& summary) {
-    if (command.report.empty() || command.report == "-") return {};
-    return {summary.file(), command.report};
+/// Results of all meshes together.
+std::vector<std::string> files_beside(const BatchCommand& command) {
+    std::vector<std::string> files = files_of(command.tables);
+    if (!command.report.empty()) files.push_back(command.report);
+    return files;
+}
+
+/// What these must not replace, and themselves; nothing where no file is to be written.
+std::vector<fs::path> own_files(const BatchCommand& command, const BatchSummary& summary) {
+    std::vector<fs::path> files;
+    for (const std::string& file : files_beside(command))
+        if (file != "-") files.emplace_back(file);
+    if (!files.empty()) files.insert(files.begin(), summary.file());
+    return files;
+}
+
+/// What the meshes are worked on with. \throws Error as `load_template`, `fit_file` and `compared`.
+Background background_of(const BatchCommand& command) {
+    Background out;
+    out.options.skeleton_template = in_file("--template", [&] { return load_template(command.skeleton_template); });
+    out.parts.skeleton_template = out.options.skeleton_template;
+    out.mebibytes = command.memory;
+    const std::vector<std::string> parts = parse_batch_parts(command.also);
+    const bool corresponds = std::find(parts.begin(), parts.end(), "correspond") != parts.end();
+    if (corresponds == command.template_body.empty())
+        throw Error(ErrorCode::usage, corresponds ? "--also correspond: name the body whose vertices are looked for "
+                                                    "with --template-body"
+                                                  : "--template-body: goes with --also correspond");
+    if (!corresponds) return out;
+    in_file(command.template_body, [&] { out.parts.template_body = compared(fit_file({command.template_body, {}})); });
+    out.template_body = input_fingerprint(command.template_body, out.options.skeleton_template);
+    return out;
 }
 
 #if SKELGEN_WITH_RENDER
@@ -278,36 +324,37 @@ void write_report(const BatchCommand&, const std::vector<BatchItem>&, const Summ
 
 /// Returns the exit status.
 int run(const BatchCommand& command) {
-    ExtractOptions options;
-    options.skeleton_template = in_file("--template", [&] { return load_template(command.skeleton_template); });
+    Background background = background_of(command);
     const fs::path folder = command.output_folder;
     const auto all = find_batch_items(command.inputs, folder);
     const auto items = take_shard(all, parse_shard(command.shard));
-    const std::vector<std::string> parts = parts_of(command);
-    options.with_curve = std::any_of(parts.begin(), parts.end(), part_has_curve);
+    const std::vector<std::string> parts = parts_of(command, background.options.skeleton_template);
+    background.options.with_curve = std::any_of(parts.begin(), parts.end(), part_has_curve);
     const BatchSummary summary(folder);
-    for (const BatchItem& item : all) require_different_files(item.mesh, command.report);
-    require_own_files(all, parts, files_beside(command, summary));
+    for (const std::string& file : files_beside(command))
+        for (const BatchItem& item : all) require_different_files(item.mesh, file);
+    require_own_files(all, parts, own_files(command, summary));
     make_folder(folder);
-    require_folder_of(command.report);
+    for (const std::string& file : files_beside(command)) require_folder_of(file);
     clean_up(items, folder);
 
     std::vector<BatchItem> left = items;
     if (command.resume)
-        left = resume(items, summary, options.skeleton_template, parts);
+        left = resume(items, summary, background, parts);
     else
         start_over(items, summary, parts);
 
     Recorder recorder(left, summary, command, parts);
     const int signal = run_in_workers(
         left.size(), {command.jobs, command.timeout_seconds, command.memory << 20U},
-        [&](std::size_t i) { return to_json(process(left[i], options, command.memory, parts)); },
+        [&](std::size_t i) { return to_json(process(left[i], background, parts)); },
         [&](std::size_t i, const JobOutcome& outcome) { recorder.record(i, outcome); });
 
     recorder.clear_bar();
     clean_up(left, folder);
     const SummaryLines lines = summary.update({}, {});
     if (!command.report.empty()) write_report(command, all, lines);
+    write_tables(command.tables, all, lines);
     const std::string failed_parts =
         recorder.failed_parts() > 0 ? ", " + std::to_string(recorder.failed_parts()) + " further results failed" : "";
     if (!command.quiet)
@@ -335,8 +382,12 @@ void add_batch_command(CLI::App& app) {
     sub->add_flag("--resume", command->resume,
                   "Leave out what an earlier run has done and what has not changed since; try again what has failed");
     sub->add_option("--also", command->also,
-                    "Further results beside each skeleton, separated by commas: " + batch_parts_text())
+                    "Further results, separated by commas, each into a folder of its name in DIR: " +
+                        batch_parts_text())
         ->type_name("PART,...");
+    sub->add_option("--template-body", command->template_body, "Mesh of the body for --also correspond, found once")
+        ->type_name("FILE");
+    add_table_options(*sub, command->tables);
 #if SKELGEN_WITH_RENDER
     sub->add_option("--report", command->report,
                     "Page to write (HTML, one file): pictures, failures first, times, confidences; filter and sort")
@@ -358,6 +409,8 @@ void add_batch_command(CLI::App& app) {
                 "  skelgen batch scans/ -o skeletons/ --jobs 8\n"
                 "  skelgen batch scans/ -o skeletons/ --resume\n"
                 "  skelgen batch scans/ -o bodies/ --also rig,measure --report bodies/report.html\n"
+                "  skelgen batch scans/ -o bodies/ --csv bodies.csv\n"
+                "  skelgen batch scans/ -o bodies/ --also correspond --template-body template.obj\n"
                 "  skelgen batch 'scans/*.ply' -o skeletons/ --shard 2/4");
     sub->callback([command] {
         if (const int status = run(*command)) throw CLI::RuntimeError(status);

@@ -42,8 +42,12 @@ void start_over(const std::vector<BatchItem>& items, const BatchSummary& summary
 }
 
 void clean_up(const std::vector<BatchItem>& items, const fs::path& output_folder) {
-    std::set<fs::path> folders{output_folder};
-    for (const BatchItem& item : items) folders.insert(item.output.parent_path());
+    std::set<fs::path> folders;
+    for (const BatchItem& item : items) {
+        if (!folders.insert(item.output.parent_path()).second) continue;
+        for (const std::string& part : batch_part_names()) folders.insert(part_file(item, part).parent_path());
+    }
+    folders.insert(output_folder);
     for (const fs::path& folder : folders) io::remove_leftovers(folder);
 }
 

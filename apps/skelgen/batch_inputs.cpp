@@ -101,6 +101,8 @@ std::vector<FoundMesh> find_meshes(const std::string& input) {
         found = meshes_below(input);
     else if (is_pattern(input) && !fs::exists(input, error))
         found = meshes_matching(input);
+    else if (input != "-" && !fs::exists(input, error) && !io::mesh_format_of(input)) // no mesh that is missing
+        throw Error(ErrorCode::bad_input, input + ": there is no such folder or file; check the name");
     else
         found = {{input, fs::path(input).filename(), {}}};
     if (found.empty())
@@ -146,7 +148,7 @@ std::vector<BatchItem> find_batch_items(const std::vector<std::string>& inputs, 
     for (const std::string& input : inputs)
         for (const FoundMesh& found : find_meshes(input)) {
             fs::path output = io::without_extensions(output_folder / found.relative);
-            items.push_back({found.mesh, printable(found.relative), output += ".json", found.fault});
+            items.push_back({found.mesh, printable(found.relative), output += ".json", found.fault, output_folder});
         }
     return with_outputs_apart(distinct(std::move(items)));
 }

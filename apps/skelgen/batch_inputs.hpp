@@ -13,6 +13,7 @@ struct BatchItem {
     std::string file;             ///< its path within the input that named it, as `printable`: no two have the same
     std::filesystem::path output; ///< where its skeleton goes, see `find_batch_items`
     std::string fault;            ///< why there is nothing to be done with it; empty for meshes
+    std::filesystem::path folder; ///< the output folder, which `output` lies in
 };
 
 /// The path as text in UTF-8, another one for each path: a backslash becomes two, and in a path that is no UTF-8 every

@@ -37,19 +37,23 @@ struct PartContent {
     std::string warning = {}; ///< empty: none
 };
 
-using Format = PartContent (*)(const BatchItem&, const FittedFile&, const SkeletonTemplate&);
+using Format = PartContent (*)(const BatchItem&, const FittedFile&, const PartContext&);
 
-PartContent rig_content(const BatchItem& item, const FittedFile& body, const SkeletonTemplate& skeleton_template) {
-    const auto rig = rig_of(body, skeleton_template, applications::RestPose::as_is, Fingers::automatic);
+PartContent rig_content(const BatchItem& item, const FittedFile& body, const PartContext& context) {
+    const auto rig = rig_of(body.mesh(), body.found, context.skeleton_template,
+                            {applications::RestPose::as_is, applications::Place::keep}, Fingers::automatic);
     KeptLooks kept = keep_looks({item.mesh, {}});
+    const auto also = [&](const std::string& what) { kept.warning += (kept.warning.empty() ? "" : "; ") + what; };
+    if (!kept.looks.forbidden.empty()) also("ITS LICENCE FORBIDS " + kept.looks.forbidden);
+    if (const std::string lost = left_out_text(io::RigFormat::glb, kept.looks); !lost.empty()) also(lost);
     return {io::rig_to_glb(rig, io::JointNames::skelgen, kept.looks), std::move(kept.warning)};
 }
 
-PartContent segmentation_content(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
+PartContent segmentation_content(const BatchItem&, const FittedFile& body, const PartContext&) {
     return {io::segmentation_to_json(parts_of(body.found, "bones"), body.source, body.skeleton().quality)};
 }
 
-PartContent measurements_content(const BatchItem& item, const FittedFile& body, const SkeletonTemplate&) {
+PartContent measurements_content(const BatchItem& item, const FittedFile& body, const PartContext&) {
     io::SourceMesh source = body.source;
     source.file = item.file;
     const auto parts = applications::segment(body.found.body, body.skeleton());
@@ -57,12 +61,17 @@ PartContent measurements_content(const BatchItem& item, const FittedFile& body, 
         {{source, body.skeleton().quality, applications::measure(body.found.body, body.skeleton(), parts)}})};
 }
 
-PartContent transform_content(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
+PartContent transform_content(const BatchItem&, const FittedFile& body, const PartContext&) {
     return {io::transform_to_json(applications::alignment(body.found.body, body.skeleton(), body.mesh().vertices))};
 }
 
-PartContent curve_content(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
+PartContent curve_content(const BatchItem&, const FittedFile& body, const PartContext&) {
     return {io::curve_to_json(body.found.curve)};
+}
+
+PartContent correspondence_content(const BatchItem&, const FittedFile& body, const PartContext& context) {
+    const ComparedFile to = compared(body);
+    return {io::correspondence_to_json(correspondence_of(context.template_body->body(), to.body(), {}).file)};
 }
 
 #if SKELGEN_WITH_RENDER
@@ -72,7 +81,7 @@ std::string picture(const render::Scene& scene) {
     return render::encode_png(render::render_scene(scene, options));
 }
 
-PartContent picture_content(const BatchItem&, const FittedFile& body, const SkeletonTemplate&) {
+PartContent picture_content(const BatchItem&, const FittedFile& body, const PartContext&) {
     render::Scene scene;
     scene.mesh = body.mesh();
     scene.skeleton = body.skeleton();
@@ -95,6 +104,8 @@ constexpr std::array parts {
         Part{"measure", ".measurements.json", "height, bones, girths, volume", measurements_content},
         Part{"align", ".transform.json", "the 4x4 that has it face +Z", transform_content},
         Part{"curve", ".curve.json", "the curve skeleton", curve_content, true},
+        Part{"correspond", ".correspondence.json", "for each vertex of --template-body one of the mesh",
+             correspondence_content},
 #if SKELGEN_WITH_RENDER
         Part{"render", ".png", "a picture", picture_content, true},
 #endif
@@ -142,7 +153,8 @@ std::vector<std::string> parse_batch_parts(const std::string& text) {
 bool part_has_curve(std::string_view part) { return find_part(part).has_curve; }
 
 fs::path part_file(const BatchItem& item, std::string_view part) {
-    return fs::path(item.output).replace_extension(find_part(part).extension);
+    const fs::path within = item.output.lexically_relative(item.folder.empty() ? "." : item.folder);
+    return item.folder / part / fs::path(within).replace_extension(find_part(part).extension);
 }
 
 void require_own_files(const std::vector<BatchItem>& items, const std::vector<std::string>& names,
@@ -169,9 +181,10 @@ void require_own_files(const std::vector<BatchItem>& items, const std::vector<st
 }
 
 std::string write_part(std::string_view part, const BatchItem& item, const FittedFile& body,
-                       const SkeletonTemplate& skeleton_template) {
-    PartContent content = in_file(item.mesh, [&] { return find_part(part).format(item, body, skeleton_template); });
+                       const PartContext& context) {
+    PartContent content = in_file(item.mesh, [&] { return find_part(part).format(item, body, context); });
     const fs::path file = part_file(item, part);
+    make_folder(file.parent_path());
     in_file(file, [&] { io::write_file_atomically(file, content.bytes); });
     return std::move(content.warning);
 }

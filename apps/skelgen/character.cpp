@@ -1,5 +1,6 @@
 #include "character.hpp"
 
+#include <sstream>
 #include <utility>
 
 #include <skelgen/applications/finger_bones.hpp>
@@ -10,14 +11,24 @@
 #include "fitted_file.hpp"
 
 namespace skelgen::cli {
+namespace {
 
-applications::Rig<double> rig_of(const FittedFile& body, const SkeletonTemplate& skeleton_template,
-                                 applications::RestPose rest, Fingers fingers) {
-    auto rig = applications::make_rig(body.mesh(), body.found.body, body.skeleton(), skeleton_template, rest);
+std::string number_text(double number) {
+    std::ostringstream text;
+    text << number;
+    return text.str();
+}
+
+} // namespace
+
+applications::Rig<double> rig_of(const TriangleMesh<double>& mesh, const Extraction<double>& found,
+                                 const SkeletonTemplate& skeleton_template, const applications::RigOptions& options,
+                                 Fingers fingers) {
+    auto rig = applications::make_rig(mesh, found.body, found.skeleton, skeleton_template, options);
     if (fingers == Fingers::off) return rig;
-    auto hands = hands::find_hands(body.mesh(), body.found.body, body.skeleton());
+    auto hands = hands::find_hands(mesh, found.body, found.skeleton);
     if (fingers == Fingers::automatic) std::erase_if(hands, [](const auto& hand) { return hand.digits.size() < 2; });
-    return applications::with_finger_bones(std::move(rig), body.mesh(), body.skeleton(), skeleton_template, hands);
+    return applications::with_finger_bones(std::move(rig), mesh, found.skeleton, skeleton_template, hands);
 }
 
 Character make_character(const MeshInput& input, const CharacterOptions& options) {
@@ -27,22 +38,40 @@ Character make_character(const MeshInput& input, const CharacterOptions& options
     if (options.component > 0) body = with_own_part(std::move(body));
     KeptLooks kept = keep_looks(input);
     kept.looks = io::looks_of(kept.looks, body.part);
-    auto rig = rig_of(body, builtin_template(body.skeleton().template_name), options.rest, options.fingers);
-    return {std::move(rig), std::move(kept), body.skeleton()};
+    auto rig =
+        rig_of(body.mesh(), body.found, builtin_template(body.skeleton().template_name), options.rig, options.fingers);
+    return {std::move(rig), std::move(kept), body.skeleton(), body.found.body.repairs};
 }
 
-void print_warnings(const std::filesystem::path& file, const Character& character) {
-    print_warnings(file, character.skeleton);
+std::string left_out_text(io::RigFormat format, const io::SceneLooks& looks) {
+    std::string text;
+    for (const std::string& one : io::left_out_of(format, looks)) text += (text.empty() ? "left out: " : ", ") + one;
+    return text;
+}
+
+void print_forbidden(const std::filesystem::path& file, const io::SceneLooks& looks) {
+    if (looks.forbidden.empty()) return;
+    print_warning(file.string() + ": ITS LICENCE FORBIDS " + looks.forbidden +
+                  ": ask its authors before you use or pass on what is written here, which has the same licence");
+}
+
+void print_warnings(const std::filesystem::path& file, const Character& character, io::RigFormat format, bool quiet) {
+    print_forbidden(file, character.kept.looks);
+    print_warnings(file, character.skeleton, character.repairs, words_of(quiet));
+    if (quiet) return;
+    if (const std::string lost = left_out_text(format, character.kept.looks); !lost.empty())
+        print_warning(file.string() + ": " + lost);
     if (!character.kept.warning.empty()) print_warning(file.string() + ": " + character.kept.warning);
     if (!character.rig.unit_is_known)
         print_warning(file.string() + ": its unit is unknown, as it has no person's height in any; " +
-                      "lengths are left as they are");
+                      "lengths are left as they are (--unit tells it)");
+    else if (character.rig.metres_per_unit != 1)
+        print_note(file.string() + ": its unit is " + number_text(character.rig.metres_per_unit) +
+                   " m; what is written is in metres");
 }
 
 void add_joint_names_option(CLI::App& command, std::string& names, const std::string& help) {
-    command.add_option("--names", names, help)
-        ->check(CLI::IsMember({"skelgen", "smpl", "mixamo", "vrm"}))
-        ->capture_default_str();
+    command.add_option("--names", names, help)->check(CLI::IsMember(io::joint_names()))->capture_default_str();
 }
 
 } // namespace skelgen::cli

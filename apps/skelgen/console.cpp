@@ -37,6 +37,8 @@ void print_error(std::string_view what) { print_line("error", what); }
 
 void print_warning(std::string_view what) { print_line("warning", what); }
 
+void print_note(std::string_view what) { print_line("note", what); }
+
 void write_result(const std::string& path, std::string_view text) {
     if (path.empty() || path == "-") return write_to_standard_output(text);
     in_file(path, [&] { io::write_file_atomically(path, text); });

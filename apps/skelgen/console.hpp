@@ -16,6 +16,9 @@ void print_error(std::string_view what);
 /// Prints "skelgen: warning: WHAT" likewise.
 void print_warning(std::string_view what);
 
+/// The same of what is good to know and no reason to worry.
+void print_note(std::string_view what);
+
 /// Writes a result to the file, wholly or not at all; to standard output if `path` is empty or "-".
 /// \throws Error with `io::write_error_code`, its text beginning with the file's name, when it cannot be written.
 void write_result(const std::string& path, std::string_view text);

@@ -22,7 +22,11 @@ void run(const ConvertCommand& command) {
     if (!format || !io::is_written(*format))
         throw Error(ErrorCode::usage, command.output + ": its name must end in " + io::written_mesh_extensions_text());
     const TriangleMesh<double> mesh = in_file(command.mesh.file, [&] { return load_mesh(command.mesh); });
-    in_file(command.output, [&] { write_mesh(command.output, mesh); });
+    const KeptLooks kept = keep_looks(command.mesh);
+    const applications::VertexTurns<double> as_it_is(static_cast<std::size_t>(mesh.vertices.rows()),
+                                                     Eigen::Quaterniond::Identity());
+    in_file(command.output, [&] { io::write_mesh(command.output, mesh, kept.looks, as_it_is); });
+    print_lost_looks(command.mesh.file, kept, *format);
 }
 
 } // namespace

@@ -11,8 +11,8 @@
 #include <skelgen/io/correspondence_json.hpp>
 
 #include "commands.hpp"
+#include "compared_file.hpp"
 #include "console.hpp"
-#include "fitted_file.hpp"
 #include "fitted_inputs.hpp"
 #include "waiting_line.hpp"
 
@@ -26,24 +26,8 @@ struct CorrespondCommand {
     FittedInputs to;
     std::string output = "-";
     std::string ply; ///< folder
-    bool confidence = false;
+    CorrespondenceExtras extras;
 };
-
-/// One of two bodies.
-struct ComparedFile {
-    FittedFile file;
-    applications::ComparableBody<double> body;
-    std::vector<int> stands_for;     ///< per vertex of the mesh that of the body
-    std::vector<int> of_body_vertex; ///< per vertex of the body one of the mesh
-};
-
-ComparedFile compared(FittedFile file) {
-    ComparedFile out{std::move(file), {}, {}, {}};
-    out.body = applications::comparable(out.file.found.body, out.file.skeleton());
-    out.stands_for = applications::standing_for(out.file.found.body, out.file.mesh().vertices);
-    out.of_body_vertex = applications::vertices_of_input(out.file.found.body, out.file.mesh());
-    return out;
-}
 
 ComparedFile load(const CorrespondCommand& command) {
     const WaitingLine waiting(command.from.string(), !command.to.quiet);
@@ -71,7 +55,7 @@ std::array<fs::path, 2> coloured_files(const fs::path& folder) { return {folder 
 void write_coloured(const fs::path& folder, const ComparedFile& from, const ComparedFile& to,
                     const std::vector<int>& to_body_of_from) {
     make_folder(folder);
-    const std::vector<io::ByteColour> places = place_colours(to.body);
+    const std::vector<io::ByteColour> places = place_colours(to.comparable);
     const auto write = [&](const fs::path& file, const TriangleMesh<double>& mesh, const std::vector<int>& place_of) {
         io::MeshColours colours;
         for (const int place : place_of) colours.vertices.push_back(places[static_cast<std::size_t>(place)]);
@@ -79,7 +63,7 @@ void write_coloured(const fs::path& folder, const ComparedFile& from, const Comp
     };
     const auto [from_file, to_file] = coloured_files(folder);
     write(from_file, from.file.mesh(), to_body_of_from);
-    write(to_file, to.file.mesh(), to.stands_for);
+    write(to_file, to.file.mesh(), applications::standing_for(to.file.found.body, to.file.mesh().vertices));
 }
 
 /// Where results go, of one body.
@@ -98,20 +82,9 @@ void require_inputs_kept(const CorrespondCommand& command, const BatchItem& to, 
 
 void correspond(const CorrespondCommand& command, const ComparedFile& from, const ComparedFile& to,
                 const Outputs& outputs) {
-    const applications::Correspondence found = applications::correspond(from.body, to.body);
-    io::CorrespondenceFile file{
-        from.file.source, to.file.source, from.file.skeleton().quality, to.file.skeleton().quality, {}, {}, {}};
-    std::vector<int> to_body_of_from;
-    for (const int v : from.stands_for) {
-        to_body_of_from.push_back(found.map[static_cast<std::size_t>(v)]);
-        file.vertex_to_vertex.push_back(to.of_body_vertex[static_cast<std::size_t>(to_body_of_from.back())]);
-        if (command.confidence) file.confidence.push_back(found.confidence[static_cast<std::size_t>(v)]);
-    }
-    for (const applications::Landmark& landmark : applications::landmarks(from.body, found))
-        file.landmarks.push_back({landmark.name, from.of_body_vertex[static_cast<std::size_t>(landmark.from)],
-                                  to.of_body_vertex[static_cast<std::size_t>(landmark.to)]});
-    if (!outputs.coloured.empty()) write_coloured(outputs.coloured, from, to, to_body_of_from);
-    write_result(outputs.json, io::correspondence_to_json(file));
+    const FoundCorrespondence found = correspondence_of(from.body(), to.body(), command.extras);
+    if (!outputs.coloured.empty()) write_coloured(outputs.coloured, from, to, found.to_body_vertex);
+    write_result(outputs.json, io::correspondence_to_json(found.file));
 }
 
 bool is_folder_name(const std::string& output) { return output.ends_with('/') || fs::is_directory(output); }
@@ -141,7 +114,7 @@ void run(const CorrespondCommand& command) {
         if (into_folder) make_folder(fs::path(outputs.json).parent_path());
         correspond(command, from, in_file(input.item.mesh, [&] { return compared(input); }), outputs);
     });
-    if (!command.to.quiet) print_warnings(command.from, from.file.skeleton());
+    print_warnings(command.from, from.file.skeleton(), from.file.found.body.repairs, words_of(command.to.quiet));
 }
 
 } // namespace
@@ -161,8 +134,10 @@ void add_correspond_command(CLI::App& app) {
            "--ply", command->ply,
            "Folder for both bodies (from.ply, to.ply), like places in like colours; of several TO one for each")
         ->capture_default_str();
-    sub->add_flag("--confidence", command->confidence, "Also how sure each vertex's place is, 0 to 1");
-    sub->add_flag("-q,--quiet", command->to.quiet, "No warnings");
+    sub->add_flag("--confidence", command->extras.confidence, "Also how sure each vertex's place is, 0 to 1");
+    sub->add_flag("--places", command->extras.places,
+                  "Also places between vertices: a face of TO for each vertex, and its corners' weights");
+    sub->add_flag("-q,--quiet", command->to.quiet, "No warnings but that a skeleton is a guess");
     sub->footer("Examples:\n  skelgen correspond child.ply adult.obj -o map.json --ply coloured/\n"
                 "  skelgen correspond template.obj scans/ -o maps/");
     sub->callback([command] { run(*command); });

@@ -1,7 +1,6 @@
 #include <cstdio>
 #include <memory>
 
-#include <skelgen/hands/find_hands.hpp>
 #include <skelgen/io/curve_formats.hpp>
 #include <skelgen/io/template_json.hpp>
 #include <skelgen/io/trail_json.hpp>
@@ -56,19 +55,15 @@ void run(const ExtractCommand& command) {
     require_different_outputs(command.output, "-o", command.trail, "--trail");
     require_different_outputs(command.curve, "--curve", command.trail, "--trail");
     ExtractOptions options;
-    const bool with_digits = command.skeleton_template == hands::template_with_digits;
-    const std::string skeleton_template = with_digits ? "human21" : command.skeleton_template;
-    const Fingers fingers = with_digits ? Fingers::on : fingers_by_name().at(command.fingers);
-    if (fingers != Fingers::off && skeleton_template != "human21")
-        throw Error(ErrorCode::usage, "--fingers " + command.fingers + ": fingers go with human21 alone");
-    options.skeleton_template = in_file("--template", [&] { return load_template(skeleton_template); });
+    const auto named = template_and_fingers(command.skeleton_template, command.fingers);
+    options.skeleton_template = in_file("--template", [&] { return load_template(named.first); });
     options.prepare.component = command.component;
     options.threads = command.threads;
     options.with_curve = !command.curve.empty();
     const auto result = in_file(command.mesh.file, [&] {
         try {
             const WaitingLine waiting(command.mesh.file.string(), !command.quiet);
-            return extract_file(command.mesh, options, fingers);
+            return extract_file(command.mesh, options, named.second);
         } catch (const NoSkeleton& refused) {
             if (command.verbose) print_trail(command.mesh.file, refused.trail());
             write_trail(command, refused.trail());
@@ -83,8 +78,8 @@ void run(const ExtractCommand& command) {
         print_trail(command.mesh.file, result.found.trail);
         print_details(result);
     }
-    if (command.quiet) return;
-    print_warnings(command.mesh.file, result.skeleton());
+    const Words words = command.verbose ? Words::all : words_of(command.quiet);
+    print_warnings(command.mesh.file, result.skeleton(), result.found.body.repairs, words);
 }
 
 } // namespace
@@ -109,7 +104,7 @@ void add_extract_command(CLI::App& app) {
         ->capture_default_str();
     CLI::Option* verbose = sub->add_flag("-v,--verbose", command->verbose,
                                          "Tell sizes, confidence, timings, and what was tried and what came of it");
-    sub->add_flag("-q,--quiet", command->quiet, "No warnings")->excludes(verbose);
+    sub->add_flag("-q,--quiet", command->quiet, "No warnings but that the skeleton is a guess")->excludes(verbose);
     sub->footer("Example:\n  skelgen extract body.off -o body.json");
     sub->callback([command] { run(*command); });
 }

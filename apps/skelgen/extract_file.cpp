@@ -14,6 +14,23 @@ const std::map<std::string, Fingers>& fingers_by_name() {
     return names;
 }
 
+FingeredSkeleton with_fingers(const TriangleMesh<double>& mesh, const Extraction<double>& found, Fingers fingers) {
+    if (fingers == Fingers::off) return {found.skeleton};
+    const auto hands = hands::find_hands(mesh, found.body, found.skeleton);
+    if (fingers == Fingers::automatic && !hands::has_digits(hands)) return {found.skeleton};
+    return {hands::with_digits(found.skeleton, hands), hands::fused_digits(hands)};
+}
+
+std::pair<std::string, Fingers> template_and_fingers(const std::string& skeleton_template, const std::string& fingers) {
+    if (skeleton_template == hands::template_with_digits) return {"human21", Fingers::on};
+    const auto known = fingers_by_name().find(fingers);
+    if (known == fingers_by_name().end())
+        throw Error(ErrorCode::usage, "fingers: '" + fingers + "' is none of auto, off, on");
+    if (known->second != Fingers::off && skeleton_template != "human21")
+        throw Error(ErrorCode::usage, "fingers " + fingers + ": fingers go with human21 alone");
+    return {skeleton_template, known->second};
+}
+
 FileExtraction extract_file(const MeshInput& input, const ExtractOptions& options, Fingers fingers) {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
@@ -25,20 +42,14 @@ FileExtraction extract_file(const MeshInput& input, const ExtractOptions& option
     const double read_ms = ms_since_start();
 
     result.found = extract(std::move(mesh), options);
-    KinematicSkeleton<double> skeleton = result.skeleton();
-    if (fingers != Fingers::off) {
-        const auto hands = hands::find_hands(result.mesh(), result.found.body, skeleton);
-        if (fingers == Fingers::on || hands::has_digits(hands)) {
-            skeleton = hands::with_digits(std::move(skeleton), hands);
-            result.provenance.fused = hands::fused_digits(hands);
-        }
-    }
+    FingeredSkeleton shown = with_fingers(result.mesh(), result.found, fingers);
+    result.provenance.fused = std::move(shown.fused);
     io::FileTimings timings{read_ms, result.found.timings};
     timings.stages.total = ms_since_start();
     result.source = source_of(input, result.found);
     result.provenance.mesh = result.source;
     result.provenance.timings_ms = timings;
-    result.json = skeleton_to_json(skeleton, result.provenance);
+    result.json = skeleton_to_json(shown.skeleton, result.provenance);
     return result;
 }
 

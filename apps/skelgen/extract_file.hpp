@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <skelgen/extract.hpp>
 #include <skelgen/io/skeleton_json.hpp>
@@ -23,6 +25,22 @@ enum class Fingers { off, on, automatic };
 
 /// Those that `--fingers` knows: "auto", "off", "on".
 [[nodiscard]] const std::map<std::string, Fingers>& fingers_by_name();
+
+/// A skeleton, perhaps with digits.
+struct FingeredSkeleton {
+    KinematicSkeleton<double> skeleton;
+    std::vector<std::pair<std::string, std::vector<std::string>>> fused = {}; ///< as `hands::fused_digits`
+};
+
+/// What was found in the mesh, with the digits that are wanted. \throws Error usage where they are and the skeleton is
+/// none of human21.
+[[nodiscard]] FingeredSkeleton with_fingers(const TriangleMesh<double>& mesh, const Extraction<double>& found,
+                                            Fingers fingers);
+
+/// The template that is looked for where this one is asked for, and whether digits are then: human51 is human21 with
+/// them. \throws Error usage where fingers are asked for that do not go with the template.
+[[nodiscard]] std::pair<std::string, Fingers> template_and_fingers(const std::string& skeleton_template,
+                                                                   const std::string& fingers);
 
 /// Reads a mesh and finds its skeleton: what `extract` and `batch` both do, so that they give the same bytes. With
 /// fingers the file's text has those; the skeleton beside it has none. \throws Error as `io::read_mesh` and

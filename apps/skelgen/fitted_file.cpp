@@ -1,7 +1,11 @@
 #include "fitted_file.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
+
+#include <skelgen/fit_skeleton.hpp>
+#include <skelgen/hands/find_hands.hpp>
 
 #include "console.hpp"
 
@@ -15,7 +19,13 @@ io::SourceMesh source_of(const MeshInput& input, const Extraction<double>& found
 FittedFile fit_file(const MeshInput& input, ExtractOptions options) {
     FittedFile out;
     options.with_curve = false;
-    out.found = extract(load_mesh(input), options);
+    if (input.skeleton.empty()) {
+        out.found = extract(load_mesh(input), options);
+    } else {
+        auto skeleton = in_file(input.skeleton, [&] { return hands::without_digits(read_skeleton(input.skeleton)); });
+        out.found = fit_skeleton(load_mesh(input), std::move(skeleton), options);
+        out.found.skeleton.quality.sides_confidence = 1; // who gives a skeleton answers for it
+    }
     out.source = source_of(input, out.found);
     return out;
 }
@@ -28,9 +38,18 @@ FittedFile with_own_part(FittedFile file) {
     return file;
 }
 
-void print_warnings(const std::filesystem::path& file, const KinematicSkeleton<double>& skeleton) {
+void print_warnings(const std::filesystem::path& file, const KinematicSkeleton<double>& skeleton,
+                    const std::vector<std::string>& repairs, Words words) {
     constexpr double likely = 0.5; // below, it is more often wrong than right
-    for (const std::string& warning : skeleton.quality.warnings) print_warning(file.string() + ": " + warning);
+    std::string repaired;
+    for (const std::string& warning : skeleton.quality.warnings) {
+        if (words == Words::few) break;
+        if (words == Words::usual && std::find(repairs.begin(), repairs.end(), warning) != repairs.end())
+            repaired += (repaired.empty() ? ": repaired: " : "; ") + warning;
+        else
+            print_warning(file.string() + ": " + warning);
+    }
+    if (!repaired.empty()) print_warning(file.string() + repaired);
     if (skeleton.quality.sides_confidence < likely)
         print_warning(file.string() + ": the skeleton is a guess: confidence " +
                       std::to_string(skeleton.quality.sides_confidence).substr(0, 4) + "; look at it (render)");

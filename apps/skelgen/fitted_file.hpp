@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include <skelgen/applications/own_part.hpp>
 #include <skelgen/extract.hpp>
@@ -31,7 +33,18 @@ struct FittedFile {
 /// `applications::own_body`.
 [[nodiscard]] FittedFile with_own_part(FittedFile file);
 
+/// What is left of warnings about a skeleton: all in one line what has been `repaired` in its surface, or all of it.
+enum class Words {
+    few, ///< that it is a guess, where it is one, and nothing else
+    usual,
+    all, ///< a line for each repair
+};
+
 /// Prints what is to be known of a skeleton that was found in a file, and that it is a guess where it is one.
-void print_warnings(const std::filesystem::path& file, const KinematicSkeleton<double>& skeleton);
+void print_warnings(const std::filesystem::path& file, const KinematicSkeleton<double>& skeleton,
+                    const std::vector<std::string>& repairs = {}, Words words = Words::usual);
+
+/// As many as a flag for few, --quiet, has it.
+[[nodiscard]] constexpr Words words_of(bool is_quiet) { return is_quiet ? Words::few : Words::usual; }
 
 } // namespace skelgen::cli

@@ -12,10 +12,10 @@
 namespace skelgen::cli {
 namespace {
 
-FittedInput fit(const BatchItem& item, bool quiet) {
-    const WaitingLine waiting(item.mesh.string(), !quiet);
+FittedInput fit(const BatchItem& item, const FittedInputs& inputs) {
+    const WaitingLine waiting(item.mesh.string(), !inputs.quiet);
     if (!item.fault.empty()) throw Error(ErrorCode::bad_input, item.fault);
-    return {fit_file({item.mesh, {}}), item};
+    return {fit_file({item.mesh, {}, inputs.skeleton}), item};
 }
 
 } // namespace
@@ -26,7 +26,8 @@ void add_fitted_inputs(CLI::App& command, FittedInputs& inputs) {
                     "Meshes of one body each (" + io::mesh_extensions_text() +
                         ", also .gz of each), folders of meshes, patterns; - for standard input")
         ->required();
-    command.add_flag("-q,--quiet", inputs.quiet, "No warnings");
+    add_skeleton_option(command, inputs.skeleton);
+    command.add_flag("-q,--quiet", inputs.quiet, "No warnings but that a skeleton is a guess");
 }
 
 bool are_many(const FittedInputs& inputs, const std::vector<BatchItem>& items) {
@@ -39,13 +40,15 @@ std::vector<BatchItem> find_items(const FittedInputs& inputs, const std::filesys
 
 void for_each_fitted(const FittedInputs& inputs, const std::vector<BatchItem>& items,
                      const std::function<void(const FittedInput&)>& work) {
+    if (!inputs.skeleton.empty() && are_many(inputs, items))
+        throw Error(ErrorCode::usage, "--skeleton: is of one mesh, and there are several; give one alone");
     std::size_t done = 0, failed = 0;
     ProgressBar bar(items.size(), !inputs.quiet && items.size() > 1, patience_seconds);
     for (const BatchItem& item : items) {
         try {
-            const FittedInput input = in_file(item.mesh, [&] { return fit(item, inputs.quiet); });
+            const FittedInput input = in_file(item.mesh, [&] { return fit(item, inputs); });
             work(input);
-            if (!inputs.quiet) print_warnings(item.mesh, input.skeleton());
+            print_warnings(item.mesh, input.skeleton(), input.found.body.repairs, words_of(inputs.quiet));
         } catch (const Error& error) {
             // What cannot be stored for one cannot be stored for the others either.
             if (!are_many(inputs, items) || error.code() == ErrorCode::not_written) throw;

@@ -15,6 +15,7 @@ namespace skelgen::cli {
 struct FittedInputs {
     std::vector<std::string> inputs; ///< as `find_batch_items` takes them
     bool quiet = false;              ///< no warnings
+    std::filesystem::path skeleton;  ///< of a single mesh; empty: it is to be found
 };
 
 /// Adds the positional MESH... and the flag --quiet.

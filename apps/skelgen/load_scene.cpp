@@ -1,6 +1,10 @@
 #include "load_scene.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include <skelgen/io/curve_formats.hpp>
 #include <skelgen/io/read_mesh.hpp>
@@ -8,6 +12,7 @@
 #include <skelgen/io/truth_json.hpp>
 
 #include "console.hpp"
+#include "mesh_input.hpp"
 #include "parts.hpp"
 
 namespace skelgen::cli {
@@ -41,6 +46,25 @@ void colour_parts(render::Scene& scene, const std::string& parts) {
     }
 }
 
+/// How bright a channel of light is shown, 0 to 255: sRGB.
+std::uint8_t shown_byte(float light) {
+    constexpr float knee = 0.0031308F, slope = 12.92F, offset = 0.055F, power = 2.4F;
+    const float shown = light <= knee ? slope * light : (1 + offset) * std::pow(light, 1 / power) - offset;
+    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(shown, 0.0F, 1.0F)));
+}
+
+/// The colours of the file's vertices, where it has such and nothing else that the body would be painted with.
+std::vector<io::ByteColour> own_colours(const std::filesystem::path& mesh, Eigen::Index vertices) {
+    const io::SceneLooks looks = keep_looks({mesh, {.isolated = true}}).looks;
+    if (looks.parts.size() != 1 || !looks.pictures.empty() || looks.parts.front().colours.rows() < vertices) return {};
+    std::vector<io::ByteColour> out;
+    for (Eigen::Index v = 0; v < vertices; ++v) {
+        const auto& light = looks.parts.front().colours.row(v);
+        out.push_back({shown_byte(light[0]), shown_byte(light[1]), shown_byte(light[2])});
+    }
+    return out;
+}
+
 /// Extracts skeleton and curve into the scene, or says there why not.
 void extract_into(render::Scene& scene, const ExtractOptions& options) {
     try {
@@ -67,6 +91,7 @@ render::Scene load_scene(const SceneSources& sources) {
         in_file(sources.mesh, [&] { colour_parts(scene, sources.parts); });
         return scene;
     }
+    scene.colours = own_colours(sources.mesh, scene.mesh.vertices.rows());
     if (sources.skeleton.empty())
         in_file(sources.mesh, [&] { extract_into(scene, sources.extraction); });
     else if (is_missing(sources)) {

@@ -13,6 +13,7 @@
 #include "batch_inputs.hpp"
 #include "batch_parts.hpp"
 #include "batch_summary.hpp"
+#include "batch_table.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "merge_shards.hpp"
@@ -32,6 +33,7 @@ struct MergeCommand {
     std::vector<std::string> meshes;
     std::string output_folder;
     std::string report; ///< page to write; empty: none
+    TableFiles tables;
     bool quiet = false;
 };
 
@@ -79,6 +81,7 @@ SummaryLine gather(const BatchItem& item, const fs::path& relative_output, const
     if (mesh.shard.empty()) return line;
     BatchItem source = item;
     source.output = mesh.shard / relative_output;
+    source.folder = mesh.shard;
     make_folder(item.output.parent_path());
     if (line.status == "ok") link_or_copy(source.output, item.output);
     for (auto& [part, error] : line.also) {
@@ -86,9 +89,10 @@ SummaryLine gather(const BatchItem& item, const fs::path& relative_output, const
         if (!error.empty() || std::find(known.begin(), known.end(), part) == known.end()) continue;
         const fs::path file = part_file(source, part);
         std::error_code gone;
-        if (fs::is_regular_file(file, gone))
+        if (fs::is_regular_file(file, gone)) {
+            make_folder(part_file(item, part).parent_path());
             link_or_copy(file, part_file(item, part));
-        else
+        } else
             error = file.string() + ": is not there any more; run its shard again with --resume, and merge again";
     }
     return line;
@@ -171,12 +175,15 @@ int run(const MergeCommand& command) {
     const fs::path folder = command.output_folder;
     const auto relative = find_batch_items(command.meshes, {});
     const auto items = find_batch_items(command.meshes, folder);
-    for (const BatchItem& item : items) require_different_files(item.mesh, command.report);
+    std::vector<std::string> beside = files_of(command.tables);
+    if (!command.report.empty()) beside.push_back(command.report);
+    for (const std::string& file : beside)
+        for (const BatchItem& item : items) require_different_files(item.mesh, file);
     const std::vector<ShardFolder> shards = read_shards(command);
     const BatchSummary summary(folder);
-    std::vector<fs::path> beside;
-    if (!command.report.empty()) beside = {summary.file(), command.report};
-    require_own_files(items, parts_in(shards), beside);
+    std::vector<fs::path> own(beside.begin(), beside.end());
+    if (!own.empty()) own.push_back(summary.file());
+    require_own_files(items, parts_in(shards), own);
     print_shards(shards);
 
     const auto merged = [&] {
@@ -184,7 +191,7 @@ int run(const MergeCommand& command) {
         return merge_shards(relative, shards, [&](std::size_t done) { bar.show(done, 0); });
     }();
     make_folder(folder);
-    require_folder_of(command.report);
+    for (const std::string& file : beside) require_folder_of(file);
     clean_up(items, folder);
     start_over(items, summary, {});
     std::vector<SummaryLine> lines;
@@ -197,6 +204,7 @@ int run(const MergeCommand& command) {
     }
     const SummaryLines all = summary.update({}, lines);
     if (!command.report.empty()) write_report(command, items, all);
+    write_tables(command.tables, items, all);
 
     const Account account = account_of(lines, merged.meshes);
     print_account(account, merged.strangers, summary.file());
@@ -230,6 +238,7 @@ void add_merge_command(CLI::App& app) {
            "Page to write (HTML, one file): failures first, times, confidences, pictures where shards drew any")
         ->type_name("FILE");
 #endif
+    add_table_options(*sub, command->tables);
     sub->add_flag("-q,--quiet", command->quiet, "No progress bar and no closing line");
     sub->footer(
         "Examples:\n"

@@ -8,6 +8,7 @@
 #include <skelgen/io/mesh_format.hpp>
 #include <skelgen/io/read_file.hpp>
 
+#include "console.hpp"
 #include "number_range.hpp"
 
 namespace skelgen::cli {
@@ -61,6 +62,12 @@ void add_component_option(CLI::App& command, int& component) {
         ->check(CLI::Range(1, 1000));
 }
 
+void add_skeleton_option(CLI::App& command, std::filesystem::path& skeleton) {
+    command.add_option("--skeleton", skeleton,
+                       "Take this skeleton of the mesh (JSON, as extract writes it), put right by hand perhaps, and\n"
+                       "search for none");
+}
+
 TriangleMesh<double> load_mesh(const MeshInput& input) {
     if (input.file != standard_input) return read_mesh<double>(input.file, input.options);
     return io::parse_mesh<double>(standard_input_content(), input.options);
@@ -85,6 +92,20 @@ KeptLooks keep_looks(const MeshInput& input) {
         if (error.code() != ErrorCode::bad_input) throw;
         return {{}, std::string("its looks are left out: ") + error.what()};
     }
+}
+
+void print_lost_looks(const std::filesystem::path& file, const KeptLooks& kept, io::MeshFormat format) {
+    const io::SceneLooks& looks = kept.looks;
+    std::string lost;
+    const auto add = [&](const std::string& what) { lost += (lost.empty() ? "left out: " : ", ") + what; };
+    if (format != io::MeshFormat::glb) {
+        if (const std::size_t morphs = io::morph_target_count(looks); morphs > 0)
+            add(std::to_string(morphs) + " morph targets (.glb keeps them)");
+    } else if (!kept.warning.empty()) {
+        lost = kept.warning + (looks.left_out.empty() ? "" : "; ");
+    }
+    for (const std::string& one : looks.left_out) add(one);
+    if (!lost.empty()) print_warning(file.string() + ": " + lost);
 }
 
 } // namespace skelgen::cli

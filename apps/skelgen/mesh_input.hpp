@@ -15,6 +15,7 @@ namespace skelgen::cli {
 struct MeshInput {
     std::filesystem::path file;                    ///< "-": standard input
     io::ReadMeshOptions options{.isolated = true}; ///< the program reads strangers' files
+    std::filesystem::path skeleton = {};           ///< file of the skeleton to take; empty: it is to be found
 };
 
 /// Adds the positional MESH, with `help` as what it says there, and the options --format, --animation and --time.
@@ -22,6 +23,9 @@ void add_mesh_input(CLI::App& command, MeshInput& input, const std::string& help
 
 /// Adds the option --component: which of several bodies a command works on, as `PrepareOptions::component`.
 void add_component_option(CLI::App& command, int& component);
+
+/// Adds the option --skeleton: the file of the skeleton that is taken instead of searching for one.
+void add_skeleton_option(CLI::App& command, std::filesystem::path& skeleton);
 
 /// \throws Error as `io::read_mesh`, without the file's name.
 [[nodiscard]] TriangleMesh<double> load_mesh(const MeshInput& input);
@@ -38,5 +42,8 @@ struct KeptLooks {
 
 /// As `load_looks`, but bad input costs no more than the looks.
 [[nodiscard]] KeptLooks keep_looks(const MeshInput& input);
+
+/// Prints what of the looks a mesh loses that is written in a format, in one line.
+void print_lost_looks(const std::filesystem::path& file, const KeptLooks& kept, io::MeshFormat format);
 
 } // namespace skelgen::cli

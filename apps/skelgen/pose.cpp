@@ -15,6 +15,7 @@
 #include <skelgen/io/skeleton_json.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
+#include "character.hpp"
 #include "clip_input.hpp"
 #include "commands.hpp"
 #include "console.hpp"
@@ -40,7 +41,8 @@ struct PoseCommand {
 /// The one whose pose is taken.
 struct Model {
     KinematicSkeleton<double> skeleton;
-    std::optional<Floor<double>> floor; ///< where it is known to stand on one
+    std::optional<Floor<double>> floor;    ///< where it is known to stand on one
+    std::vector<std::string> repairs = {}; ///< of its surface
 };
 
 const SkeletonTemplate& human() { return builtin_template("human21"); }
@@ -101,7 +103,7 @@ Model load_model(const PoseCommand& command) {
     }
     return in_file(command.like, [&] {
         const FittedFile other = fit_file({command.like, {}});
-        Model model{other.skeleton(), std::nullopt};
+        Model model{other.skeleton(), std::nullopt, other.found.body.repairs};
         const Floor<double> floor = applications::floor_of(other.mesh(), model.skeleton, human());
         if (floor.is_stood_on) model.floor = floor;
         return model;
@@ -164,14 +166,17 @@ void run(const PoseCommand& command) {
     FittedFile body = in_file(command.mesh.file, [&] { return fit_file(command.mesh, options); });
     if (command.component > 0) body = with_own_part(std::move(body));
     const Held held = model ? held_like_model(command, body, *model) : held_as_in_clip(command, body, *clip);
-    const KeptLooks kept = format == io::MeshFormat::glb ? keep_looks(command.mesh) : KeptLooks{};
+    const KeptLooks kept = keep_looks(command.mesh);
     in_file(command.output,
             [&] { io::write_mesh(command.output, held.mesh, io::looks_of(kept.looks, body.part), held.turns); });
     waiting.end();
+    print_forbidden(command.mesh.file, kept.looks);
+    const Words words = words_of(command.quiet);
+    if (model)
+        print_warnings(command.like.empty() ? command.pose : command.like, model->skeleton, model->repairs, words);
+    print_warnings(command.mesh.file, body.skeleton(), body.found.body.repairs, words);
     if (command.quiet) return;
-    if (model) print_warnings(command.like.empty() ? command.pose : command.like, model->skeleton);
-    print_warnings(command.mesh.file, body.skeleton());
-    if (!kept.warning.empty()) print_warning(command.mesh.file.string() + ": " + kept.warning);
+    print_lost_looks(command.mesh.file, kept, *format);
 }
 
 } // namespace
@@ -191,7 +196,8 @@ void add_pose_command(CLI::App& app) {
         ->capture_default_str();
     sub->add_option("-o,--output", command->output, "Mesh to write: " + io::written_mesh_extensions_text())->required();
     add_component_option(*sub, command->component);
-    sub->add_flag("-q,--quiet", command->quiet, "No warnings");
+    add_skeleton_option(*sub, command->mesh.skeleton);
+    sub->add_flag("-q,--quiet", command->quiet, "No warnings but what a licence forbids, and guesses");
     sub->footer("Examples:\n  skelgen pose woman.off --like walking_man.ply -o walking_woman.off\n"
                 "  skelgen pose character.glb --pose walking.json -o walking.glb\n"
                 "  skelgen pose scan.ply --bvh dance.bvh --frame 120 -o dancing.ply");

@@ -59,7 +59,7 @@ std::string shown(const ViewCommand& command, const std::optional<ClipInput>& cl
         return io::refused_body_to_json(item.file, failure, mesh);
     }
     if (clip) body.animations = {follow_clip(*clip, body.rig)};
-    if (!command.inputs.quiet) print_warnings(item.mesh, body.skeleton);
+    print_warnings(item.mesh, body.skeleton, {}, words_of(command.inputs.quiet));
     return viewed_body_to_json(body);
 }
 

@@ -11,6 +11,8 @@ namespace skelgen::applications {
                                                const CorrespondenceOptions&);                                          \
     template Correspondence correspond(const ComparableBody<Scalar>&, const ComparableBody<Scalar>&,                   \
                                        const CorrespondenceOptions&);                                                  \
+    template std::vector<TrianglePlace> triangle_places(const TriangleMesh<Scalar>&, const Body<Scalar>&,              \
+                                                        const ComparableBody<Scalar>&, const Correspondence&);         \
     template std::vector<Landmark> landmarks(const ComparableBody<Scalar>&, const Correspondence&);
 
 SKELGEN_INSTANTIATE(SKELGEN_SCALAR)

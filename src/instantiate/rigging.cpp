@@ -17,6 +17,7 @@
 #include <skelgen/applications/impl/outward_faces.hpp>
 #include <skelgen/applications/impl/pose_transfer.hpp>
 #include <skelgen/applications/impl/posing.hpp>
+#include <skelgen/applications/impl/rest_posture.hpp>
 #include <skelgen/applications/impl/resting_surface.hpp>
 #include <skelgen/applications/impl/rig.hpp>
 #include <skelgen/applications/impl/skinning.hpp>
@@ -77,7 +78,14 @@ namespace skelgen::applications {
     template Triangles outward_faces(const TriangleMesh<Scalar>&, const Body<Scalar>&);                                \
     template Scalar height_by_bones(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&);                        \
     template Rig<Scalar> make_rig(const TriangleMesh<Scalar>&, const Body<Scalar>&, const KinematicSkeleton<Scalar>&,  \
-                                  const SkeletonTemplate&, RestPose);                                                  \
+                                  const SkeletonTemplate&, const RigOptions&);                                         \
+    template Orientations<Scalar> posture(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&,                   \
+                                          const Eigen::Quaternion<Scalar>&);                                           \
+    template std::vector<RigidMotion<Scalar>> posture_motions(RestPose, const KinematicSkeleton<Scalar>&,              \
+                                                              const SkeletonTemplate&, const Orientations<Scalar>&,    \
+                                                              const Eigen::Quaternion<Scalar>&);                       \
+    template std::optional<Eigen::Quaternion<Scalar>> along_axes(const Eigen::Quaternion<Scalar>&);                    \
+    template Eigen::Quaternion<Scalar> about_vertical(const Eigen::Quaternion<Scalar>&);                               \
     template PosedBody<Scalar> pose_like(const TriangleMesh<Scalar>&, const Body<Scalar>&,                             \
                                          const KinematicSkeleton<Scalar>&, const KinematicSkeleton<Scalar>&,           \
                                          const SkeletonTemplate&);                                                     \

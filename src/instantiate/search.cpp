@@ -26,10 +26,12 @@ namespace skelgen::search {
     template Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>&, const curve::CurveResult<Scalar>&,            \
                                                     const SkeletonTemplate&, const ExtractOptions&);                   \
     template std::vector<MirrorPlane> mirror_planes(const Body<Scalar>&);                                              \
-    template std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>&, const SkeletonTemplate&,                  \
-                                                        const refinement::RefinementOptions&);                         \
+    template std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>&, const SkeletonTemplate&);                 \
     template Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>&, const curve::CurveResult<Scalar>&,            \
-                                                    const RestFit<Scalar>&, const ExtractOptions&);                    \
+                                                    const PlacedJoints<Scalar>&);                                      \
+    template PlacedJoints<Scalar> place_joints(const Body<Scalar>&, const curve::CurveResult<Scalar>&,                 \
+                                               const embedding::FittingTemplate&, const ExtractOptions&);              \
+    template PlacedJoints<Scalar> place_joints(const Body<Scalar>&, const RestFit<Scalar>&, const ExtractOptions&);    \
     template Climb<Scalar> climb(const TriangleMesh<Scalar>&, const SkeletonTemplate&, const ExtractOptions&,          \
                                  Thoroughness);
 

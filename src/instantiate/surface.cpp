@@ -65,7 +65,6 @@ namespace skelgen::surface {
     template TriangleMesh<Scalar> lattice_surface(const Lattice<Scalar>&, const std::vector<LatticeNode>&,             \
                                                   const LatticeShape<Scalar>&);                                        \
     template TriangleMesh<Scalar> winding_envelope(const TriangleMesh<Scalar>&, const EnvelopeOptions&);               \
-    template TriangleMesh<Scalar> rolling_envelope(const TriangleMesh<Scalar>&, const EnvelopeOptions&);               \
     template TriangleMesh<Scalar> smoothed(TriangleMesh<Scalar>, int, const DenoiseOptions&);                          \
     template Scalar bulge_coherence(const TriangleMesh<Scalar>&);                                                      \
     template bool is_without_noise(const TriangleMesh<Scalar>&, const DenoiseOptions&);                                \
@@ -83,8 +82,7 @@ namespace skelgen::surface {
     template CreaseGraph<Scalar> crease_graph(const TriangleMesh<Scalar>&, const Triangles&);                          \
     template std::vector<HandleLoop<Scalar>> handle_loops(const CreaseGraph<Scalar>&, int, Scalar);                    \
     template Body<Scalar> without_faces(const Body<Scalar>&, const std::vector<bool>&);                                \
-    template std::optional<OpenedBody<Scalar>> open_handles(const Body<Scalar>&, Contacts);                            \
-    template std::optional<OpenedBody<Scalar>> open_short_handles(const Body<Scalar>&, const OpenedBody<Scalar>&);     \
+    template std::optional<Body<Scalar>> open_handles(const Body<Scalar>&);                                            \
     template std::optional<Body<Scalar>> close_pockets(const Body<Scalar>&);                                           \
     template Body<Scalar> make_body(TriangleMesh<Scalar>, const Similarity<Scalar>&, std::vector<int>, int);           \
     template bool is_inside(const Body<Scalar>&, const Vector3<Scalar>&);                                              \

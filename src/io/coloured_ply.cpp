@@ -66,24 +66,25 @@ void write_coloured_ply(const std::filesystem::path& path, const TriangleMesh<do
 }
 
 std::vector<ByteColour> part_colours(const std::vector<std::string>& parts) {
-    // By name without its side: left, right. Neighbours differ in lightness, so that borders show without colours, too.
+    // By name without its side: left, right. Of each set, any two are 25 apart or more in CIELAB, where 2.3 can just be
+    // told apart; neighbours differ in lightness by 12 or more, so that borders show without colours, too.
     struct Pair {
         std::string_view part;
         ByteColour left, right;
     };
-    static constexpr std::array<Pair, 13> colours{{{"head", {233, 225, 240}, {}},
-                                                   {"neck", {150, 120, 170}, {}},
-                                                   {"chest", {205, 196, 214}, {}},
-                                                   {"abdomen", {158, 150, 168}, {}},
-                                                   {"pelvis", {212, 206, 200}, {}},
-                                                   {"torso", {190, 188, 196}, {}},
-                                                   {"shoulder", {28, 90, 190}, {214, 120, 0}},
-                                                   {"upper_arm", {120, 180, 245}, {252, 196, 60}},
-                                                   {"forearm", {30, 120, 160}, {222, 90, 40}},
-                                                   {"hand", {130, 220, 220}, {255, 160, 130}},
-                                                   {"thigh", {60, 110, 230}, {240, 170, 20}},
-                                                   {"calf", {150, 200, 255}, {255, 215, 120}},
-                                                   {"foot", {40, 140, 130}, {200, 70, 50}}}};
+    static constexpr std::array<Pair, 13> colours{{{"head", {133, 76, 140}, {}},
+                                                   {"neck", {119, 136, 130}, {}},
+                                                   {"chest", {248, 220, 248}, {}},
+                                                   {"abdomen", {113, 90, 108}, {}},
+                                                   {"pelvis", {215, 169, 236}, {}},
+                                                   {"torso", {179, 200, 201}, {}},
+                                                   {"shoulder", {11, 177, 192}, {212, 179, 109}},
+                                                   {"upper_arm", {31, 103, 216}, {198, 72, 93}},
+                                                   {"forearm", {84, 241, 213}, {231, 229, 114}},
+                                                   {"hand", {126, 186, 253}, {116, 106, 1}},
+                                                   {"thigh", {46, 106, 78}, {204, 118, 95}},
+                                                   {"calf", {107, 243, 161}, {198, 20, 0}},
+                                                   {"foot", {66, 121, 170}, {243, 162, 67}}}};
     std::vector<ByteColour> out;
     for (const std::string& part : parts) {
         const SidedName name = split_side(part);

@@ -1,5 +1,7 @@
 #include <skelgen/io/correspondence_json.hpp>
 
+#include <utility>
+
 #include "application_json.hpp"
 
 namespace skelgen::io {
@@ -19,6 +21,15 @@ std::string correspondence_to_json(const CorrespondenceFile& correspondence) {
         {"quality",
          {{"from", detail::to_json(correspondence.from_quality)}, {"to", detail::to_json(correspondence.to_quality)}}}};
     if (!correspondence.confidence.empty()) file["confidence"] = correspondence.confidence;
+    if (!correspondence.places.empty()) {
+        Json faces = Json::array(), weights = Json::array();
+        for (const applications::TrianglePlace& place : correspondence.places) {
+            faces.push_back(place.face);
+            weights.push_back(place.weights);
+        }
+        file["vertex_to_face"] = std::move(faces);
+        file["face_weights"] = std::move(weights);
+    }
     return file.dump() + "\n";
 }
 

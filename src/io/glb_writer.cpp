@@ -15,14 +15,19 @@
 namespace skelgen::io::detail {
 namespace {
 
-/// One mesh of these primitives, as it lies.
-Json scene_of(Json primitives) {
+/// Meshes as they lie, each with a node of these; nodes name no mesh yet.
+Json scene_of(Json nodes, Json meshes) {
     Json json;
     json["asset"] = {{"version", "2.0"}, {"generator", "skelgen " + std::string(version)}};
     json["scene"] = 0;
-    json["scenes"] = Json::array({{{"nodes", {0}}}});
-    json["nodes"] = Json::array({{{"mesh", 0}}});
-    json["meshes"] = Json::array({{{"primitives", std::move(primitives)}}});
+    Json all = Json::array();
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        nodes[i]["mesh"] = i;
+        all.push_back(i);
+    }
+    json["scenes"] = Json::array({{{"nodes", std::move(all)}}});
+    json["nodes"] = std::move(nodes);
+    json["meshes"] = std::move(meshes);
     return json;
 }
 
@@ -38,7 +43,8 @@ std::string format_glb(const Points<double>& vertices, const Triangles& faces) {
     const std::vector<std::uint32_t> corners(faces.data(), faces.data() + faces.size());
     const std::size_t indices = buffer.add_indices(corners);
 
-    Json json = scene_of(Json::array({{{"attributes", {{"POSITION", position}}}, {"indices", indices}}}));
+    Json primitives = Json::array({{{"attributes", {{"POSITION", position}}}, {"indices", indices}}});
+    Json json = scene_of(Json::array({Json::object()}), Json::array({{{"primitives", std::move(primitives)}}}));
     buffer.describe_in(json);
     return format_glb_container(json.dump(), buffer.bytes());
 }
@@ -46,7 +52,13 @@ std::string format_glb(const Points<double>& vertices, const Triangles& faces) {
 std::string format_glb(const TriangleMesh<double>& mesh, const SceneLooks& looks,
                        const applications::VertexTurns<double>& turns) {
     GltfBuffer buffer;
-    Json json = scene_of(describe_primitives(buffer, {mesh, nullptr, turns, looks}));
+    Json nodes = Json::array(), meshes = Json::array();
+    for (WrittenObject& object : describe_objects(buffer, {mesh, nullptr, turns, looks})) {
+        nodes.push_back(node_of(object));
+        meshes.push_back(std::move(object.mesh));
+    }
+    Json json = scene_of(std::move(nodes), std::move(meshes));
+    add_about(json, looks);
     add_materials(json, buffer, looks);
     buffer.describe_in(json);
     return format_glb_container(json.dump(), buffer.bytes());

@@ -1,5 +1,7 @@
 #include "gltf_buffer.hpp"
 
+#include <utility>
+
 #include "little_endian.hpp"
 
 namespace skelgen::io::detail {
@@ -56,6 +58,41 @@ std::size_t GltfBuffer::add_floats(const FloatRows& rows, GltfTarget target, boo
         accessors_.back()["max"] = to_list(rows.colwise().maxCoeff());
     }
     return index;
+}
+
+std::size_t GltfBuffer::add_sparse_floats(std::span<const std::uint32_t> places, const FloatRows& rows,
+                                          std::size_t count, bool limits) {
+    constexpr std::size_t columns = 3;
+    if (const std::size_t bytes_a_place = 4 + 4 * columns; places.size() * bytes_a_place >= count * 4 * columns) {
+        FloatRows all = FloatRows::Zero(static_cast<Eigen::Index>(count), columns);
+        for (std::size_t i = 0; i < places.size(); ++i) all.row(places[i]) = rows.row(static_cast<Eigen::Index>(i));
+        return add_floats(all, GltfTarget::vertices, limits);
+    }
+    Json accessor{{"componentType", type_float}, {"count", count}, {"type", type_of(columns)}};
+    if (!places.empty()) {
+        const auto begin_of = [&](const auto& append) {
+            const std::size_t begin = bytes_.size();
+            append();
+            return add_view(begin, GltfTarget::none);
+        };
+        const std::size_t indices = begin_of([&] {
+            for (const std::uint32_t place : places) append_little_endian(bytes_, place);
+        });
+        const std::size_t values = begin_of([&] {
+            for (Eigen::Index i = 0; i < rows.size(); ++i) append_little_endian(bytes_, rows.data()[i]);
+        });
+        accessor["sparse"] = {{"count", places.size()},
+                              {"indices", {{"bufferView", indices}, {"componentType", type_unsigned_int}}},
+                              {"values", {{"bufferView", values}}}};
+    }
+    if (limits) { // the zeros count, too
+        const Eigen::RowVectorXf zero = Eigen::RowVectorXf::Zero(columns);
+        const bool is_zero = rows.rows() == 0;
+        accessor["min"] = to_list(is_zero ? zero : rows.colwise().minCoeff().cwiseMin(zero));
+        accessor["max"] = to_list(is_zero ? zero : rows.colwise().maxCoeff().cwiseMax(zero));
+    }
+    accessors_.push_back(std::move(accessor));
+    return accessors_.size() - 1;
 }
 
 std::size_t GltfBuffer::add_indices(std::span<const std::uint32_t> indices) {

@@ -25,6 +25,10 @@ public:
     /// Rows of 1, 2, 3, 4 or 16 numbers. `limits`: with the least and the greatest of each column, as glTF wants it of
     /// positions and times.
     std::size_t add_floats(const FloatRows& rows, GltfTarget target, bool limits = false);
+    /// `count` rows of 3 numbers that are zero but for those at `places`, which rise: none but these are stored where
+    /// they are few.
+    std::size_t add_sparse_floats(std::span<const std::uint32_t> places, const FloatRows& rows, std::size_t count,
+                                  bool limits);
     /// Of triangles.
     std::size_t add_indices(std::span<const std::uint32_t> indices);
     /// Rows of four joints.

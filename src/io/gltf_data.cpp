@@ -1,6 +1,7 @@
 #include "gltf_data.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include <skelgen/core/error.hpp>
@@ -110,21 +111,23 @@ GltfArray GltfData::zeros(const GltfValue& accessor, std::size_t columns) const 
     return array;
 }
 
-void GltfData::place_sparse(const GltfValue& accessor, int component_type, GltfArray& array) {
+GltfData::RowsInUse GltfData::read_sparse(const GltfValue& accessor, std::size_t columns) {
     const GltfValue sparse = accessor.at("sparse"), indices = sparse.at("indices"), values = sparse.at("values");
     const std::size_t count = sparse.at("count").whole_number();
-    count_numbers(count * (1 + array.columns), sparse);
+    const auto component_type = static_cast<int>(accessor.at("componentType").whole_number());
+    RowsInUse out{accessor.at("count").whole_number(), {}, {}};
+    count_numbers(count * (1 + columns), sparse);
     const auto index_type = static_cast<int>(indices.at("componentType").whole_number());
     const GltfArray places = read_rows({count, 1, {}}, view(indices.at("bufferView")),
                                        {indices.whole_number("byteOffset", 0), 0, index_type, false}, indices);
-    const GltfArray rows = read_rows(
-        {count, array.columns, {}}, view(values.at("bufferView")),
-        {values.whole_number("byteOffset", 0), 0, component_type, accessor.truth("normalized", false)}, values);
-    for (std::size_t i = 0; i < count; ++i) {
-        const double place = places.values[i];
-        if (!(place >= 0 && place < static_cast<double>(array.rows))) sparse.fail("puts a value where there is no row");
-        std::copy_n(rows.row(i), array.columns, array.values.data() + static_cast<std::size_t>(place) * array.columns);
+    out.rows = read_rows({count, columns, {}}, view(values.at("bufferView")),
+                         {values.whole_number("byteOffset", 0), 0, component_type, accessor.truth("normalized", false)},
+                         values);
+    for (const double place : places.values) {
+        if (!(place >= 0 && place < static_cast<double>(out.all))) sparse.fail("puts a value where there is no row");
+        out.places.push_back(static_cast<std::size_t>(place));
     }
+    return out;
 }
 
 void GltfData::count_file(std::size_t bytes, const GltfValue& buffer) {
@@ -156,8 +159,32 @@ GltfArray GltfData::accessor(const GltfValue& index) {
     } else {
         array = zeros(accessor, columns);
     }
-    if (accessor.find("sparse")) place_sparse(accessor, component_type, array);
+    if (accessor.find("sparse")) {
+        const RowsInUse sparse = read_sparse(accessor, columns);
+        for (std::size_t i = 0; i < sparse.places.size(); ++i)
+            std::copy_n(sparse.rows.row(i), columns, array.values.data() + sparse.places[i] * columns);
+    }
     return array;
+}
+
+GltfData::RowsInUse GltfData::rows_in_use(const GltfValue& index, std::size_t columns) {
+    const GltfValue value = file_->referred("accessors", index);
+    const bool is_sparse = value.find("sparse") && !value.find("bufferView");
+    if (is_sparse && component_count(value.at("type")) == columns) {
+        RowsInUse sparse = read_sparse(value, columns);
+        const auto unordered = std::adjacent_find(sparse.places.begin(), sparse.places.end(), std::greater_equal<>());
+        if (unordered != sparse.places.end()) value.fail("has sparse rows in no rising order");
+        return sparse;
+    }
+    GltfArray array = accessor(index, columns);
+    RowsInUse out{array.rows, {}, {0, columns, {}}};
+    for (std::size_t i = 0; i < array.rows; ++i) {
+        if (std::all_of(array.row(i), array.row(i) + columns, [](double x) { return x == 0; })) continue;
+        out.places.push_back(i);
+        out.rows.values.insert(out.rows.values.end(), array.row(i), array.row(i) + columns);
+    }
+    out.rows.rows = out.places.size();
+    return out;
 }
 
 GltfArray GltfData::accessor(const GltfValue& index, std::size_t columns) {

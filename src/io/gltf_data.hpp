@@ -38,6 +38,15 @@ public:
     /// As `accessor`, which must have so many columns (3 for VEC3).
     [[nodiscard]] GltfArray accessor(const GltfValue& index, std::size_t columns);
 
+    /// The rows of an accessor of so many columns that are not zero, as morph targets have few of them: of a sparse
+    /// accessor without a view no others are read.
+    struct RowsInUse {
+        std::size_t all = 0;             ///< how many rows there are
+        std::vector<std::size_t> places; ///< of those in use, rising
+        GltfArray rows;                  ///< a row for each place
+    };
+    [[nodiscard]] RowsInUse rows_in_use(const GltfValue& index, std::size_t columns);
+
     /// The bytes of a view into a buffer, decompressed; valid as long as this lives.
     [[nodiscard]] std::string_view view(const GltfValue& index);
 
@@ -54,7 +63,8 @@ private:
     void count_file(std::size_t bytes, const GltfValue& buffer);
     [[nodiscard]] std::string_view part(const GltfValue& view);
     [[nodiscard]] GltfArray zeros(const GltfValue& accessor, std::size_t columns) const;
-    void place_sparse(const GltfValue& accessor, int component_type, GltfArray& array);
+    /// The sparse rows of an accessor that has so many, and where they belong.
+    [[nodiscard]] RowsInUse read_sparse(const GltfValue& accessor, std::size_t columns);
 
     const GltfFile* file_;
     LoadCompanion load_;

@@ -1,6 +1,7 @@
 #include "gltf_looks.hpp"
 
 #include <array>
+#include <iterator>
 #include <set>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "json_values.hpp"
 #include "lost_pictures.hpp"
 #include "picture_kind.hpp"
+#include "vrm_reader.hpp"
 
 namespace skelgen::io::detail {
 namespace {
@@ -78,13 +80,110 @@ void check_materials(const GltfFile& file) {
     }
 }
 
+/// An object's "extras" as JSON; empty where it has none.
+std::string extras_of(const GltfValue& value) {
+    const auto found = value.members().find("extras");
+    return found == value.members().end() ? "" : found->second.dump();
+}
+
+std::string name_of(const GltfValue& value) {
+    const auto found = value.members().find("name");
+    return found != value.members().end() && found->second.is_string() ? found->second.get<std::string>() : "";
+}
+
+/// A mesh's "extras" with the names of its morph targets: some programs have these with the mesh's primitives.
+std::string mesh_extras(const GltfValue& mesh) {
+    using Json = GltfValue::Json;
+    const auto own = mesh.members().find("extras");
+    Json extras = own == mesh.members().end() ? Json() : own->second;
+    const GltfValue primitives = mesh.at("primitives");
+    if (extras.is_null()) extras = Json::object();
+    for (std::size_t i = 0; i < primitives.size() && extras.is_object() && !extras.contains("targetNames"); ++i) {
+        const auto others = primitives[i].members().find("extras");
+        if (others == primitives[i].members().end() || !others->second.is_object()) continue;
+        if (const auto names = others->second.find("targetNames"); names != others->second.end())
+            extras["targetNames"] = *names;
+    }
+    return extras.empty() ? "" : extras.dump();
+}
+
+std::vector<SceneObject> with_names(std::vector<SceneObject> objects, const GltfFile& file) {
+    for (SceneObject& object : objects) {
+        const GltfValue node = file.root().at("nodes")[object.node], mesh = file.root().at("meshes")[object.mesh];
+        object.name = name_of(node);
+        object.mesh_name = name_of(mesh);
+        object.extras = extras_of(node);
+        object.mesh_extras = mesh_extras(mesh);
+    }
+    return objects;
+}
+
+/// What the file says of itself that outlives the program which wrote it; what it says as VRM as others say it, too.
+std::string about(const GltfFile& file, const GltfValue::Json& vrm) {
+    using Json = GltfValue::Json;
+    Json out = Json::object();
+    const GltfValue asset = file.root().at("asset");
+    for (const char* key : {"copyright", "extras"})
+        if (const auto member = asset.members().find(key); member != asset.members().end()) out[key] = member->second;
+    if (!vrm.is_object()) return out.dump();
+    const Json& meta = vrm.at("meta");
+    Json& extras = out["extras"];
+    const auto say = [&](const char* key, const std::string& text) {
+        if ((extras.is_null() || extras.is_object()) && !extras.contains(key) && !text.empty()) extras[key] = text;
+    };
+    const auto said = [&](const char* key) {
+        return meta.contains(key) && meta.at(key).is_string() ? meta.at(key).get<std::string>() : "";
+    };
+    std::string authors;
+    if (meta.contains("authors") && meta.at("authors").is_array())
+        for (const Json& author : meta.at("authors"))
+            if (author.is_string()) authors += (authors.empty() ? "" : ", ") + author.get<std::string>();
+    say("title", said("name"));
+    say("author", authors);
+    say("license", said(said("otherLicenseUrl").empty() ? "licenseUrl" : "otherLicenseUrl"));
+    if (extras.is_null()) out.erase("extras");
+    const std::string copyright = said("copyrightInformation").empty() ? authors : said("copyrightInformation");
+    if (!out.contains("copyright") && !copyright.empty()) out["copyright"] = copyright;
+    return out.dump();
+}
+
+/// VRM's data with the number that its thumbnail has once those pictures are left out.
+GltfValue::Json with_kept_thumbnail(GltfValue::Json vrm, const std::set<std::size_t>& lost) {
+    GltfValue::Json& meta = vrm["meta"];
+    if (!meta.contains("thumbnailImage")) return vrm;
+    const auto image = meta["thumbnailImage"].get<std::size_t>();
+    if (lost.contains(image))
+        meta.erase("thumbnailImage");
+    else
+        meta["thumbnailImage"] = image - static_cast<std::size_t>(std::distance(lost.begin(), lost.lower_bound(image)));
+    return vrm;
+}
+
+/// "2 cameras"
+std::string counted(std::size_t number, const std::string& one) {
+    return std::to_string(number) + ' ' + one + (number == 1 ? "" : "s");
+}
+
+/// What of the file is neither a mesh's nor a rig's.
+std::vector<std::string> what_is_left_out(const GltfFile& file, const std::string& lost_morphs) {
+    std::vector<std::string> out;
+    if (const std::size_t number = file.count("animations"); number > 0) out.push_back(counted(number, "animation"));
+    if (const std::size_t number = file.count("cameras"); number > 0) out.push_back(counted(number, "camera"));
+    const auto extensions = file.root().find("extensions");
+    if (extensions && extensions->members().contains("KHR_lights_punctual")) out.emplace_back("lights");
+    if (!lost_morphs.empty()) out.push_back("morph targets (" + lost_morphs + ")");
+    return out;
+}
+
 } // namespace
 
 SceneLooks read_gltf_looks(std::string_view bytes, const ReadMeshOptions& options, const LoadCompanion& load) {
     const GltfFile file = open_gltf(bytes);
     GltfData data(file, bytes.size(), load);
+    GltfData morphs(file, bytes.size(), load);
     SceneLooks looks;
-    for (GltfPart& found : gltf_parts(data, options)) {
+    GltfScene scene = gltf_scene(data, morphs, options);
+    for (GltfPart& found : scene.parts) {
         ScenePart part{found.first_vertex, found.vertices, found.first_face, found.faces, std::nullopt, {}, {}};
         const GltfValue primitive = file.root().at("meshes")[found.mesh].at("primitives")[found.primitive];
         if (const auto material = primitive.find("material")) {
@@ -101,6 +200,8 @@ SceneLooks read_gltf_looks(std::string_view bytes, const ReadMeshOptions& option
         part.normals = std::move(found.normals);
         looks.parts.push_back(std::move(part));
     }
+
+    looks.objects = with_names(std::move(scene.objects), file);
 
     check_materials(file);
     GltfValue::Json json = GltfValue::Json::object();
@@ -121,6 +222,14 @@ SceneLooks read_gltf_looks(std::string_view bytes, const ReadMeshOptions& option
         }
     }
     json = without_pictures(std::move(json), lost);
+    VrmData vrm = read_vrm(file, looks.objects, scene.node_matrices);
+    looks.about = about(file, vrm.json);
+    looks.left_out = what_is_left_out(file, scene.lost_morphs);
+    looks.left_out.insert(looks.left_out.end(), vrm.left_out.begin(), vrm.left_out.end());
+    if (vrm.json.is_object()) {
+        looks.forbidden = forbidden_by(vrm.json.at("meta"));
+        looks.vrm = with_kept_thumbnail(std::move(vrm.json), lost).dump();
+    }
     std::set<std::string> extensions;
     collect_extensions(json, extensions);
     for (const char* list : {"extensionsUsed", "extensionsRequired"})

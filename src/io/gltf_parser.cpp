@@ -1,6 +1,7 @@
 #include "gltf_parser.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -12,6 +13,7 @@
 
 #include <skelgen/core/error.hpp>
 
+#include "finite_float.hpp"
 #include "gltf_animation.hpp"
 #include "gltf_nodes.hpp"
 #include "gltf_primitive.hpp"
@@ -24,9 +26,10 @@ namespace {
 /// Puts the scene's meshes together.
 class SceneReader {
 public:
-    /// `with_normals`: reads the parts' normals, too.
-    SceneReader(GltfData& data, GltfNodes nodes, bool with_normals)
-        : data_(&data), nodes_(std::move(nodes)), matrices_(world_matrices(nodes_.nodes)), with_normals_(with_normals) {
+    /// `morphs`: reads normals and morph targets, too, the latter from there; null: neither.
+    SceneReader(GltfData& data, GltfNodes nodes, GltfData* morphs = nullptr)
+        : data_(&data), nodes_(std::move(nodes)), morphs_(morphs) {
+        scene_.node_matrices = world_matrices(nodes_.nodes);
     }
 
     PolygonMesh read() {
@@ -42,16 +45,18 @@ public:
     }
 
     /// Of what has been read.
-    [[nodiscard]] const std::vector<GltfPart>& parts() const { return parts_; }
+    [[nodiscard]] GltfScene scene() && { return std::move(scene_); }
 
 private:
     void add_mesh(const GltfValue& node_value, std::size_t node, const GltfValue& mesh, std::size_t mesh_index) {
         const auto joint_matrices = read_skin(node_value);
-        const bool mirrored = !joint_matrices && matrices_[node].topLeftCorner<3, 3>().determinant() < 0;
+        const Eigen::Matrix4d& node_matrix = scene_.node_matrices[node];
+        const bool mirrored = !joint_matrices && node_matrix.topLeftCorner<3, 3>().determinant() < 0;
         std::vector<double> weights = nodes_.nodes[node].weights;
         if (weights.empty()) weights = read_morph_weights(mesh);
         std::map<std::string, std::size_t> first_vertices; // of primitives by their vertices' key
         const GltfValue primitives = mesh.at("primitives");
+        SceneObject object{"", "", scene_.parts.size(), 0, {}, {}, "", "", node, mesh_index};
         // Any number of nodes may have the same mesh, and what JSON says takes longer to read than a buffer's numbers.
         constexpr std::size_t effort = 64;
         data_->count_numbers(effort * (weights.size() + primitives.size()), mesh);
@@ -64,22 +69,106 @@ private:
             const std::string key = vertex_key(primitives[i]);
             data_->count_numbers(key.size(), primitives[i]);
             const auto [known, is_new] = first_vertices.emplace(key, mesh_.coordinates.size() / 3);
-            if (is_new) add_vertices(primitive.vertices, matrices_[node], joint_matrices, primitives[i]);
+            if (is_new) add_vertices(primitive.vertices, node_matrix, joint_matrices, primitives[i]);
             add_triangles(primitive, known->second, mirrored);
-            add_part(primitive, mesh_index, i, known->second);
-            if (with_normals_)
-                parts_.back().normals = scene_normals(read_normals(*data_, primitives[i], weights), primitive.vertices,
-                                                      matrices_[node], joint_matrices);
+            add_part(primitive, {node, mesh_index, i}, known->second);
+            if (morphs_ == nullptr) continue;
+            const std::vector<Eigen::Vector3d> normals = read_normals(*data_, primitives[i], {});
+            scene_.parts.back().normals = scene_normals(normals, primitive.vertices, node_matrix, joint_matrices);
+            if (is_new) add_morphs(object, primitives[i], {primitive.vertices, normals, node_matrix, joint_matrices});
+        }
+        object.parts = scene_.parts.size() - object.first_part;
+        if (object.parts == 0) return;
+        object.weights = std::move(weights);
+        object.weights.resize(object.morphs.size(), 0);
+        scene_.objects.push_back(std::move(object));
+    }
+
+    /// What moves a primitive's vertices.
+    struct Pose {
+        const GltfVertices& vertices;
+        const std::vector<Eigen::Vector3d>& normals;
+        const Eigen::Matrix4d& node_matrix;
+        const std::optional<std::vector<Eigen::Matrix4d>>& joint_matrices;
+
+        [[nodiscard]] Eigen::Matrix3d at(std::size_t vertex) const {
+            const Eigen::Matrix4d matrix =
+                joint_matrices ? blended(vertices.influences_of(vertex), *joint_matrices, node_matrix) : node_matrix;
+            return matrix.topLeftCorner<3, 3>();
+        }
+    };
+
+    /// Reads the morph targets of a primitive whose vertices have just been added.
+    void add_morphs(SceneObject& object, const GltfValue& primitive, const Pose& pose) {
+        if (!scene_.lost_morphs.empty()) return;
+        try {
+            const auto targets = primitive.find("targets");
+            const std::size_t count = targets ? targets->size() : 0;
+            object.morphs.resize(std::max(object.morphs.size(), count));
+            for (std::size_t i = 0; i < count; ++i) add_morph(object.morphs[i], (*targets)[i], pose);
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::bad_input) throw;
+            scene_.lost_morphs = error.what();
+            object.morphs.clear(); // all or none: what names them goes by their numbers
+            for (SceneObject& other : scene_.objects) {
+                other.morphs.clear();
+                other.weights.clear();
+            }
         }
     }
 
-    void add_part(const GltfPrimitive& primitive, std::size_t mesh, std::size_t index, std::size_t first_vertex) {
+    /// Adds to a morph target what it does to a primitive's vertices, as they are in the scene.
+    void add_morph(MorphTarget& morph, const GltfValue& target, const Pose& pose) {
+        const std::size_t vertices = pose.vertices.positions.size();
+        const auto read = [&](const char* attribute) {
+            const auto accessor = target.find(attribute);
+            if (!accessor) return GltfData::RowsInUse{vertices, {}, {0, 3, {}}};
+            GltfData::RowsInUse rows = morphs_->rows_in_use(*accessor, 3);
+            if (rows.all != vertices) accessor->fail("has another number of vertices than the mesh");
+            return rows;
+        };
+        const GltfData::RowsInUse places = read("POSITION");
+        const bool with_normals = pose.normals.size() == vertices && target.find("NORMAL");
+        const GltfData::RowsInUse normals =
+            with_normals ? read("NORMAL") : GltfData::RowsInUse{vertices, {}, {0, 3, {}}};
+        std::vector<std::size_t> moved;
+        std::set_union(places.places.begin(), places.places.end(), normals.places.begin(), normals.places.end(),
+                       std::back_inserter(moved));
+        const auto before = static_cast<Eigen::Index>(morph.vertices.size());
+        const auto rows = before + static_cast<Eigen::Index>(moved.size());
+        if (with_normals || morph.normals.rows() > 0) {
+            const Eigen::Index known = morph.normals.rows();
+            morph.normals.conservativeResize(rows, 3);
+            morph.normals.bottomRows(rows - known).setZero();
+        }
+        morph.positions.conservativeResize(rows, 3);
+        morph.positions.bottomRows(rows - before).setZero();
+        std::size_t place = 0, normal = 0;
+        for (std::size_t i = 0; i < moved.size(); ++i) {
+            const std::size_t vertex = moved[i];
+            const Eigen::Index row = before + static_cast<Eigen::Index>(i);
+            morph.vertices.push_back(static_cast<int>(mesh_.coordinates.size() / 3 - vertices + vertex));
+            const Eigen::Matrix3d linear = pose.at(vertex);
+            if (place < places.places.size() && places.places[place] == vertex)
+                morph.positions.row(row) =
+                    float_row(linear * Eigen::Map<const Eigen::Vector3d>(places.rows.row(place++)));
+            if (normal < normals.places.size() && normals.places[normal] == vertex)
+                morph.normals.row(row) = float_row(transformed_normal_offset(
+                    Eigen::Map<const Eigen::Vector3d>(normals.rows.row(normal++)), pose.normals[vertex], linear));
+        }
+    }
+
+    static Eigen::RowVector3f float_row(const Eigen::Vector3d& v) {
+        return {finite_float(v[0]), finite_float(v[1]), finite_float(v[2])};
+    }
+
+    void add_part(const GltfPrimitive& primitive, const GltfPart& place, std::size_t first_vertex) {
         const auto faces =
             std::count_if(primitive.triangles.begin(), primitive.triangles.end(), [](const auto& corners) {
                 return corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0];
             });
-        parts_.push_back({mesh, index, static_cast<Eigen::Index>(first_vertex),
-                          static_cast<Eigen::Index>(primitive.vertices.positions.size()), faces_, faces});
+        scene_.parts.push_back({place.node, place.mesh, place.primitive, static_cast<Eigen::Index>(first_vertex),
+                                static_cast<Eigen::Index>(primitive.vertices.positions.size()), faces_, faces});
         faces_ += faces;
     }
 
@@ -98,7 +187,7 @@ private:
         std::vector<Eigen::Matrix4d> matrices;
         for (std::size_t i = 0; i < joints.size(); ++i) {
             static_cast<void>(data_->file().referred("nodes", joints[i])); // there it is
-            matrices.push_back(matrices_[joints[i].whole_number()]);
+            matrices.push_back(scene_.node_matrices[joints[i].whole_number()]);
             if (inverse_binds) matrices.back() *= Eigen::Map<const Eigen::Matrix4d>(inverse_binds->row(i));
         }
         return matrices;
@@ -151,12 +240,11 @@ private:
 
     GltfData* data_;
     GltfNodes nodes_;
-    std::vector<Eigen::Matrix4d> matrices_; ///< of the nodes, in the scene
     PolygonMesh mesh_;
-    std::vector<GltfPart> parts_;
-    Eigen::Index faces_ = 0; ///< in `parts_`
+    GltfScene scene_;
+    Eigen::Index faces_ = 0; ///< in the parts
     bool has_points_ = false;
-    bool with_normals_;
+    GltfData* morphs_;
 };
 
 /// The nodes as they are stored, or as the wanted animation has them.
@@ -170,16 +258,16 @@ GltfNodes posed_nodes(GltfData& data, const ReadMeshOptions& options) {
 
 } // namespace
 
-std::vector<GltfPart> gltf_parts(GltfData& data, const ReadMeshOptions& options) {
-    SceneReader reader(data, posed_nodes(data, options), true);
+GltfScene gltf_scene(GltfData& data, GltfData& morphs, const ReadMeshOptions& options) {
+    SceneReader reader(data, posed_nodes(data, options), &morphs);
     static_cast<void>(reader.read());
-    return reader.parts();
+    return std::move(reader).scene();
 }
 
 PolygonMesh parse_gltf(std::string_view bytes, const ReadMeshOptions& options, const LoadCompanion& load) {
     const GltfFile file = open_gltf(bytes);
     GltfData data(file, bytes.size(), load);
-    return SceneReader(data, posed_nodes(data, options), false).read();
+    return SceneReader(data, posed_nodes(data, options)).read();
 }
 
 } // namespace skelgen::io::detail

@@ -10,81 +10,122 @@
 namespace skelgen::io {
 namespace {
 
-/// What conventions call the joints of a role. SMPL and VRM put the side in front ("left_", "left"), Mixamo "Left".
-struct RoleNames {
-    std::string_view smpl, mixamo, vrm;
+/// What a convention calls joints: what is before and behind the names of the left side's and the right side's.
+struct Convention {
+    std::string_view name;
+    std::array<std::string_view, 2> before, behind;
+    std::array<std::string_view, 13> roles;                ///< in the order of JointRole; empty: the joint's own
+    std::array<std::string_view, 5> digits;                ///< thumb first
+    std::array<std::string_view, 3> of_thumb, of_a_finger; ///< behind a digit's name, from the hand to the tip
 };
 
-/// In the order of JointRole.
-constexpr std::array<RoleNames, 13> role_names{{{"pelvis", "Hips", "hips"},
-                                                {"spine1", "Spine", "spine"},
-                                                {"spine3", "Spine2", "chest"},
-                                                {"neck", "Neck", "neck"},
-                                                {"head", "Head", "head"},
-                                                {"shoulder", "Arm", "UpperArm"},
-                                                {"elbow", "ForeArm", "LowerArm"},
-                                                {"wrist", "Hand", "Hand"},
-                                                {"hand", "HandMiddle1", "MiddleProximal"},
-                                                {"hip", "UpLeg", "UpperLeg"},
-                                                {"knee", "Leg", "LowerLeg"},
-                                                {"ankle", "Foot", "Foot"},
-                                                {"foot", "ToeBase", "Toes"}}};
+/// In the order of JointNames. From: SMPL and SMPL-X, joint_names.py of the smplx package; Mixamo, its skeleton without
+/// the prefix of its files; VRM, its specification of humanoids, 1.0; Unity, the enumeration HumanBodyBones; Godot,
+/// SkeletonProfileHumanoid of 4.x; Unreal, the skeleton of its mannequin; Rigify, its human meta-rig.
+constexpr std::array<Convention, 9> conventions{
+    {{"skelgen", {}, {}, {}, {}, {}, {}},
+     {"smpl",
+      {"left_", "right_"},
+      {},
+      {"pelvis", "spine1", "spine3", "neck", "head", "shoulder", "elbow", "wrist", "hand", "hip", "knee", "ankle",
+       "foot"},
+      {"thumb", "index", "middle", "ring", "pinky"}, // SMPL-H
+      {"1", "2", "3"},
+      {"1", "2", "3"}},
+     {"mixamo",
+      {"Left", "Right"},
+      {},
+      {"Hips", "Spine", "Spine2", "Neck", "Head", "Arm", "ForeArm", "Hand", "HandMiddle1", "UpLeg", "Leg", "Foot",
+       "ToeBase"},
+      {"HandThumb", "HandIndex", "HandMiddle", "HandRing", "HandPinky"},
+      {"1", "2", "3"},
+      {"1", "2", "3"}},
+     {"vrm",
+      {"left", "right"},
+      {},
+      {"hips", "spine", "chest", "neck", "head", "UpperArm", "LowerArm", "Hand", "MiddleProximal", "UpperLeg",
+       "LowerLeg", "Foot", "Toes"},
+      {"Thumb", "Index", "Middle", "Ring", "Little"},
+      {"Metacarpal", "Proximal", "Distal"},
+      {"Proximal", "Intermediate", "Distal"}},
+     {"smplx",
+      {"left_", "right_"},
+      {},
+      {"pelvis", "spine1", "spine3", "neck", "head", "shoulder", "elbow", "wrist", "middle1", "hip", "knee", "ankle",
+       "foot"},
+      {"thumb", "index", "middle", "ring", "pinky"},
+      {"1", "2", "3"},
+      {"1", "2", "3"}},
+     {"unity",
+      {"Left", "Right"},
+      {},
+      {"Hips", "Spine", "Chest", "Neck", "Head", "UpperArm", "LowerArm", "Hand", "MiddleProximal", "UpperLeg",
+       "LowerLeg", "Foot", "Toes"},
+      {"Thumb", "Index", "Middle", "Ring", "Little"},
+      {"Proximal", "Intermediate", "Distal"}, // of the same bones that VRM names by what they are
+      {"Proximal", "Intermediate", "Distal"}},
+     {"godot",
+      {"Left", "Right"},
+      {},
+      {"Hips", "Spine", "Chest", "Neck", "Head", "UpperArm", "LowerArm", "Hand", "MiddleProximal", "UpperLeg",
+       "LowerLeg", "Foot", "Toes"},
+      {"Thumb", "Index", "Middle", "Ring", "Little"},
+      {"Metacarpal", "Proximal", "Distal"},
+      {"Proximal", "Intermediate", "Distal"}},
+     {"unreal",
+      {},
+      {"_l", "_r"},
+      {"pelvis", "spine_01", "spine_03", "neck_01", "head", "upperarm", "lowerarm", "hand", "middle_01", "thigh",
+       "calf", "foot", "ball"},
+      {"thumb", "index", "middle", "ring", "pinky"},
+      {"_01", "_02", "_03"},
+      {"_01", "_02", "_03"}},
+     {"rigify",
+      {},
+      {".L", ".R"},
+      {"spine", "spine.001", "spine.003", "spine.004", "spine.006", "upper_arm", "forearm", "hand", "f_middle.01",
+       "thigh", "shin", "foot", "toe"},
+      {"thumb", "f_index", "f_middle", "f_ring", "f_pinky"},
+      {".01", ".02", ".03"},
+      {".01", ".02", ".03"}}}};
 
-std::string with_side(Side side, const char* left, const char* right, std::string_view name) {
-    const std::string prefix = side == Side::none ? "" : side == Side::left ? left : right;
-    return prefix + std::string(name);
+const Convention& convention_of(JointNames names) { return conventions.at(static_cast<std::size_t>(names)); }
+
+std::string with_side(const Convention& convention, Side side, std::string_view name) {
+    if (side == Side::none) return std::string(name);
+    const std::size_t which = side == Side::left ? 0 : 1;
+    return std::string(convention.before[which]).append(name).append(convention.behind[which]);
 }
 
 /// What conventions call a digit's joint; empty for another one, and where they are skelgen's own.
 std::string digit_name(const applications::RigJoint<double>& joint, JointNames names) {
+    const Convention& convention = convention_of(names);
     const auto found = hands::digit_joint(split_side(joint.name).plain);
-    if (!found) return "";
-    const auto digit = static_cast<std::size_t>(found->digit), number = found->number;
-    constexpr std::array<std::string_view, 5> capitals{"Thumb", "Index", "Middle", "Ring", "Little"};
-    switch (names) {
-    case JointNames::smpl: { // SMPL-H and SMPL-X
-        const std::string_view name = found->digit == hands::Digit::little ? "pinky" : hands::name_of(found->digit);
-        return with_side(joint.side, "left_", "right_", std::string(name) + std::to_string(number));
-    }
-    case JointNames::mixamo: {
-        const std::string_view name = found->digit == hands::Digit::little ? "Pinky" : capitals[digit];
-        return with_side(joint.side, "Left", "Right", "Hand" + std::string(name) + std::to_string(number));
-    }
-    case JointNames::vrm: {
-        constexpr std::array<std::string_view, 3> of_finger{"Proximal", "Intermediate", "Distal"};
-        constexpr std::array<std::string_view, 3> of_thumb{"Metacarpal", "Proximal", "Distal"};
-        const auto& parts = found->digit == hands::Digit::thumb ? of_thumb : of_finger;
-        return with_side(joint.side, "left", "right", std::string(capitals[digit]) + std::string(parts[number - 1]));
-    }
-    case JointNames::skelgen:
-        break;
-    }
-    return "";
+    if (!found || convention.digits.front().empty()) return "";
+    const auto& parts = found->digit == hands::Digit::thumb ? convention.of_thumb : convention.of_a_finger;
+    std::string name(convention.digits.at(static_cast<std::size_t>(found->digit)));
+    return with_side(convention, joint.side, name.append(parts.at(found->number - 1)));
 }
 
 } // namespace
 
 std::string name_of(const applications::RigJoint<double>& joint, JointNames names) {
     if (const std::string name = digit_name(joint, names); !name.empty()) return name;
-    const RoleNames& role = role_names.at(static_cast<std::size_t>(joint.role));
-    switch (names) {
-    case JointNames::smpl:
-        return with_side(joint.side, "left_", "right_", role.smpl);
-    case JointNames::mixamo:
-        return with_side(joint.side, "Left", "Right", role.mixamo);
-    case JointNames::vrm:
-        return with_side(joint.side, "left", "right", role.vrm);
-    case JointNames::skelgen:
-        break;
-    }
-    return joint.name;
+    const std::string_view role = convention_of(names).roles.at(static_cast<std::size_t>(joint.role));
+    return role.empty() ? joint.name : with_side(convention_of(names), joint.side, role);
 }
 
 std::optional<JointNames> joint_names_named(std::string_view name) {
-    constexpr std::array<std::string_view, 4> all{"skelgen", "smpl", "mixamo", "vrm"};
-    const auto* const found = std::find(all.begin(), all.end(), name);
-    if (found == all.end()) return std::nullopt;
-    return static_cast<JointNames>(found - all.begin());
+    const auto* const found = std::find_if(conventions.begin(), conventions.end(),
+                                           [&](const Convention& convention) { return convention.name == name; });
+    if (found == conventions.end()) return std::nullopt;
+    return static_cast<JointNames>(found - conventions.begin());
+}
+
+std::vector<std::string> joint_names() {
+    std::vector<std::string> out;
+    for (const Convention& convention : conventions) out.emplace_back(convention.name);
+    return out;
 }
 
 std::vector<std::string> names_of(const std::vector<applications::RigJoint<double>>& joints, JointNames names) {

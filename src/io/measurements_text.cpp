@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include <skelgen/applications/rig.hpp>
 #include <skelgen/core/error.hpp>
 
 #include "application_json.hpp"
@@ -11,6 +12,8 @@
 
 namespace skelgen::io {
 namespace {
+
+std::string unit_name(double metres) { return metres == 1 ? "m" : metres == 0.01 ? "cm" : metres == 0.001 ? "mm" : ""; }
 
 /// All measures of a body in the order in which they are written.
 std::vector<std::pair<std::string, std::optional<double>>> columns(const applications::Measurements& measures) {
@@ -23,6 +26,25 @@ std::vector<std::pair<std::string, std::optional<double>>> columns(const applica
     for (const auto& [name, value] : out)
         if (value && !std::isfinite(*value))
             throw Error(ErrorCode::internal, "the measure '" + name + "' is not a finite number");
+    return out;
+}
+
+/// The unit that makes the body as high as people are; null where none does.
+detail::Json unit_of(const applications::Measurements& measures) {
+    const double metres = applications::metres_per_unit(measures.height);
+    if (metres == 0) return {};
+    return {{"name", unit_name(metres)}, {"metres", metres}};
+}
+
+/// Where the girths were taken.
+detail::Json places_of(const applications::Measurements& measures) {
+    detail::Json out = detail::Json::object();
+    for (std::size_t i = 0; i < measures.girths.size(); ++i) {
+        const auto& plane = measures.girth_planes.at(i);
+        const auto numbers = [](const Vector3<double>& v) { return detail::Json{v[0], v[1], v[2]}; };
+        out[measures.girths[i].first] =
+            plane ? detail::Json{{"place", numbers(plane->place)}, {"normal", numbers(plane->normal)}} : detail::Json();
+    }
     return out;
 }
 
@@ -43,12 +65,14 @@ std::string measurements_to_json(const std::vector<MeasuredBody>& bodies) {
         for (const auto& [name, value] : body.measures.lengths) lengths[name] = value;
         for (const auto& [name, value] : body.measures.girths) girths[name] = value ? Json(*value) : Json();
         list.push_back({{"mesh", detail::to_json(body.mesh)},
+                        {"unit", unit_of(body.measures)},
                         {"height", body.measures.height},
                         {"arm_span", body.measures.arm_span},
                         {"area", body.measures.area},
                         {"volume", body.measures.volume},
                         {"lengths", lengths},
                         {"girths", girths},
+                        {"girth_places", places_of(body.measures)},
                         {"quality", detail::to_json(body.quality)}});
     }
     return Json{{"format", "skelgen-measurements"}, {"version", 1}, {"bodies", list}}.dump(1) + "\n";
@@ -61,7 +85,7 @@ std::string measurements_to_csv(const std::vector<MeasuredBody>& bodies) {
         if (text.empty()) {
             text = "file,sides_confidence";
             for (const auto& [name, value] : values) text += "," + name;
-            text += "\r\n";
+            text += ",unit\r\n";
         }
         text += quoted(detail::valid_utf8(body.mesh.file)) + ",";
         detail::append_number(text, body.quality.sides_confidence);
@@ -69,7 +93,7 @@ std::string measurements_to_csv(const std::vector<MeasuredBody>& bodies) {
             text += ',';
             if (value) detail::append_number(text, *value);
         }
-        text += "\r\n";
+        text += "," + unit_name(applications::metres_per_unit(body.measures.height)) + "\r\n";
     }
     return text;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -41,8 +42,10 @@ struct VertexRows {
     FloatRows positions, normals, weights;
     Eigen::Matrix<std::uint16_t, Eigen::Dynamic, 4, Eigen::RowMajor> joints;
 
-    VertexRows(const TriangleMesh<double>& mesh, const Skin<double>* skin, const std::vector<int>& copies)
-        : positions(with_copies<FloatRows>(mesh.vertices.cast<float>(), copies)),
+    /// `unmorphed`: the places of the vertices where no morph target has weight.
+    VertexRows(const TriangleMesh<double>& mesh, const Points<double>& unmorphed, const Skin<double>* skin,
+               const std::vector<int>& copies)
+        : positions(with_copies<FloatRows>(unmorphed.cast<float>(), copies)),
           normals(with_copies<FloatRows>(shading_normals(mesh).cast<float>().rowwise().normalized(), copies)) {
         if (skin != nullptr) {
             weights = with_copies(float_weights(*skin), copies);
@@ -51,6 +54,27 @@ struct VertexRows {
         if (!positions.allFinite()) refuse_to_write_mesh("a coordinate is too large for a float; scale the mesh down");
     }
 };
+
+/// What a morph target adds to a vertex in the looks' pose, in the mesh's.
+Eigen::Vector3d turned(const WrittenMesh& written, int vertex, const Eigen::RowVector3f& offset) {
+    return written.turns[static_cast<std::size_t>(vertex)] * offset.transpose().cast<double>();
+}
+
+/// Where the mesh's vertices are without their morph targets.
+Points<double> unmorphed(const WrittenMesh& written) {
+    Points<double> places = written.mesh.vertices;
+    if (written.turns.empty()) return places;
+    for (const SceneObject& object : written.looks.objects)
+        for (std::size_t i = 0; i < object.morphs.size(); ++i) {
+            if (object.weights[i] == 0) continue;
+            const MorphTarget& morph = object.morphs[i];
+            for (std::size_t k = 0; k < morph.vertices.size(); ++k)
+                places.row(morph.vertices[k]) -=
+                    object.weights[i] * written.scale *
+                    turned(written, morph.vertices[k], morph.positions.row(static_cast<Eigen::Index>(k))).transpose();
+        }
+    return places;
+}
 
 [[noreturn]] void refuse_looks() { refuse_to_write_mesh("its looks are those of another mesh"); }
 
@@ -85,9 +109,15 @@ Triangles drawn_faces(const TriangleMesh<double>& mesh, const SceneLooks& looks)
     return faces;
 }
 
+/// Normals of a part's vertices, and whether its own ones look the other way.
+struct PartNormals {
+    FloatRows rows;
+    bool are_turned = false;
+};
+
 /// The looks' own normals of a part, in the mesh's pose; smooth ones where it has none. Those of a mesh that has been
 /// turned inside out look the other way, as then most of them do.
-FloatRows own_normals(const WrittenMesh& written, const ScenePart& part, const FloatRows& smooth) {
+PartNormals own_normals(const WrittenMesh& written, const ScenePart& part, const FloatRows& smooth) {
     FloatRows normals = smooth;
     std::vector<bool> is_own(static_cast<std::size_t>(part.vertices), false);
     Eigen::Index outwards = 0, inwards = 0;
@@ -104,10 +134,11 @@ FloatRows own_normals(const WrittenMesh& written, const ScenePart& part, const F
         normals.row(i) = unit.normalized().transpose();
         (normals.row(i).dot(smooth.row(i)) < 0 ? inwards : outwards) += 1;
     }
-    if (inwards > outwards)
+    const bool are_turned = inwards > outwards;
+    if (are_turned)
         for (Eigen::Index i = 0; i < part.vertices; ++i)
             if (is_own[static_cast<std::size_t>(i)]) normals.row(i) = -normals.row(i);
-    return normals;
+    return {std::move(normals), are_turned};
 }
 
 /// The set of texture coordinates that a material's normal map goes by; none where it has no such map.
@@ -144,6 +175,33 @@ std::vector<ScenePart> checked(std::vector<ScenePart> parts, const Triangles& dr
     return parts;
 }
 
+/// The looks' objects, which must have the parts: all of them, one after the other.
+void check_objects(const SceneLooks& looks, Eigen::Index vertices) {
+    std::size_t parts = 0;
+    for (const SceneObject& object : looks.objects) {
+        bool is_sound = object.first_part == parts && object.weights.size() == object.morphs.size();
+        for (const MorphTarget& morph : object.morphs) {
+            const auto rows = static_cast<Eigen::Index>(morph.vertices.size());
+            is_sound = is_sound && morph.positions.rows() == rows &&
+                       (morph.normals.rows() == 0 || morph.normals.rows() == rows) &&
+                       std::adjacent_find(morph.vertices.begin(), morph.vertices.end(), std::greater_equal<>()) ==
+                           morph.vertices.end() &&
+                       (rows == 0 || (morph.vertices.front() >= 0 && morph.vertices.back() < vertices));
+        }
+        if (!is_sound) refuse_looks();
+        parts += object.parts;
+    }
+    if (!looks.objects.empty() && parts != looks.parts.size()) refuse_looks();
+}
+
+/// Which object has a part; the first where there are none.
+std::size_t object_of(const SceneLooks& looks, std::size_t part) {
+    std::size_t object = 0;
+    while (object < looks.objects.size() && part >= looks.objects[object].first_part + looks.objects[object].parts)
+        ++object;
+    return object;
+}
+
 /// Faces that are written together: of one material and one part's vertices.
 struct Batch {
     std::size_t part; ///< the one that has what the vertices look like
@@ -171,11 +229,13 @@ std::vector<Batch> batches_of(const std::vector<ScenePart>& parts, const Triangl
 class AttributeWriter {
 public:
     AttributeWriter(GltfBuffer& buffer, const WrittenMesh& written)
-        : buffer_(&buffer), written_(&written), rows_(written.mesh, written.skin, written.looks.copies) {}
+        : buffer_(&buffer), written_(&written),
+          rows_(written.mesh, unmorphed(written), written.skin, written.looks.copies) {}
 
     struct Written {
         Json attributes;
         FloatRows normals;
+        bool has_own_normals = false, are_turned = false;
     };
 
     const Written& of(std::size_t number, const ScenePart& part) {
@@ -183,7 +243,10 @@ public:
         if (known != by_part_.end()) return known->second;
         Written out{places_of(part), rows_.normals.middleRows(part.first_vertex, part.vertices)};
         if (part.normals.rows() > 0 && !written_->turns.empty()) {
-            out.normals = own_normals(*written_, part, out.normals);
+            PartNormals own = own_normals(*written_, part, out.normals);
+            out.normals = std::move(own.rows);
+            out.are_turned = own.are_turned;
+            out.has_own_normals = true;
             out.attributes["NORMAL"] = buffer_->add_floats(out.normals, GltfTarget::vertices);
         } else {
             const auto [normals, is_new] = smooth_normals_.emplace(part.first_vertex, 0);
@@ -198,11 +261,45 @@ public:
         return by_part_.emplace(number, std::move(out)).first->second;
     }
 
+    /// The morph targets of an object as they are of a part; null where it has none.
+    Json targets_of(std::size_t number, const ScenePart& part, const SceneObject& object) {
+        const auto [known, is_new] = targets_.emplace(number, Json());
+        if (!is_new || written_->turns.empty()) return known->second;
+        const Written& written = of(number, part);
+        const bool with_normals =
+            written.has_own_normals && std::any_of(object.morphs.begin(), object.morphs.end(),
+                                                   [](const MorphTarget& morph) { return morph.normals.rows() > 0; });
+        for (const MorphTarget& morph : object.morphs) {
+            Json target{{"POSITION", add_offsets(morph, morph.positions, part, written_->scale, true)}};
+            if (with_normals)
+                target["NORMAL"] = add_offsets(morph, morph.normals, part, written.are_turned ? -1 : 1, false);
+            known->second.push_back(std::move(target));
+        }
+        return known->second;
+    }
+
     [[nodiscard]] auto positions(const ScenePart& part) const {
         return rows_.positions.middleRows(part.first_vertex, part.vertices);
     }
 
 private:
+    /// Of what a morph target adds to vertices, what it adds to a part's, times `factor`.
+    std::size_t add_offsets(const MorphTarget& morph, const decltype(MorphTarget::positions)& offsets,
+                            const ScenePart& part, double factor, bool limits) {
+        const auto first = std::lower_bound(morph.vertices.begin(), morph.vertices.end(), part.first_vertex);
+        const auto last = std::lower_bound(first, morph.vertices.end(), part.first_vertex + part.vertices);
+        const auto begin = static_cast<Eigen::Index>(first - morph.vertices.begin());
+        const Eigen::Index count = offsets.rows() > 0 ? static_cast<Eigen::Index>(last - first) : 0;
+        std::vector<std::uint32_t> places;
+        FloatRows rows(count, 3);
+        for (Eigen::Index i = 0; i < count; ++i) {
+            const int vertex = morph.vertices[static_cast<std::size_t>(begin + i)];
+            places.push_back(static_cast<std::uint32_t>(vertex - part.first_vertex));
+            rows.row(i) = (factor * turned(*written_, vertex, offsets.row(begin + i))).cast<float>().transpose();
+        }
+        return buffer_->add_sparse_floats(places, rows, static_cast<std::size_t>(part.vertices), limits);
+    }
+
     /// What all parts of the same vertices have in common.
     const Json& places_of(const ScenePart& part) {
         const auto [known, is_new] = places_.emplace(part.first_vertex, Json());
@@ -223,23 +320,44 @@ private:
     std::map<Eigen::Index, Json> places_;                ///< by the first vertex
     std::map<Eigen::Index, std::size_t> smooth_normals_; ///< their accessors, by the first vertex
     std::map<std::size_t, Written> by_part_;
+    std::map<std::size_t, Json> targets_; ///< by part
 };
+
+/// A mesh for each object, without primitives yet.
+std::vector<WrittenObject> without_primitives(const WrittenMesh& written) {
+    const Json nothing = Json::array();
+    if (written.looks.objects.empty())
+        return {{Json{{"name", "body"}, {"primitives", nothing}}, "body", "", std::nullopt}};
+    std::vector<WrittenObject> out;
+    for (const SceneObject& object : written.looks.objects) {
+        const std::string node_name = object.name.empty() ? object.mesh_name : object.name;
+        const std::string name = valid_utf8(node_name.empty() ? "body" : node_name);
+        Json mesh{{"name", object.mesh_name.empty() ? name : valid_utf8(object.mesh_name)}, {"primitives", nothing}};
+        if (!object.mesh_extras.empty()) mesh["extras"] = parse_json(object.mesh_extras);
+        if (!object.morphs.empty() && !written.turns.empty()) mesh["weights"] = object.weights;
+        out.push_back({std::move(mesh), name, object.extras, out.size()});
+    }
+    return out;
+}
 
 } // namespace
 
-Json describe_primitives(GltfBuffer& buffer, const WrittenMesh& written) {
+std::vector<WrittenObject> describe_objects(GltfBuffer& buffer, const WrittenMesh& written) {
     const TriangleMesh<double>& mesh = written.mesh;
+    const SceneLooks& looks = written.looks;
     if (mesh.faces.rows() == 0) refuse_to_write_mesh("it has no faces");
     if (!written.turns.empty() && static_cast<Eigen::Index>(written.turns.size()) != mesh.vertices.rows())
         refuse_to_write_mesh("the turns of its vertices are those of another mesh");
-    const Triangles drawn = drawn_faces(mesh, written.looks);
-    const auto vertices = mesh.vertices.rows() + static_cast<Eigen::Index>(written.looks.copies.size());
-    const std::vector<ScenePart> parts = checked(written.looks.parts, drawn, vertices);
-    const Json materials = parse_json(written.looks.json).value("materials", Json::array());
+    const Triangles drawn = drawn_faces(mesh, looks);
+    const auto vertices = mesh.vertices.rows() + static_cast<Eigen::Index>(looks.copies.size());
+    const std::vector<ScenePart> parts = checked(looks.parts, drawn, vertices);
+    check_objects(looks, mesh.vertices.rows());
+    const Json materials = parse_json(looks.json).value("materials", Json::array());
     AttributeWriter writer(buffer, written);
-    Json primitives = Json::array();
+    std::vector<WrittenObject> objects = without_primitives(written);
     for (const Batch& batch : batches_of(parts, drawn)) {
         const ScenePart& part = parts[batch.part];
+        const std::size_t number = object_of(looks, batch.part);
         const AttributeWriter::Written& vertex = writer.of(batch.part, part);
         Json attributes = vertex.attributes;
         if (const auto set = normal_map_set(materials, batch.material, part)) // the input's own have been turned
@@ -248,9 +366,24 @@ Json describe_primitives(GltfBuffer& buffer, const WrittenMesh& written) {
                 GltfTarget::vertices);
         Json primitive{{"attributes", std::move(attributes)}, {"indices", buffer.add_indices(batch.corners)}};
         if (batch.material) primitive["material"] = *batch.material;
-        primitives.push_back(std::move(primitive));
+        if (!looks.objects.empty())
+            if (Json targets = writer.targets_of(batch.part, part, looks.objects[number]); !targets.is_null())
+                primitive["targets"] = std::move(targets);
+        objects[number].mesh["primitives"].push_back(std::move(primitive));
     }
-    return primitives;
+    std::erase_if(objects, [](const WrittenObject& object) { return object.mesh["primitives"].empty(); });
+    return objects;
+}
+
+Json node_of(const WrittenObject& object) {
+    Json node{{"name", object.name}};
+    if (!object.extras.empty()) node["extras"] = parse_json(object.extras);
+    return node;
+}
+
+void add_about(Json& scene, const SceneLooks& looks) {
+    const Json about = parse_json(looks.about);
+    for (const auto& [key, value] : about.items()) scene["asset"][key] = value;
 }
 
 void add_materials(Json& scene, GltfBuffer& buffer, const SceneLooks& looks) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -18,6 +17,7 @@
 #include "mesh_parsers.hpp"
 #include "obj_file.hpp"
 #include "obj_materials.hpp"
+#include "srgb.hpp"
 
 namespace skelgen::io::detail {
 namespace {
@@ -114,12 +114,6 @@ private:
     std::map<std::array<int, 3>, int> copies_; ///< by vertex, texture coordinates and normal
     SplitVertices split_;
 };
-
-/// The light of a colour as it is shown (IEC 61966-2-1).
-float linear_light(float shown) {
-    constexpr float knee = 0.04045F, slope = 12.92F, offset = 0.055F, power = 2.4F;
-    return shown <= knee ? shown / slope : std::pow((shown + offset) / (1 + offset), power);
-}
 
 /// Rows of numbers, one per vertex, by the number of the row that each has; zero for -1. No rows where there are none.
 template <typename Rows, typename Index>

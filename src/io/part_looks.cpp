@@ -25,6 +25,21 @@ std::pair<std::size_t, std::size_t> range_of(const std::vector<int>& numbers, Ei
     return {static_cast<std::size_t>(from - numbers.begin()), static_cast<std::size_t>(to - from)};
 }
 
+/// Of a morph target what it does to the vertices that stay, by their own numbers.
+MorphTarget morph_of(const MorphTarget& morph, const std::vector<int>& kept) {
+    MorphTarget out;
+    std::vector<int> rows;
+    for (std::size_t i = 0; i < morph.vertices.size(); ++i) {
+        const auto place = std::lower_bound(kept.begin(), kept.end(), morph.vertices[i]);
+        if (place == kept.end() || *place != morph.vertices[i]) continue;
+        out.vertices.push_back(static_cast<int>(place - kept.begin()));
+        rows.push_back(static_cast<int>(i));
+    }
+    out.positions = morph.positions(rows, Eigen::all);
+    if (morph.normals.rows() > 0) out.normals = morph.normals(rows, Eigen::all);
+    return out;
+}
+
 /// The numbers of what stays of a part's vertices, and of the copies of these, which come behind all.
 std::vector<int> with_copies(std::vector<int> vertices, const std::vector<int>& copies, int first) {
     const std::size_t own = vertices.size();
@@ -60,6 +75,8 @@ SceneLooks looks_of(const SceneLooks& looks, const applications::OwnPart& part) 
         kept = with_copies(part.vertices, looks.copies, static_cast<int>(looks.parts.front().vertices - copies));
         out = with_part_faces(std::move(out), part, kept);
     }
+    for (SceneObject& object : out.objects)
+        for (MorphTarget& morph : object.morphs) morph = morph_of(morph, part.vertices);
     for (ScenePart& one : out.parts) {
         const auto [face, faces] = range_of(part.faces, one.first_face, one.first_face + one.faces);
         const auto [vertex, vertices] = range_of(kept, one.first_vertex, one.first_vertex + one.vertices);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <skelgen/core/error.hpp>
@@ -11,6 +13,7 @@
 #include "file_extension.hpp"
 #include "rig_motion.hpp"
 #include "rig_scene.hpp"
+#include "vrm_writer.hpp"
 
 namespace skelgen::io {
 namespace {
@@ -40,6 +43,19 @@ Json describe_humanoid(const std::vector<std::string>& names, const std::vector<
         if (!bones.contains(bone))
             refuse(std::string("VRM asks for the bone ") + bone + ", which it has not; write GLB");
     return bones;
+}
+
+/// Whether a rig stands in the T-pose, or near enough to it: its limbs are not farther off than those of people whom
+/// one asks to stand so.
+bool is_near_t_pose(const Rig<double>& rig) {
+    if (rig.rest != applications::RestPose::as_is) return rig.rest == applications::RestPose::t_pose;
+    constexpr double most = 25 * std::numbers::pi / 180;
+    return std::all_of(rig.joints.begin(), rig.joints.end(), [&](const RigJoint<double>& joint) {
+        const bool is_arm = joint.role == JointRole::shoulder || joint.role == JointRole::elbow;
+        if (!is_arm && joint.role != JointRole::hip && joint.role != JointRole::knee) return true;
+        const Eigen::Vector3d wanted = is_arm ? Eigen::Vector3d(sign_of(joint.side), 0, 0) : Eigen::Vector3d(0, -1, 0);
+        return (joint.end - joint.position).normalized().dot(wanted) >= std::cos(most);
+    });
 }
 
 /// The rig's skeleton as a clip of one frame that moves nothing, by these names.
@@ -75,18 +91,11 @@ std::string rig_to_glb(const Rig<double>& rig, JointNames names, const SceneLook
 }
 
 std::string rig_to_vrm(const Rig<double>& rig, const std::string& name, const SceneLooks& looks) {
-    if (rig.rest != applications::RestPose::t_pose) refuse("VRM's rest pose is the T-pose; make the rig in that");
+    if (!is_near_t_pose(rig)) refuse("VRM's rest pose is the T-pose; make the rig in that");
     if (name.empty()) refuse("VRM asks for a name of the avatar");
     const std::vector<std::string> names = names_of(rig.joints, JointNames::vrm);
     detail::RigScene scene = detail::make_rig_scene(rig, names, looks);
-    scene.json["extensionsUsed"].push_back("VRMC_vrm");
-    scene.json["extensions"]["VRMC_vrm"] = {
-        {"specVersion", "1.0"},
-        {"meta",
-         {{"name", detail::valid_utf8(name)},
-          {"authors", Json::array({"unknown"})},
-          {"licenseUrl", "https://vrm.dev/licenses/1.0/"}}},
-        {"humanoid", {{"humanBones", describe_humanoid(names, scene.joint_nodes, rig.joints)}}}};
+    detail::add_vrm(scene, rig, looks, name, describe_humanoid(names, scene.joint_nodes, rig.joints));
     return detail::format_scene(std::move(scene));
 }
 
@@ -99,6 +108,19 @@ std::optional<RigFormat> rig_format_of(const std::filesystem::path& path) {
     const auto found = detail::find_extension(path, extensions);
     if (!found) return std::nullopt;
     return static_cast<RigFormat>(*found);
+}
+
+std::vector<std::string> left_out_of(RigFormat format, const SceneLooks& looks) {
+    std::vector<std::string> out = looks.left_out;
+    if (const std::size_t morphs = morph_target_count(looks); format == RigFormat::bvh && morphs > 0)
+        out.push_back(std::to_string(morphs) + " morph targets (BVH has a skeleton alone)");
+    if (looks.vrm.empty()) return out;
+    if (format != RigFormat::vrm) {
+        out.emplace_back("expressions, look-at, first person and spring bones (.vrm keeps them)");
+    } else if (const std::size_t springs = detail::count_lost_springs(looks); springs > 0) {
+        out.push_back(std::to_string(springs) + " springs (they swing bones that the rig does not have)");
+    }
+    return out;
 }
 
 void write_rig(const std::filesystem::path& path, const Rig<double>& rig, JointNames names, const SceneLooks& looks) {

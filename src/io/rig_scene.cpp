@@ -1,5 +1,6 @@
 #include "rig_scene.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <skelgen/version.hpp>
@@ -43,10 +44,22 @@ FloatRows inverse_bind_matrices(const Rig<double>& rig) {
 
 RigScene make_rig_scene(const Rig<double>& rig, const std::vector<std::string>& names, const SceneLooks& looks) {
     RigScene scene;
-    Json primitives = describe_primitives(scene.buffer, {rig.mesh, &rig.skin, rig.turns, looks});
+    std::vector<WrittenObject> objects =
+        describe_objects(scene.buffer, {rig.mesh, &rig.skin, rig.turns, looks, rig.metres_per_unit});
     const std::size_t inverses = scene.buffer.add_floats(inverse_bind_matrices(rig), GltfTarget::none);
 
-    Json nodes = Json::array({{{"name", "body"}, {"mesh", 0}, {"skin", 0}}});
+    Json nodes = Json::array(), meshes = Json::array(), roots = Json::array();
+    for (WrittenObject& object : objects) {
+        // Programs that tell nodes by their names must find the joints by theirs.
+        if (std::find(names.begin(), names.end(), object.name) != names.end()) object.name += "_mesh";
+        Json node = node_of(object);
+        node["mesh"] = meshes.size();
+        node["skin"] = 0;
+        roots.push_back(nodes.size());
+        scene.objects.push_back(object.object);
+        nodes.push_back(std::move(node));
+        meshes.push_back(std::move(object.mesh));
+    }
     for (std::size_t j = 0; j < rig.joints.size(); ++j) {
         scene.joint_nodes.push_back(nodes.size());
         Json node{{"name", names[j]}, {"extras", {{"confidence", rig.joints[j].confidence}}}};
@@ -58,11 +71,13 @@ RigScene make_rig_scene(const Rig<double>& rig, const std::vector<std::string>& 
     Json& json = scene.json;
     json["asset"] = {{"version", "2.0"}, {"generator", "skelgen " + std::string(version)}};
     json["scene"] = 0;
-    json["scenes"] = Json::array({{{"nodes", {0, scene.joint_nodes.front()}}}});
+    roots.push_back(scene.joint_nodes.front());
+    json["scenes"] = Json::array({{{"nodes", std::move(roots)}}});
     json["nodes"] = std::move(nodes);
-    json["meshes"] = Json::array({{{"name", "body"}, {"primitives", std::move(primitives)}}});
+    json["meshes"] = std::move(meshes);
     json["skins"] = Json::array(
         {{{"inverseBindMatrices", inverses}, {"skeleton", scene.joint_nodes.front()}, {"joints", scene.joint_nodes}}});
+    add_about(json, looks);
     add_materials(json, scene.buffer, looks);
     return scene;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,11 @@ struct RigScene {
     Json json;
     GltfBuffer buffer;
     std::vector<std::size_t> joint_nodes; ///< per joint the index of its node
+    /// Per mesh, which is that of the node of the same number, which of the looks' objects it is; none: they have none.
+    std::vector<std::optional<std::size_t>> objects;
 };
 
-/// The rig as a scene: node 0 is the skinned mesh with its looks, then come the joints, by the given names. The
+/// The rig as a scene: first the skinned meshes with their looks, then come the joints, by the given names. The
 /// buffer's own parts of the JSON are not in it yet. \throws Error usage when there are no faces, a coordinate is too
 /// large for a float, or the looks are those of another mesh.
 [[nodiscard]] RigScene make_rig_scene(const applications::Rig<double>& rig, const std::vector<std::string>& names,

@@ -184,29 +184,50 @@ Eigen::Vector3d skinned(const Eigen::Vector3d& point, std::span<const Influence>
     return moved;
 }
 
-Eigen::Vector3d transformed_normal(const Eigen::Vector3d& normal, const Eigen::Matrix4d& matrix) {
-    const Eigen::Matrix3d linear = matrix.topLeftCorner<3, 3>();
-    // Along the cofactors, which are there where the inverse is not: they are it, transposed, times the determinant.
+namespace {
+
+/// What turns directions across a surface when the matrix moves it, whatever their length. Along the cofactors, which
+/// are there where the inverse is not: they are it, transposed, times the determinant.
+Eigen::Matrix3d normal_matrix(const Eigen::Matrix3d& linear) {
     Eigen::Matrix3d cofactors;
     for (int axis = 0; axis < 3; ++axis)
         cofactors.col(axis) = linear.col((axis + 1) % 3).cross(linear.col((axis + 2) % 3));
-    const Eigen::Vector3d turned = (linear.determinant() < 0 ? -1.0 : 1.0) * (cofactors * normal);
+    return (linear.determinant() < 0 ? -1.0 : 1.0) * cofactors;
+}
+
+} // namespace
+
+Eigen::Vector3d transformed_normal(const Eigen::Vector3d& normal, const Eigen::Matrix4d& matrix) {
+    const Eigen::Vector3d turned = normal_matrix(matrix.topLeftCorner<3, 3>()) * normal;
     const double length = turned.stableNorm();
     if (!std::isfinite(length) || length == 0) return Eigen::Vector3d::Zero();
     return turned / length;
 }
 
-Eigen::Vector3d skinned_normal(const Eigen::Vector3d& normal, std::span<const Influence> influences,
-                               const std::vector<Eigen::Matrix4d>& joint_matrices) {
+Eigen::Vector3d transformed_normal_offset(const Eigen::Vector3d& offset, const Eigen::Vector3d& normal,
+                                          const Eigen::Matrix3d& linear) {
+    const Eigen::Matrix3d matrix = normal_matrix(linear);
+    const Eigen::Vector3d turned = matrix * normal;
+    const double length = turned.stableNorm();
+    if (!std::isfinite(length) || length == 0) return Eigen::Vector3d::Zero();
+    return matrix * offset / length;
+}
+
+Eigen::Matrix4d blended(std::span<const Influence> influences, const std::vector<Eigen::Matrix4d>& joint_matrices,
+                        const Eigen::Matrix4d& alone) {
     double sum = 0;
     for (const Influence& influence : influences) sum += influence.weight;
-    if (influences.empty() || sum == 0)
-        return transformed_normal(normal, influences.empty() ? Eigen::Matrix4d::Identity()
-                                                             : joint_matrices[influences.front().joint]);
+    if (influences.empty()) return alone;
+    if (sum == 0) return joint_matrices[influences.front().joint];
     Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
     for (const Influence& influence : influences)
         if (influence.weight != 0) matrix += influence.weight / sum * joint_matrices[influence.joint];
-    return transformed_normal(normal, matrix);
+    return matrix;
+}
+
+Eigen::Vector3d skinned_normal(const Eigen::Vector3d& normal, std::span<const Influence> influences,
+                               const std::vector<Eigen::Matrix4d>& joint_matrices) {
+    return transformed_normal(normal, blended(influences, joint_matrices, Eigen::Matrix4d::Identity()));
 }
 
 } // namespace skelgen::io::detail

@@ -60,6 +60,16 @@ struct Influence {
 /// none. A surface that the matrix mirrors is taken to be turned over, as its faces are.
 [[nodiscard]] Eigen::Vector3d transformed_normal(const Eigen::Vector3d& normal, const Eigen::Matrix4d& matrix);
 
+/// What is added to that direction where `offset` is added to `normal` itself: to first order, and as if the length
+/// that the result is brought to were that which it has without.
+[[nodiscard]] Eigen::Vector3d transformed_normal_offset(const Eigen::Vector3d& offset, const Eigen::Vector3d& normal,
+                                                        const Eigen::Matrix3d& linear);
+
+/// The mean of the joints' matrices by the weights that a point has of them, as `skinned` moves it; `alone` where there
+/// are no influences.
+[[nodiscard]] Eigen::Matrix4d blended(std::span<const Influence> influences,
+                                      const std::vector<Eigen::Matrix4d>& joint_matrices, const Eigen::Matrix4d& alone);
+
 /// The same of a surface that joints move, as `skinned`.
 [[nodiscard]] Eigen::Vector3d skinned_normal(const Eigen::Vector3d& normal, std::span<const Influence> influences,
                                              const std::vector<Eigen::Matrix4d>& joint_matrices);

@@ -116,25 +116,26 @@ bool has_looks(const SceneLooks& looks) {
 
 std::string viewed_body_to_json(const ViewedBody& body) {
     const ToRig to_rig(body.skeleton, body.rig);
+    SceneLooks looks = body.looks;
+    looks.objects.clear(); // the page shows one mesh, as it is
     const BodyFrame<double>& frame = body.skeleton.frame;
     Json warnings = Json::array();
     for (const std::string& warning : body.skeleton.quality.warnings) warnings.push_back(detail::valid_utf8(warning));
-    const Json json{
-        {"name", detail::valid_utf8(body.name)},
-        {"faces", body.rig.mesh.faces.rows()},
-        {"in_metres", body.rig.unit_is_known},
-        {"sides_confidence", body.skeleton.quality.sides_confidence},
-        {"warnings", std::move(warnings)},
-        {"step", to_rig.step()},
-        {"joints", joints_to_json(body, to_rig)},
-        {"frame",
-         {{"left", to_rig.direction(frame.left)},
-          {"up", to_rig.direction(frame.up)},
-          {"forward", to_rig.direction(frame.forward)}}},
-        {"curve", curve_to_view(body, to_rig)},
-        {"sections", sections_to_json(body, to_rig)},
-        {"has_looks", has_looks(body.looks)},
-        {"glb", detail::encode_base64(rig_to_glb(body.rig, JointNames::skelgen, body.looks, body.animations))}};
+    const Json json{{"name", detail::valid_utf8(body.name)},
+                    {"faces", body.rig.mesh.faces.rows()},
+                    {"in_metres", body.rig.unit_is_known},
+                    {"sides_confidence", body.skeleton.quality.sides_confidence},
+                    {"warnings", std::move(warnings)},
+                    {"step", to_rig.step()},
+                    {"joints", joints_to_json(body, to_rig)},
+                    {"frame",
+                     {{"left", to_rig.direction(frame.left)},
+                      {"up", to_rig.direction(frame.up)},
+                      {"forward", to_rig.direction(frame.forward)}}},
+                    {"curve", curve_to_view(body, to_rig)},
+                    {"sections", sections_to_json(body, to_rig)},
+                    {"has_looks", has_looks(body.looks)},
+                    {"glb", detail::encode_base64(rig_to_glb(body.rig, JointNames::skelgen, looks, body.animations))}};
     return json.dump();
 }
 

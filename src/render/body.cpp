@@ -150,9 +150,12 @@ Layer composite(const SkinSample& nearest, const SkinSample& farthest, const Sol
     const bool has_skin = nearest.depth > -infinity;
     const bool has_solid = solid.depth > -infinity;
     if (!has_skin) return solid.layer;
-    if (nearest.colour[0] >= 0)
-        return shade_painted_skin(toward_viewer(nearest.normal, nearest.normal.z() < -0.3f), nearest.ambient,
-                                  nearest.colour);
+    if (nearest.colour[0] >= 0) {
+        const Layer painted = shade_painted_skin(toward_viewer(nearest.normal, nearest.normal.z() < -0.3f),
+                                                 nearest.ambient, nearest.colour);
+        if (!has_solid) return painted;
+        return solid.depth > nearest.depth ? solid.layer : over(painted * 0.55f, solid.layer);
+    }
     Layer far = shade_far_skin(toward_viewer(farthest.normal, farthest.normal.z() < 0), farthest.ambient);
     Layer near = shade_skin(toward_viewer(nearest.normal, nearest.normal.z() < -0.3f), nearest.ambient);
     if (!has_solid) return over(near, far);

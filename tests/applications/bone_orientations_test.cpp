@@ -4,6 +4,7 @@
 #include <skelgen/applications/bone_orientations.hpp>
 #include <skelgen/applications/bones.hpp>
 #include <skelgen/applications/posing.hpp>
+#include <skelgen/applications/rest_posture.hpp>
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/shoulder_height.hpp>
@@ -222,6 +223,89 @@ TEST_CASE("orientations: joints in one place turn with their parents", "[applica
     skeleton.end_points.clear();
     for (const auto& rotation : bone_orientations(skeleton, human()))
         CHECK(rotation.angularDistance(Eigen::Quaternionf::Identity()) < 0.2F);
+}
+
+/// Someone who stands with arms lowered by so many degrees, whose bones in head and feet say little: the crown is
+/// behind, the balls are deep.
+KinematicSkeleton<double> standing(double lowered, double left_elbow = 0) {
+    auto skeleton = rest_skeleton<double>(human());
+    Orientations<double> pose(skeleton.joints.size(), Rotation::Identity());
+    for (std::size_t j = 0; j < pose.size(); ++j)
+        if (part_of(human().joints[j].role) == BodyPart::arm)
+            pose[j] = about(human().joints[j].side == Side::left ? -lowered : lowered, Eigen::Vector3d::UnitZ());
+    for (const char* name : {"left_elbow", "left_wrist", "left_hand"}) // the forearm ahead
+        pose[index_of(name)] = about(-left_elbow, Eigen::Vector3d::UnitY()) * pose[index_of(name)];
+    const Orientations<double> from(pose.size(), Rotation::Identity());
+    skeleton = moved(skeleton, human(), motions<double>(skeleton, from, pose, skeleton.joints[0].position));
+    for (auto& [name, place] : skeleton.end_points)
+        if (name == "head_top") place.z() -= 0.06;
+    for (const char* name : {"left_foot", "right_foot"}) skeleton.joints[index_of(name)].position.y() -= 0.03;
+    return skeleton;
+}
+
+double turn_of(const std::vector<RigidMotion<double>>& motion, const std::string& joint) {
+    return motion[index_of(joint)].rotation.angularDistance(Rotation::Identity()) * 180 / test::pi;
+}
+
+TEST_CASE("rest poses: faces, soles and palms stay as they are turned", "[applications][pose]") {
+    const auto to_t_pose = [](const KinematicSkeleton<double>& skeleton) {
+        const auto now = posture(skeleton, human(), Rotation::Identity());
+        return posture_motions(RestPose::t_pose, skeleton, human(), now, Rotation::Identity());
+    };
+    // Their bones would turn them: the rest pose by bones alone does.
+    const auto a_pose = standing(40);
+    const auto by_bones =
+        rest_motions(RestPose::t_pose, a_pose, human(), bone_orientations(a_pose, human()), Rotation::Identity());
+    CHECK(turn_of(by_bones, "head") > 8);
+    CHECK(turn_of(by_bones, "left_ankle") > 8);
+    const auto motion = to_t_pose(a_pose);
+    for (const char* name : {"crotch", "chest", "neck", "head", "left_ankle", "right_foot", "left_knee"})
+        CHECK(turn_of(motion, name) < 1e-6);
+    for (const std::string side : {"left_", "right_"}) {
+        for (const char* name : {"shoulder", "elbow", "wrist", "hand"}) {
+            // Raised in the plane that they are in, and not turned about themselves.
+            const Rotation wanted = about(side == "left_" ? 40 : -40, Eigen::Vector3d::UnitZ());
+            CHECK(motion[index_of(side + name)].rotation.angularDistance(wanted) < 0.02);
+        }
+        const Eigen::Vector3d arm = motion[index_of(side + "wrist")](a_pose.joints[index_of(side + "wrist")].position) -
+                                    motion[index_of(side + "elbow")](a_pose.joints[index_of(side + "elbow")].position);
+        CHECK(std::abs(arm.normalized().y()) < 1e-9);
+        // Shoulders go up with the arms as people's do, and no farther from the chest.
+        const auto& shoulder = a_pose.joints[index_of(side + "shoulder")].position;
+        const Eigen::Vector3d now = motion[index_of(side + "shoulder")](shoulder) -
+                                    motion[index_of("chest")](a_pose.joints[index_of("chest")].position);
+        const Eigen::Vector3d was = shoulder - a_pose.joints[index_of("chest")].position;
+        CHECK(now.norm() == Approx(was.norm()));
+        CHECK(now.y() > was.y() + 0.01);
+        CHECK(now.y() < was.y() + 0.06);
+    }
+
+    // What is within some degrees of the rest pose stays where it is.
+    for (const auto& near : {to_t_pose(standing(8)),
+                             posture_motions(RestPose::a_pose, a_pose, human(),
+                                             posture(a_pose, human(), Rotation::Identity()), Rotation::Identity())})
+        for (std::size_t j = 0; j < near.size(); ++j) {
+            CHECK(near[j].rotation.angularDistance(Rotation::Identity()) < 1e-6);
+            CHECK((near[j].translation - near.front().translation).norm() < 1e-9);
+        }
+
+    // An arm that is bent more than the other is no rest pose; its hand goes with the forearm all the same.
+    const auto bent = standing(40, 50);
+    const auto unbent = to_t_pose(bent);
+    CHECK(turn_of(unbent, "head") < 1e-6);
+    CHECK(unbent[index_of("left_hand")].rotation.angularDistance(unbent[index_of("left_elbow")].rotation) < 1e-6);
+    const Eigen::Vector3d forearm = unbent[index_of("left_wrist")](bent.joints[index_of("left_wrist")].position) -
+                                    unbent[index_of("left_elbow")](bent.joints[index_of("left_elbow")].position);
+    CHECK(forearm.normalized().x() == Approx(1).margin(1e-9));
+}
+
+TEST_CASE("rest poses: rotations near one from axes to axes are taken for that", "[applications][pose]") {
+    const Rotation quarter = about(90, Eigen::Vector3d::UnitX());
+    const auto near = along_axes<double>(about(19, Eigen::Vector3d(1, 2, 3).normalized()) * quarter);
+    REQUIRE(near);
+    CHECK(near->angularDistance(quarter) < 1e-9);
+    CHECK_FALSE(along_axes<double>(about(21, {1, 0, 0}) * quarter));
+    CHECK(along_axes<double>(Rotation::Identity())->angularDistance(Rotation::Identity()) < 1e-12);
 }
 
 } // namespace

@@ -63,6 +63,24 @@ TEST_CASE("correspondence: a body turned and shuffled corresponds to itself", "[
     CHECK(sum / n < 0.002); // metres
     CHECK(sure / n > 0.98);
 
+    const TriangleMesh<double> other = moved(mesh, {random_rotation(4), 10, Vector3<double>(1, 2, 3)});
+    const std::vector<TrianglePlace> places = triangle_places(other, b.body, to, found);
+    REQUIRE(places.size() == found.map.size());
+    double between = 0;
+    for (std::size_t v = 0; v < places.size(); ++v) {
+        Vector3<double> place = Vector3<double>::Zero();
+        double all = 0;
+        for (int i = 0; i < 3; ++i) {
+            const double weight = places[v].weights[static_cast<std::size_t>(i)];
+            CHECK(weight >= 0);
+            all += weight;
+            place += weight * core::point(mesh.vertices, other.faces(places[v].face, i));
+        }
+        CHECK(all == Approx(1));
+        between += (place - core::point(mesh.vertices, body.source[v])).norm();
+    }
+    CHECK(between / n < 0.002); // metres
+
     const std::vector<Landmark> marks = landmarks(from, found);
     CHECK(marks.size() == part_names(PartSet::bones).size());
     std::set<std::string> names;
@@ -84,6 +102,37 @@ TEST_CASE("correspondence: a body turned and shuffled corresponds to itself", "[
         CorrespondenceOptions options;
         options.posture = bad;
         CHECK_THROWS_WITH(correspond(from, to, options), Catch::Matchers::Contains("correspondence.posture"));
+    }
+}
+
+TEST_CASE("correspondence: places between vertices are nearer than vertices of a coarse body", "[applications]") {
+    const auto& [mesh, a, skeleton, body] = sample_body();
+    CorrespondenceOptions few;
+    few.first_functions = 40;
+    few.functions = 60;
+    const TriangleMesh<double> coarse = read_mesh<double>(SKELGEN_DATA "/sample/body.off"); // every vertex, but moved
+    Correspondence found;
+    const ComparableBody<double> own = comparable(body, skeleton, few);
+    // As if each vertex came to lie in the middle of the first triangle at it.
+    std::vector<int> first(static_cast<std::size_t>(own.common.rows()), -1);
+    for (int f = 0; f < own.faces.rows(); ++f)
+        for (int i = 0; i < 3; ++i)
+            if (int& face = first[static_cast<std::size_t>(own.faces(f, i))]; face < 0) face = f;
+    found.bent.resize(own.common.rows(), 3);
+    for (int v = 0; v < own.common.rows(); ++v) {
+        const auto corners = own.faces.row(first[static_cast<std::size_t>(v)]);
+        found.map.push_back(v);
+        found.bent.row(v) =
+            (own.common.row(corners[0]) + own.common.row(corners[1]) + own.common.row(corners[2])) / 3.0;
+    }
+    const std::vector<TrianglePlace> places = triangle_places(coarse, body, own, found);
+    const std::vector<int> stands_for = standing_for(body, coarse.vertices);
+    for (std::size_t v = 0; v < places.size(); ++v) {
+        Vector3<double> place = Vector3<double>::Zero();
+        for (int i = 0; i < 3; ++i)
+            place += places[v].weights[static_cast<std::size_t>(i)] *
+                     core::point(own.common, stands_for[static_cast<std::size_t>(coarse.faces(places[v].face, i))]);
+        REQUIRE((place - core::point(found.bent, static_cast<Eigen::Index>(v))).norm() < 1e-9);
     }
 }
 

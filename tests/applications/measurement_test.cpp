@@ -98,7 +98,8 @@ TEST_CASE("measurement: a walking man by what is known of him", "[applications]"
 TEST_CASE("measurement: in the input's unit, however the body is turned", "[applications]") {
     const TriangleMesh<double> mesh = sample_mesh();
     const Measurements metres = measured(mesh);
-    const Measurements millimetres = measured(moved(mesh, {random_rotation(7), 1000, Vector3<double>(1, 2, 3)}));
+    const auto turn = random_rotation(7);
+    const Measurements millimetres = measured(moved(mesh, {turn, 1000, Vector3<double>(1, 2, 3)}));
     CHECK(millimetres.height == Approx(1e3 * metres.height).epsilon(1e-6));
     CHECK(millimetres.arm_span == Approx(1e3 * metres.arm_span).epsilon(1e-6));
     CHECK(millimetres.area == Approx(1e6 * metres.area).epsilon(1e-6));
@@ -106,9 +107,42 @@ TEST_CASE("measurement: in the input's unit, however the body is turned", "[appl
     for (std::size_t i = 0; i < metres.girths.size(); ++i) {
         INFO(metres.girths[i].first);
         REQUIRE(millimetres.girths[i].second.has_value() == metres.girths[i].second.has_value());
-        if (metres.girths[i].second)
-            CHECK(*millimetres.girths[i].second == Approx(1e3 * *metres.girths[i].second).epsilon(1e-3));
+        REQUIRE(metres.girth_planes[i].has_value() == metres.girths[i].second.has_value());
+        if (!metres.girths[i].second) continue;
+        CHECK(*millimetres.girths[i].second == Approx(1e3 * *metres.girths[i].second).epsilon(1e-3));
+        const auto& plane = metres.girth_planes[i].value();
+        const auto& there = millimetres.girth_planes[i].value();
+        CHECK(plane.normal.norm() == Approx(1));
+        CHECK((there.normal - turn * plane.normal).norm() < 1e-3);
+        CHECK((there.place - (1000 * (turn * plane.place) + Vector3<double>(1, 2, 3))).norm() < 20); // of sections
     }
+}
+
+TEST_CASE("measurement: a girth is the tape around the section by its plane", "[applications]") {
+    const auto& [mesh, found, skeleton, body] = sample_body();
+    const Measurements measures = measure(body, skeleton, segment(body, skeleton));
+    REQUIRE(measures.girth_planes.size() == measures.girths.size());
+    int looked_at = 0;
+    for (std::size_t i = 0; i < measures.girths.size(); ++i) {
+        const auto& [name, girth] = measures.girths[i];
+        if (!girth || (!name.ends_with("mid_thigh") && !name.ends_with("calf") && name != "head")) continue;
+        INFO(name);
+        const GirthPlane& plane = measures.girth_planes[i].value();
+        // Where the mesh's edges cross the plane, no farther from the place than the girth's own radius would reach.
+        std::vector<Vector3<double>> crossings;
+        for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
+            for (int k = 0; k < 3; ++k) {
+                const Vector3<double> a = core::point(mesh.vertices, mesh.faces(f, k)),
+                                      b = core::point(mesh.vertices, mesh.faces(f, (k + 1) % 3));
+                const double above = plane.normal.dot(a - plane.place), below = plane.normal.dot(b - plane.place);
+                if ((above < 0) == (below < 0)) continue;
+                const Vector3<double> crossing = a + above / (above - below) * (b - a);
+                if ((crossing - plane.place).norm() < *girth / 4) crossings.push_back(crossing);
+            }
+        CHECK(tape_length(crossings, plane.normal) == Approx(*girth).epsilon(0.03));
+        ++looked_at;
+    }
+    CHECK(looked_at == 5); // the head, and two of each leg, far from the other one
 }
 
 TEST_CASE("measurement: parts must be the body's own, of its bones", "[applications]") {

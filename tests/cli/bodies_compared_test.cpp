@@ -119,6 +119,16 @@ TEST_CASE("measure: JSON and CSV", "[cli][measure]") {
     const auto json = nlohmann::json::parse(printed.out);
     REQUIRE(json.at("bodies").size() == 1);
     const double height = json.at("bodies").at(0).at("height");
+    CHECK(json.at("bodies").at(0).at("unit").at("name") == "m");
+    CHECK(json.at("bodies").at(0).at("girth_places").at("waist").at("normal").size() == 3);
+    TriangleMesh<double> unknown = read_mesh(folder / "body.off");
+    unknown.vertices *= 7;
+    write_mesh(folder / "unknown.off", unknown);
+    CHECK(nlohmann::json::parse(run_cli(folder.path(), {"measure", "unknown.off"}).out)
+              .at("bodies")
+              .at(0)
+              .at("unit")
+              .is_null());
 
     test::write_file(folder / "sphere.off", sphere_off());
     CHECK(run_cli(folder.path(), {"measure", "body.off", "sphere.off", "-o", "people.csv"}).status == 5);
@@ -139,8 +149,8 @@ TEST_CASE("correspond: a vertex of the one body for each of the other", "[cli][c
     const TriangleMesh<double> mesh = read_mesh(sample_body);
     write_mesh(folder / "a.off", mesh);
     write_mesh(folder / "b.ply", moved(mesh, {random_rotation(2), 3, Vector3<double>(1, 2, 3)}));
-    const CliResult result =
-        run_cli(folder.path(), {"correspond", "a.off", "b.ply", "-o", "map.json", "--ply", "coloured", "--confidence"});
+    const CliResult result = run_cli(folder.path(), {"correspond", "a.off", "b.ply", "-o", "map.json", "--ply",
+                                                     "coloured", "--confidence", "--places"});
     INFO(result.err);
     REQUIRE(result.status == 0);
     const std::string text = test::read_file(folder / "map.json");
@@ -158,9 +168,9 @@ TEST_CASE("correspond: a vertex of the one body for each of the other", "[cli][c
     CHECK(read_mesh(folder / "coloured/from.ply").vertices == mesh.vertices);
 
     write_mesh(folder / "c.ply", mesh);
-    REQUIRE(
-        run_cli(folder.path(), {"correspond", "a.off", "b.ply", "c.ply", "-o", "maps", "--ply", "many", "--confidence"})
-            .status == 0);
+    REQUIRE(run_cli(folder.path(), {"correspond", "a.off", "b.ply", "c.ply", "-o", "maps", "--ply", "many",
+                                    "--confidence", "--places"})
+                .status == 0);
     CHECK(files_below(folder / "maps") == std::vector<std::string>{"b.json", "c.json"});
     CHECK(test::read_file(folder / "maps/b.json") == text);
     CHECK(test::read_file(folder / "many/b/to.ply") == test::read_file(folder / "coloured/to.ply"));

@@ -2,6 +2,9 @@
 #include <regex>
 #include <string>
 #include <sys/stat.h>
+#include <vector>
+
+#include <skelgen/io/read_mesh.hpp>
 
 #include "catch.hpp"
 #include "run_cli.hpp"
@@ -56,6 +59,63 @@ TEST_CASE("the program starts without the libraries that only scenes need", "[cl
     CHECK(holds(loaded, "libc.so"));
     CHECK_FALSE(holds(loaded, "assimp"));
     CHECK_FALSE(holds(loaded, "meshoptimizer"));
+}
+
+TEST_CASE("commands and options with a letter wrong are answered by the one that is meant", "[cli][console]") {
+    const TemporaryFolder folder;
+    const auto says = [&](const std::vector<std::string>& arguments, const std::string& part) {
+        const CliResult result = run_cli(folder.path(), arguments);
+        INFO(result.err);
+        CHECK(result.status == 2);
+        CHECK(holds(result.err, part));
+        CHECK(result.err.find('\n') == result.err.size() - 1);
+    };
+    says({"rgi", "body.off"}, "rgi: is no command of skelgen; did you mean rig? see `skelgen --help`");
+    says({"extarct", "body.off"}, "did you mean extract?");
+    says({"rig", sample_body, "-o", "x.glb", "--nmaes=vrm"}, "; did you mean --names?; see `skelgen rig --help`");
+    const CliResult far = run_cli(folder.path(), {"paint", "body.off"});
+    CHECK_FALSE(holds(far.err, "did you mean"));
+}
+
+TEST_CASE("batch: a folder that is not there is no input, a mesh that is not there a failure of its own",
+          "[cli][batch]") {
+    const TemporaryFolder folder;
+    const CliResult nothing = run_cli(folder.path(), {"batch", "scans", "-o", "out"});
+    CHECK(nothing.status == 3);
+    CHECK(nothing.err == "skelgen: error: scans: there is no such folder or file; check the name\n");
+    CHECK(run_cli(folder.path(), {"batch", "missing.off", "-o", "out", "-q"}).status == 5);
+}
+
+TEST_CASE("repairs of a surface are one line, and each its own under -v", "[cli][console]") {
+    // Every face with corners of its own, and one twice.
+    const auto mesh = skelgen::read_mesh(sample_body);
+    std::string off =
+        "OFF\n" + std::to_string(mesh.faces.size()) + ' ' + std::to_string(mesh.faces.rows() + 1) + " 0\n";
+    for (Eigen::Index i = 0; i < mesh.faces.size(); ++i) {
+        for (const double x : mesh.vertices.row(mesh.faces.data()[i])) off += std::to_string(x) + ' ';
+        off += '\n';
+    }
+    for (Eigen::Index f = 0; f <= mesh.faces.rows(); ++f) {
+        const std::string first = std::to_string(3 * (f % mesh.faces.rows()));
+        off += "3 " + first + ' ' + std::to_string(3 * (f % mesh.faces.rows()) + 1) + ' ' +
+               std::to_string(3 * (f % mesh.faces.rows()) + 2) + '\n';
+    }
+    const TemporaryFolder folder;
+    write_file(folder / "soup.off", off);
+    const auto lines = [](const std::string& text, const std::string& part) {
+        int count = 0;
+        for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+        return count;
+    };
+    const std::string usual = run_cli(folder.path(), {"extract", "soup.off", "-o", "soup.json"}).err;
+    INFO(usual);
+    CHECK(lines(usual, ": repaired: ") == 1);
+    CHECK(holds(usual, "seams welded"));
+    CHECK(holds(usual, "; duplicate faces left out"));
+    const std::string all = run_cli(folder.path(), {"extract", "soup.off", "-o", "soup.json", "-v"}).err;
+    CHECK(lines(all, ": repaired: ") == 0);
+    CHECK(lines(all, "warning: soup.off: seams welded") == 1);
+    CHECK_FALSE(holds(run_cli(folder.path(), {"extract", "soup.off", "-o", "soup.json", "-q"}).err, "welded"));
 }
 
 } // namespace

@@ -114,12 +114,12 @@ TEST_CASE("a skeleton that is not there as its line says is missing", "[cli][mer
 
 TEST_CASE("a further result that is gone is a failure", "[cli][merge]") {
     const TwoShards batch({"--also", "measure"});
-    fs::remove(batch.folder / "s1/a.measurements.json");
+    fs::remove(batch.folder / "s1/measure/a.measurements.json");
     const CliResult result = batch.merge({"s1", "s2"});
     CHECK(result.status == 5);
-    CHECK(holds(result.err, "skelgen: error: s1/a.measurements.json: is not there any more"));
+    CHECK(holds(result.err, "skelgen: error: s1/measure/a.measurements.json: is not there any more"));
     CHECK(files_below(batch.folder / "out") ==
-          std::vector<std::string>{"a.json", "b.json", "b.measurements.json", "summary.jsonl"});
+          std::vector<std::string>{"a.json", "b.json", "measure/b.measurements.json", "summary.jsonl"});
 }
 
 TEST_CASE("what is done twice with one result is named and taken once", "[cli][merge]") {

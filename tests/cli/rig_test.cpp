@@ -1,7 +1,10 @@
 #include <cstdint>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include <skelgen/io/read_mesh.hpp>
 #include <skelgen/io/scene_looks.hpp>
@@ -42,13 +45,8 @@ TEST_CASE("rig: characters and skeletons, the input's vertices in their order", 
 
 TEST_CASE("rig and pose: a character without its pictures loses these alone, which is said", "[cli][rig][pose]") {
     const auto mesh = read_mesh(sample_body);
-    const TriangleMesh<float> single{mesh.vertices.cast<float>(), mesh.faces};
     GltfBuilder scene;
-    scene.add_tetrahedron();
-    scene.primitive()["attributes"]["POSITION"] =
-        scene.add<float>("VEC3", {single.vertices.data(), single.vertices.data() + single.vertices.size()});
-    scene.primitive()["indices"] =
-        scene.add<std::uint32_t>("SCALAR", {mesh.faces.data(), mesh.faces.data() + mesh.faces.size()});
+    scene.add_mesh(mesh);
     scene.primitive()["material"] = 0;
     scene.json["materials"] = {{{"name", "skin"}}};
     scene.json["images"] = {{{"uri", "missing.png"}}};
@@ -83,19 +81,15 @@ TEST_CASE("rig and pose: one of several bodies comes without the others, with it
     GltfBuilder scene;
     scene.add_tetrahedron();
     const auto primitive_of = [&](const TriangleMesh<double>& body, int material) {
-        const TriangleMesh<float> single{body.vertices.cast<float>(), body.faces};
         std::vector<float> coordinates;
         for (Eigen::Index v = 0; v < body.vertices.rows(); ++v) {
             coordinates.push_back(static_cast<float>(material));
             coordinates.push_back(static_cast<float>(v));
         }
-        const std::size_t places =
-            scene.add<float>("VEC3", {single.vertices.data(), single.vertices.data() + single.vertices.size()});
-        const std::size_t indices =
-            scene.add<std::uint32_t>("SCALAR", {body.faces.data(), body.faces.data() + body.faces.size()});
-        return GltfBuilder::Json{{"attributes", {{"POSITION", places}, {"TEXCOORD_0", scene.add("VEC2", coordinates)}}},
-                                 {"indices", indices},
-                                 {"material", material}};
+        auto primitive = scene.primitive_of(body);
+        primitive["attributes"]["TEXCOORD_0"] = scene.add("VEC2", coordinates);
+        primitive["material"] = material;
+        return primitive;
     };
     scene.json["meshes"][0]["primitives"] = {primitive_of(mesh, 0), primitive_of(small, 1)};
     scene.json["materials"] = {{{"name", "large"}}, {{"name", "small"}}};
@@ -119,7 +113,7 @@ TEST_CASE("rig and pose: one of several bodies comes without the others, with it
             CHECK(looks->parts[0].texture_coordinates[0](7, 1) == 7);
             return alone;
         };
-        const auto rig = is_alone({"rig", "two.glb", "-o", "out.glb", "--component", component});
+        const auto rig = is_alone({"rig", "two.glb", "-o", "out.glb", "--component", component, "--place", "centre"});
         CHECK(rig.vertices.col(1).minCoeff() == Approx(0).margin(1e-5));
         CHECK((rig.vertices.row(0) - rig.vertices.row(99)).norm() ==
               Approx((wanted.vertices.row(0) - wanted.vertices.row(99)).norm()).epsilon(1e-4));
@@ -191,6 +185,141 @@ TEST_CASE("rig and pose: an OBJ keeps materials, texture coordinates and normals
         }
         CHECK(away / static_cast<double>(out.faces.size()) < 0.05); // bent a little where skin is
     }
+}
+
+/// The sample body as GLB: upright, facing +z but for `aside` degrees, somewhere in its scene, with a morph target on
+/// its first hundred vertices that moves them up by a centimetre.
+TriangleMesh<double> write_standing(const fs::path& file, double aside, double scale = 1) {
+    const TemporaryFolder folder;
+    const CliResult found = run_cli(folder.path(), {"extract", sample_body, "-q"});
+    const nlohmann::json frame = nlohmann::json::parse(found.out).at("frame");
+    const auto direction = [&](const char* name) -> Eigen::Vector3d {
+        const auto& values = frame.at(name);
+        return {values[0].get<double>(), values[1].get<double>(), values[2].get<double>()};
+    };
+    Eigen::Matrix3d turn;
+    turn << direction("left").transpose(), direction("up").transpose(), direction("forward").transpose();
+    const Eigen::AngleAxisd yaw(aside * 3.14159265 / 180, Eigen::Vector3d::UnitY());
+    TriangleMesh<double> mesh = read_mesh(sample_body);
+    mesh.vertices = scale * ((mesh.vertices * (yaw * turn).transpose()).rowwise() + Eigen::RowVector3d(3, 0.25, -2));
+    GltfBuilder scene;
+    scene.add_mesh(mesh);
+    std::vector<float> offsets(static_cast<std::size_t>(mesh.vertices.size()), 0.0F);
+    for (std::size_t v = 0; v < 100; ++v) offsets[3 * v + 1] = static_cast<float>(0.01 * scale);
+    scene.primitive()["targets"] = {{{"POSITION", scene.add<float>("VEC3", offsets)}}};
+    scene.json["meshes"][0]["extras"] = {{"targetNames", {"rise"}}};
+    scene.json["nodes"][0]["name"] = "Man";
+    scene.json["animations"] = GltfBuilder::Json::array({GltfBuilder::Json::object()});
+    test::write_file(file, scene.glb());
+    return read_mesh(file);
+}
+
+TEST_CASE("rig: what stands upright in its scene stays where it is, or goes where it is told to", "[cli][rig]") {
+    const TemporaryFolder folder;
+    const auto mesh = write_standing(folder / "man.glb", 8);
+    const auto rigged = [&](std::vector<std::string> options) {
+        for (const char* const first : {"out.glb", "-o", "man.glb", "rig"}) options.insert(options.begin(), first);
+        const CliResult result = run_cli(folder.path(), options);
+        INFO(result.err);
+        REQUIRE(result.status == 0);
+        CHECK(result.err.rfind("skelgen: warning: man.glb: left out: 1 animation\n", 0) == 0);
+        return read_mesh(folder / "out.glb");
+    };
+    const auto kept = rigged({});
+    CHECK((kept.vertices - mesh.vertices).cwiseAbs().maxCoeff() < 1e-5);
+    const auto looks = io::read_looks(folder / "out.glb");
+    REQUIRE(looks);
+    REQUIRE(looks->objects.size() == 1);
+    CHECK(looks->objects[0].name == "Man");
+    CHECK(looks->objects[0].mesh_extras == R"({"targetNames":["rise"]})");
+    REQUIRE(looks->objects[0].morphs.size() == 1);
+    REQUIRE(looks->objects[0].morphs[0].vertices.size() == 100);
+    CHECK((looks->objects[0].morphs[0].positions.rowwise() - Eigen::RowVector3f(0, 0.01F, 0)).norm() < 1e-5F);
+    const auto on_floor = rigged({"--place", "floor"});
+    Eigen::RowVector3d down(0, mesh.vertices.col(1).minCoeff(), 0);
+    CHECK((on_floor.vertices - (mesh.vertices.rowwise() - down)).cwiseAbs().maxCoeff() < 1e-5);
+    const auto centred = rigged({"--place", "centre"});
+    const Eigen::RowVector3d way = mesh.vertices.row(0) - centred.vertices.row(0);
+    CHECK(way[0] == Approx(3).margin(0.3));
+    CHECK(way[2] == Approx(-2).margin(0.3));
+    CHECK((centred.vertices - (mesh.vertices.rowwise() - way)).cwiseAbs().maxCoeff() < 1e-5);
+    // In the T-pose soles stay on the floor that they were on.
+    const auto t_pose = rigged({"--rest", "t-pose"});
+    CHECK(t_pose.vertices.col(1).minCoeff() == Approx(mesh.vertices.col(1).minCoeff()).margin(1e-5));
+
+    // In feet by its word; by its height it would be in metres.
+    const auto in_feet = rigged({"--unit", "ft"});
+    CHECK((in_feet.vertices - 0.3048 * mesh.vertices).cwiseAbs().maxCoeff() < 1e-4);
+    static_cast<void>(write_standing(folder / "man.glb", -8, 100));
+    const CliResult in_centimetres = run_cli(folder.path(), {"rig", "man.glb", "-o", "out.glb"});
+    CHECK(in_centimetres.err.find("skelgen: note: man.glb: its unit is 0.01 m; what is written is in metres\n") !=
+          std::string::npos);
+    CHECK(run_cli(folder.path(), {"rig", "man.glb", "-o", "out.bvh"}).err.find("1 morph targets (BVH") !=
+          std::string::npos);
+}
+
+TEST_CASE("rig: credits are written, and a licence's word is not lost under -q", "[cli][rig][vrm]") {
+    const TemporaryFolder folder;
+    REQUIRE(run_cli(folder.path(), {"rig", sample_body, "-o", "body.vrm", "--title", "Ada", "--author", "A",
+                                    "--license", "https://example.org/free"})
+                .status == 0);
+    const std::string vrm = test::read_file(folder / "body.vrm");
+    CHECK(vrm.find(R"("authors":["A"])") != std::string::npos);
+    CHECK(vrm.find(R"("name":"Ada")") != std::string::npos);
+    CHECK(vrm.find(R"("otherLicenseUrl":"https://example.org/free")") != std::string::npos);
+    CHECK(vrm.find("unknown") == std::string::npos);
+    // What has been written is a VRM that is silent about redistribution, but names a licence; then none.
+    CHECK(run_cli(folder.path(), {"rig", "body.vrm", "-o", "again.vrm", "-q"}).err.empty());
+    CHECK(test::read_file(folder / "again.vrm").find(R"("authors":["A"])") != std::string::npos);
+    REQUIRE(run_cli(folder.path(), {"rig", sample_body, "-o", "silent.vrm"}).status == 0);
+    const CliResult silent = run_cli(folder.path(), {"rig", "silent.vrm", "-o", "again.glb", "-q"});
+    CHECK(silent.err.find("ITS LICENCE FORBIDS redistribution and modification") != std::string::npos);
+}
+
+TEST_CASE("rig, pose, segment and measure: a skeleton that is given is taken", "[cli][rig][pose]") {
+    const TemporaryFolder folder;
+    REQUIRE(run_cli(folder.path(), {"extract", sample_body, "-o", "found.json", "-q"}).status == 0);
+    nlohmann::json skeleton = nlohmann::json::parse(test::read_file(folder / "found.json"));
+    // The left elbow is put right by two centimetres.
+    nlohmann::json& elbow = skeleton["joints"][6];
+    REQUIRE(elbow["name"] == "left_elbow");
+    elbow["position"][2] = elbow["position"][2].get<double>() + 0.02;
+    test::write_file(folder / "mended.json", skeleton.dump());
+    const auto way_of_elbow = [&](const std::string& file) {
+        const CliResult result =
+            run_cli(folder.path(), {"rig", sample_body, "-o", "out.bvh", "--skeleton", file, "--place", "centre"});
+        INFO(result.err);
+        REQUIRE(result.status == 0);
+        const std::string bvh = test::read_file(folder / "out.bvh");
+        const auto at = bvh.find("OFFSET", bvh.find("JOINT left_elbow"));
+        std::istringstream numbers(bvh.substr(at + 6, 80));
+        Eigen::Vector3d offset;
+        numbers >> offset[0] >> offset[1] >> offset[2];
+        return offset;
+    };
+    REQUIRE(run_cli(folder.path(), {"rig", sample_body, "-o", "out.bvh", "--place", "centre"}).status == 0);
+    const std::string searched = test::read_file(folder / "out.bvh");
+    const Eigen::Vector3d was = way_of_elbow("found.json");
+    CHECK(test::read_file(folder / "out.bvh") == searched);                       // the same skeleton, the same rig
+    CHECK((way_of_elbow("mended.json") - was).norm() == Approx(2).epsilon(0.01)); // centimetres
+    for (const auto& arguments : {std::vector<std::string>{"pose", sample_body, "--pose", "found.json", "-o", "x.off"},
+                                  std::vector<std::string>{"segment", sample_body, "-o", "x.json"},
+                                  std::vector<std::string>{"measure", sample_body, "-o", "x.csv"}}) {
+        std::vector<std::string> all = arguments;
+        all.emplace_back("--skeleton");
+        all.emplace_back("mended.json");
+        const CliResult result = run_cli(folder.path(), all);
+        INFO(result.err);
+        CHECK(result.status == 0);
+    }
+    const CliResult several =
+        run_cli(folder.path(), {"measure", sample_body, "found.json", "-o", "x.csv", "--skeleton", "mended.json"});
+    CHECK(several.status == 2);
+    for (nlohmann::json& joint : skeleton["joints"]) joint["position"][0] = joint["position"][0].get<double>() + 9;
+    test::write_file(folder / "away.json", skeleton.dump());
+    const CliResult away = run_cli(folder.path(), {"rig", sample_body, "-o", "x.glb", "--skeleton", "away.json"});
+    CHECK(away.status == 3);
+    CHECK(away.err.find("do not lie in the body") != std::string::npos);
 }
 
 TEST_CASE("rig: what cannot be done is one line and no file", "[cli][rig]") {

@@ -122,6 +122,6 @@ TEST_CASE("a body that folds up reaches less far over its surface than one that 
         const std::string& name = found.skeleton.joints[j].name;
         INFO(name);
         const bool is_in_fold = name.find("knee") != std::string::npos || name.find("hip") != std::string::npos;
-        CHECK(error(j) < (is_in_fold ? 0.2 : 0.08)); // knees and hips lie deep in the fold
+        CHECK(error(j) < (is_in_fold ? 0.2 : 0.12)); // knees and hips lie deep in the fold
     }
 }

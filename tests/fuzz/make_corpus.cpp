@@ -65,7 +65,7 @@ KinematicSkeleton<double> small_skeleton() {
 }
 
 /// With a skin, a morph target, a sparse accessor and an animation.
-std::string full_scene() {
+test::GltfBuilder full_scene() {
     test::GltfBuilder scene;
     scene.add_tetrahedron();
     const auto joints = scene.add<std::uint8_t>("VEC4", {0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0});
@@ -88,8 +88,32 @@ std::string full_scene() {
     scene.json["skins"] = {{{"joints", {1, 2}}}};
     scene.json["animations"] = {{{"channels", {{{"sampler", 0}, {"target", {{"node", 2}, {"path", "rotation"}}}}}},
                                  {"samplers", {{{"input", times}, {"output", turns}, {"interpolation", "LINEAR"}}}}}};
+    return scene;
+}
+
+/// The same as avatars of VRM 1.0 and 0.x.
+std::string avatar(const char* extensions) {
+    test::GltfBuilder scene = full_scene();
+    scene.json["extensions"] = test::GltfBuilder::Json::parse(extensions);
     return scene.glb();
 }
+constexpr const char* vrm_1 = R"({"VRMC_vrm": {"meta": {"name": "a", "authors": ["b"], "allowRedistribution": true},
+    "humanoid": {"humanBones": {"hips": {"node": 1}, "head": {"node": 2}}},
+    "expressions": {"preset": {"happy": {"morphTargetBinds": [{"node": 0, "index": 0, "weight": 1}]}}},
+    "firstPerson": {"meshAnnotations": [{"node": 0, "type": "auto"}]},
+    "lookAt": {"type": "bone", "offsetFromHeadBone": [0, 1, 0]}},
+  "VRMC_springBone": {"colliders": [{"node": 2, "shape": {"capsule": {"offset": [0, 1, 0], "tail": [1, 0, 0], "radius": 1}}}],
+    "colliderGroups": [{"colliders": [0]}],
+    "springs": [{"joints": [{"node": 1, "hitRadius": 1}, {"node": 2}], "center": 1, "colliderGroups": [0]}]}})";
+constexpr const char* vrm_0 = R"({"VRM": {"meta": {"title": "a", "licenseName": "CC_BY", "allowedUserName": "Everyone"},
+    "humanoid": {"humanBones": [{"bone": "hips", "node": 1}, {"bone": "head", "node": 2}]},
+    "firstPerson": {"firstPersonBoneOffset": {"x": 0, "y": 1, "z": 0}, "lookAtTypeName": "Bone",
+      "meshAnnotations": [{"mesh": 0, "firstPersonFlag": "Auto"}], "lookAtVerticalUp": {"xRange": 60, "yRange": 1}},
+    "blendShapeMaster": {"blendShapeGroups": [{"name": "Joy", "presetName": "joy",
+      "binds": [{"mesh": 0, "index": 0, "weight": 75}],
+      "materialValues": [{"materialName": "", "propertyName": "_Color", "targetValue": [1, 0, 0, 1]}]}]},
+    "secondaryAnimation": {"boneGroups": [{"comment": "b", "bones": [1], "colliderGroups": [0], "center": 1}],
+      "colliderGroups": [{"node": 2, "colliders": [{"offset": {"x": 0, "y": 1, "z": 0}, "radius": 1}]}]}}})";
 
 /// With a normal map and its texture coordinates, colours and normals.
 test::GltfBuilder painted_scene() {
@@ -145,7 +169,9 @@ void make_corpus(const fs::path& folder) {
     scene.add_tetrahedron();
     gltf.add(scene.glb());
     gltf.add(scene.gltf(scene.data_uri()));
-    gltf.add(full_scene());
+    gltf.add(full_scene().glb());
+    gltf.add(avatar(vrm_1));
+    gltf.add(avatar(vrm_0));
     const auto painted = painted_scene();
     gltf.add(painted.glb());
     gltf.add(painted.gltf(painted.data_uri()));

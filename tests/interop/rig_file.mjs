@@ -38,7 +38,7 @@ export class RigFile {
     this.parents = skin.joints.map((node) => skin.joints.findIndex((one) => this.json.nodes[one].children?.includes(node)));
     const inverses = numbers(skin.inverseBindMatrices);
     this.inverses = skin.joints.map((_, j) => [...inverses.subarray(16 * j, 16 * j + 16)]);
-    this.primitives = this.json.meshes[0].primitives.map(({ attributes, indices }) => ({
+    this.primitives = this.json.meshes.flatMap(({ primitives }) => primitives).map(({ attributes, indices }) => ({
       positions: numbers(attributes.POSITION),
       joints: numbers(attributes.JOINTS_0),
       weights: numbers(attributes.WEIGHTS_0),

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <skelgen/core/mesh.hpp>
+
 namespace skelgen::test {
 
 /// Makes small glTF files: rows of numbers go into one buffer, and the JSON around them is open to any change.
@@ -42,6 +44,21 @@ public:
     template <typename T>
     static std::string raw(const std::vector<T>& values) {
         return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+    }
+
+    /// Adds what a primitive of a mesh's places and faces refers to; gives that primitive.
+    Json primitive_of(const TriangleMesh<double>& mesh) {
+        const TriangleMesh<float> single{mesh.vertices.cast<float>(), mesh.faces};
+        const std::size_t positions =
+            add<float>("VEC3", {single.vertices.data(), single.vertices.data() + single.vertices.size()});
+        const std::size_t indices =
+            add<std::uint32_t>("SCALAR", {mesh.faces.data(), mesh.faces.data() + mesh.faces.size()});
+        return {{"attributes", {{"POSITION", positions}}}, {"indices", indices}};
+    }
+
+    /// A mesh as the only primitive.
+    void add_mesh(const TriangleMesh<double>& mesh) {
+        json["meshes"].push_back({{"primitives", Json::array({primitive_of(mesh)})}});
     }
 
     /// The tetrahedron of the origin and the unit vectors as a mesh's only primitive.

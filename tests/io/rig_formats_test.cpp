@@ -341,6 +341,18 @@ TEST_CASE("names: each convention's own, for all joints", "[io][rig]") {
     two_necks.back().name = "upper_neck";
     CHECK(io::names_of(two_necks, io::JointNames::mixamo).back() == "upper_neck");
     CHECK(io::joint_names_named("mixamo") == io::JointNames::mixamo);
+    // Those of engines, by joints of the trunk, the left arm and the right leg.
+    const auto named = [&](const char* convention) {
+        const auto all = io::names_of(joints, *io::joint_names_named(convention));
+        return std::vector<std::string>{all[0], all[2], all[6], all[8], all[17], all[20]};
+    };
+    using Names = std::vector<std::string>;
+    CHECK(named("smplx") == Names{"pelvis", "spine3", "left_elbow", "left_middle1", "right_hip", "right_foot"});
+    CHECK(named("unity") == Names{"Hips", "Chest", "LeftLowerArm", "LeftMiddleProximal", "RightUpperLeg", "RightToes"});
+    CHECK(named("godot") == Names{"Hips", "Chest", "LeftLowerArm", "LeftMiddleProximal", "RightUpperLeg", "RightToes"});
+    CHECK(named("unreal") == Names{"pelvis", "spine_03", "lowerarm_l", "middle_01_l", "thigh_r", "ball_r"});
+    CHECK(named("rigify") == Names{"spine", "spine.003", "forearm.L", "f_middle.01.L", "thigh.R", "toe.R"});
+    CHECK(io::joint_names().size() == 9);
     CHECK_FALSE(io::joint_names_named("maya"));
 }
 

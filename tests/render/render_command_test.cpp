@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include <skelgen/io/coloured_ply.hpp>
 #include <skelgen/io/curve_formats.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
@@ -54,6 +55,27 @@ TEST_CASE("skelgen render draws what has no skeleton, and says so") {
 
     REQUIRE(run_render("ball.off -o ball.svg --background transparent --view 1,2,3", folder.path()).status == 0);
     CHECK(content(folder / "ball.svg").rfind("<svg ", 0) == 0);
+}
+
+TEST_CASE("skelgen render shows the colours that a PLY's vertices have") {
+    const TemporaryFolder folder;
+    const TriangleMesh<double> ball = sphere(12);
+    write_mesh(folder / "ball.ply", ball);
+    const auto pixel_of = [&](const std::string& mesh) {
+        REQUIRE(run_render(mesh + " -o ball.png --size 100x120", folder.path()).status == 0);
+        return content(folder / "ball.png");
+    };
+    const auto painted = [&](const io::ByteColour& colour) {
+        io::MeshColours colours;
+        colours.vertices.assign(static_cast<std::size_t>(ball.vertices.rows()), colour);
+        io::write_coloured_ply(folder / "painted.ply", ball, colours);
+        return pixel_of("painted.ply");
+    };
+    const std::string plain = pixel_of("ball.ply"), red = painted({250, 20, 20}), blue = painted({20, 20, 250});
+    CHECK(red != plain);
+    CHECK(blue != plain);
+    CHECK(red != blue);
+    CHECK(painted({250, 20, 20}) == red);
 }
 
 TEST_CASE("skelgen render shows a skeleton file and a truth file instead of extracting") {

@@ -1,5 +1,6 @@
 // Trust as a function of the evidence, whatever the table says that it is calibrated by.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -20,11 +21,36 @@ namespace {
 
 Evidence usual_evidence() { return {trust_means}; }
 
+/// A proportion, whose square is heard, too: it has a best value.
+bool is_curved(std::size_t witness) {
+    return std::find(curved_witnesses.begin(), curved_witnesses.end(), static_cast<Witness>(witness)) !=
+           curved_witnesses.end();
+}
+
 /// The usual evidence with one witness moved, towards what speaks against a skeleton for negative ways.
 Evidence with_voice(std::size_t witness, double way) {
     Evidence evidence = usual_evidence();
     evidence.values[witness] += trust_weights[witness] < 0 ? -way : way;
     return evidence;
+}
+
+/// What the trees answer, by their description: below place i are 2 i + 1 and, above the bound, 2 i + 2.
+double answer(const TrustTree& tree, const Evidence& evidence, std::size_t place) {
+    if (place >= tree.witness.size()) return tree.voice[place - tree.witness.size()];
+    const bool is_above = static_cast<float>(evidence.values[tree.witness[place]]) > tree.bound[place];
+    return answer(tree, evidence, 2 * place + (is_above ? 2 : 1));
+}
+
+double log_odds_of_trees(const Evidence& evidence) {
+    double sum = 0;
+    for (const TrustTree& tree : trust_trees) sum += answer(tree, evidence, 0);
+    return sum;
+}
+
+/// The rest of the logarithm of the odds.
+double linear_log_odds(const Evidence& evidence) {
+    const double p = probability_right(evidence);
+    return std::log(p / (1 - p)) - log_odds_of_trees(evidence);
 }
 
 /// Three joints, the last one absent.
@@ -41,33 +67,64 @@ KinematicSkeleton<double> three_joints() {
 
 } // namespace
 
-TEST_CASE("usual evidence is as likely as the table's offset says") {
-    CHECK(probability_right(usual_evidence()) == Approx(1 / (1 + std::exp(-trust_offset))));
+TEST_CASE("usual evidence is as likely as the table's offset, squares and trees say") {
+    double expected = trust_offset; // and the squares of the usual proportions, which are less than the usual squares
+    for (std::size_t c = 0; c < curved_witnesses.size(); ++c) {
+        const double usual = usual_evidence()[curved_witnesses[c]];
+        expected += trust_square_weights[c] * (usual * usual - trust_square_means[c]);
+    }
+    CHECK(linear_log_odds(usual_evidence()) == Approx(expected).margin(1e-9));
+    CHECK(probability_right(usual_evidence()) ==
+          Approx(1 / (1 + std::exp(-expected - log_odds_of_trees(usual_evidence())))));
 }
 
-TEST_CASE("each witness moves the probability one way, as its weight says, and stays within 0 and 1") {
-    int heard = 0;
+TEST_CASE("trees ask of witnesses that there are, and each says little") {
+    bool is_heard = false;
+    for (const TrustTree& tree : trust_trees) {
+        for (const int witness : tree.witness) CHECK(witness < static_cast<int>(witness_count));
+        for (const double voice : tree.voice) CHECK(std::abs(voice) <= 1);
+        is_heard = is_heard || tree.voice.front() != tree.voice.back();
+    }
+    CHECK(is_heard);
+}
+
+TEST_CASE("beside the trees each witness moves the log odds as its weight says") {
     for (std::size_t w = 0; w < witness_count; ++w) {
         INFO(to_string(static_cast<Witness>(w)));
-        if (static_cast<Witness>(w) == Witness::fitted) continue; // bodies at rest have a factor of their own
-        double last = 0;
-        for (const double way : {-4.0, -1.0, -0.1, 0.0, 0.1, 1.0, 4.0}) {
-            const double probability = probability_right(with_voice(w, way));
-            CHECK(probability > 0);
-            CHECK(probability <= 1);
-            CHECK(probability >= last);
-            last = probability;
-        }
-        heard += probability_right(with_voice(w, 1)) > probability_right(with_voice(w, -1));
+        if (is_curved(w)) continue;
+        for (const double way : {-0.1, -0.01, 0.01, 0.1})
+            CHECK(linear_log_odds(with_voice(w, way)) - linear_log_odds(usual_evidence()) ==
+                  Approx(way * std::abs(trust_weights[w])).margin(1e-6));
     }
-    CHECK(heard >= 5);
 }
 
-TEST_CASE("witnesses add up: two of them say what both say, in logarithms of the odds") {
-    const auto log_odds = [](const Evidence& evidence) {
-        const double p = probability_right(evidence);
-        return std::log(p / (1 - p));
+TEST_CASE("whatever the evidence, a probability lies within 0 and 1") {
+    for (std::size_t w = 0; w < witness_count; ++w)
+        for (const double way : {-100.0, -4.0, 4.0, 100.0}) {
+            INFO(to_string(static_cast<Witness>(w)));
+            const double probability = probability_right(with_voice(w, way));
+            CHECK(probability >= 0);
+            CHECK(probability <= 1);
+        }
+}
+
+TEST_CASE("the square of a proportion is heard alike either way, up to a bound") {
+    const auto at = [](Witness witness, double value) {
+        Evidence evidence = usual_evidence();
+        evidence[witness] = value;
+        return linear_log_odds(evidence);
     };
+    for (std::size_t c = 0; c < curved_witnesses.size(); ++c) {
+        const Witness witness = curved_witnesses[c];
+        INFO(to_string(witness));
+        const double bend = at(witness, 0.5) + at(witness, -0.5) - 2 * at(witness, 0);
+        CHECK(bend == Approx(2 * 0.25 * trust_square_weights[c]).margin(1e-6));
+        const double slope = trust_weights[static_cast<std::size_t>(witness)];
+        CHECK(at(witness, 2.5) - at(witness, 2) == Approx(0.5 * slope).margin(1e-6));
+    }
+}
+
+TEST_CASE("beside the trees witnesses add up: two of them say what both say, in logarithms of the odds") {
     Evidence both = usual_evidence();
     const auto a = static_cast<std::size_t>(Witness::distortion), b = static_cast<std::size_t>(Witness::doubt);
     both.values[a] += 0.3;
@@ -75,7 +132,8 @@ TEST_CASE("witnesses add up: two of them say what both say, in logarithms of the
     Evidence one = usual_evidence(), other = usual_evidence();
     one.values[a] += 0.3;
     other.values[b] += 0.2;
-    CHECK(log_odds(both) - log_odds(one) == Approx(log_odds(other) - log_odds(usual_evidence())).margin(1e-9));
+    CHECK(linear_log_odds(both) - linear_log_odds(one) ==
+          Approx(linear_log_odds(other) - linear_log_odds(usual_evidence())).margin(1e-9));
 }
 
 TEST_CASE("what is refused is no guess that would end the search") {

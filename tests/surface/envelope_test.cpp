@@ -108,11 +108,10 @@ TEST_CASE("an envelope has no more faces than wanted, about, and is as large as 
     const auto many = winding_envelope(ball, options);
     REQUIRE(many.faces.rows() > 20'000);
     options.most_faces = 4000;
-    for (const auto& few : {winding_envelope(ball, options), rolling_envelope(ball, options)}) {
-        CHECK(few.faces.rows() < 5000);
-        CHECK(few.faces.rows() > 3000);
-        CHECK(enclosed_volume(few) == Approx(enclosed_volume(many)).epsilon(0.03));
-    }
+    const auto few = winding_envelope(ball, options);
+    CHECK(few.faces.rows() < 5000);
+    CHECK(few.faces.rows() > 3000);
+    CHECK(enclosed_volume(few) == Approx(enclosed_volume(many)).epsilon(0.03));
 }
 
 TEST_CASE("the band has the distances near the surface") {
@@ -153,12 +152,11 @@ TEST_CASE("whatever nodes are inside, the surface around them is closed and mani
 TEMPLATE_TEST_CASE("the envelope of a ball is the ball", "[slow]", float, double) {
     const Mesh exact = sphere(3, 4);
     const TriangleMesh<TestType> ball{exact.vertices.cast<TestType>(), exact.faces};
-    for (const auto& envelope : {winding_envelope(ball, with_cells(60)), rolling_envelope(ball, with_cells(60))}) {
-        CHECK(is_closed(envelope.faces));
-        CHECK(euler_characteristic(envelope.faces) == 2);
-        CHECK(enclosed_volume(envelope) == Approx(enclosed_volume(ball)).epsilon(0.01));
-        CHECK(surface_area(envelope) == Approx(surface_area(ball)).epsilon(0.01));
-    }
+    const auto envelope = winding_envelope(ball, with_cells(60));
+    CHECK(is_closed(envelope.faces));
+    CHECK(euler_characteristic(envelope.faces) == 2);
+    CHECK(enclosed_volume(envelope) == Approx(enclosed_volume(ball)).epsilon(0.01));
+    CHECK(surface_area(envelope) == Approx(surface_area(ball)).epsilon(0.01));
 }
 
 TEST_CASE("overlapping boxes become one with the volume of their union", "[slow]") {
@@ -171,11 +169,10 @@ TEST_CASE("overlapping boxes become one with the volume of their union", "[slow]
     const Vec3 shared = high.cwiseMin(second_high) - low.cwiseMax(second_low);
     REQUIRE(shared.minCoeff() > 0.1);
     const double expected = volume(2, 1, 1) + volume(1, 1, 3) - volume(shared[0], shared[1], shared[2]);
-    for (const auto& envelope : {winding_envelope(both, with_cells(100)), rolling_envelope(both, with_cells(100))}) {
-        CHECK(is_closed_manifold(envelope));
-        CHECK(manifold_parts(envelope).size() == 1);
-        CHECK(enclosed_volume(envelope) == Approx(expected).epsilon(0.02));
-    }
+    const Mesh envelope = winding_envelope(both, with_cells(100));
+    CHECK(is_closed_manifold(envelope));
+    CHECK(manifold_parts(envelope).size() == 1);
+    CHECK(enclosed_volume(envelope) == Approx(expected).epsilon(0.02));
 }
 
 TEST_CASE("an envelope closes holes", "[slow]") {
@@ -190,13 +187,6 @@ TEST_CASE("a narrow gap stays open to the winding number", "[slow]") {
     const double gap = 0.04; // three cells
     const Mesh both = side_by_side(cube(2), moved_by(cube(2), Vec3(1 + gap, 0, 0)));
     CHECK(manifold_parts(winding_envelope(both, with_cells(150))).size() == 2);
-    CHECK(manifold_parts(rolling_envelope(both, with_cells(150))).size() == 1); // narrower than the ball
-}
-
-TEST_CASE("a rolled envelope needs no orientation", "[slow]") {
-    Mesh ball = sphere(1, 4);
-    for (Eigen::Index f = 0; f < ball.faces.rows(); f += 2) std::swap(ball.faces(f, 0), ball.faces(f, 1));
-    CHECK(enclosed_volume(rolling_envelope(ball, with_cells(60))) == Approx(4 * pi / 3).epsilon(0.02));
 }
 
 TEST_CASE("what encloses nothing has no envelope") {
@@ -206,7 +196,6 @@ TEST_CASE("what encloses nothing has no envelope") {
 
 TEST_CASE("options of envelopes have ranges") {
     REQUIRE_THROWS_AS(winding_envelope(cube(), with_cells(5)), Error);
-    REQUIRE_THROWS_AS(rolling_envelope(cube(), with_cells(1e6)), Error);
     EnvelopeOptions no_faces;
     no_faces.most_faces = 0;
     REQUIRE_THROWS_AS(winding_envelope(cube(), no_faces), Error);

@@ -34,8 +34,19 @@ class BatchResult:
             return "ok"
         return "no_skeleton" if isinstance(self.error, NoSkeletonError) else "bad_input"
 
-    def row(self) -> dict[str, Any]:
-        """Flat, for pandas: the file, how it went, and x, y, z and confidence of each joint."""
+    def row(self, *, measures: bool = False) -> dict[str, Any]:
+        """Flat, for pandas, with the columns of `skelgen batch --csv`.
+
+        Args:
+            measures: whether the body is measured, too, beside the file, how it went, and x, y, z and confidence of
+                each joint.
+
+        Raises:
+            ValueError: measures are wanted, and the skeleton's template is not human21.
+
+        >>> [result.row()["status"] for result in skelgen.batch("body.off")]
+        ['ok']
+        """
         out: dict[str, Any] = {
             "file": str(self.file),
             "status": self.status,
@@ -48,6 +59,8 @@ class BatchResult:
                 for axis, value in zip("xyz", self.extraction.positions[j].tolist(), strict=True):
                     out[f"{name}_{axis}"] = value
                 out[f"{name}_confidence"] = float(self.extraction.confidence[j])
+            if measures:
+                out |= self.extraction.measure().row()
         return out
 
 

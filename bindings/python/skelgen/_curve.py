@@ -31,7 +31,11 @@ class Curve:
         self.regions = regions
 
     def to_dict(self) -> dict[str, Any]:
-        """The curve's file: {"format": "skelgen-curve", ...}."""
+        """The curve's file, as `skelgen curve` writes it.
+
+        >>> skelgen.curve("body.off").to_dict()["format"]
+        'skelgen-curve'
+        """
         return dict(json.loads(_core.curve_to_json(self._arrays())))
 
     def save(self, path: PathLike) -> None:
@@ -40,11 +44,21 @@ class Curve:
         Raises:
             ValueError: the name ends in none of these.
             OSError: it cannot be stored.
+
+        >>> skelgen.curve("body.off").save("curve.swc")
         """
         _core.write_curve(Path(path), self._arrays())
 
     def to_networkx(self) -> nx.Graph[int]:
-        """The graph, for networkx: nodes have `position`, `radius` and `region`, edges their `length`."""
+        """The graph, for networkx: nodes have `position`, `radius` and `region`, edges their `length`.
+
+        Raises:
+            ImportError: networkx is not installed.
+
+        >>> graph = skelgen.curve("body.off").to_networkx()
+        >>> sum(degree == 1 for _, degree in graph.degree())
+        5
+        """
         import networkx as nx  # noqa: PLC0415
 
         graph: nx.Graph[int] = nx.Graph()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 
@@ -21,6 +22,11 @@ class NoSkeletonError(Exception):
         super().__init__(message)
         self.code = code
         self.trail = [] if trail is None else trail
+
+    @classmethod
+    def _of(cls, message: str, code: str, trail: str) -> NoSkeletonError:
+        """From the text of a trail's file."""
+        return cls(message, code, json.loads(trail)["tried"])
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickled with all that it says."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from ._mesh import FloatArray, IntArray, Mesh, MeshLike, PathLike, as_mesh, is_p
 from ._skeleton import Skeleton, _fixed, read_skeleton
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Iterator
 
     import numpy.typing as npt
 
@@ -32,14 +32,14 @@ class Extraction(Skeleton):
         geodesic_diameter: the largest distance along the surface.
     """
 
-    def __init__(self, mesh: Mesh, template: str, component: int, threads: int) -> None:
+    def __init__(self, mesh: Mesh, template: str, fingers: str, component: int, threads: int) -> None:
         self._mesh = mesh
-        self._options = (template, component, threads)
+        self._options = (template, fingers, component, threads)
         self._found: _core.FoundBody | None = None
         self._curve: Curve | None = None
         self._skeleton_text = self._body.skeleton_json
         super().__init__(self._skeleton_text)
-        self.trail: list[dict[str, Any]] = self._body.trail
+        self.trail: list[dict[str, Any]] = json.loads(self._body.trail_json)["tried"]
 
     @property
     def vertices(self) -> FloatArray:
@@ -113,28 +113,36 @@ class Extraction(Skeleton):
             origin: "crotch" (in the joint) or "floor" (below it, as low as the lowest vertex).
             scale: whether it becomes 1 high when it stands upright.
 
+        Raises:
+            ValueError: there is no such origin.
+
         >>> skelgen.extract("body.off").align(origin="floor").matrix.shape
         (4, 4)
         """
         matrix, vertices = _core.align(self._body, origin, scale)
         return Aligned(self._mesh, vertices, matrix)
 
-    def rig(self, rest: str = "as-is") -> Rig:
+    def rig(self, rest: str = "as-is", *, fingers: str = "auto") -> Rig:
         """Bind the mesh to its skeleton: a character that moves.
+
+        Where `component` chose one of several bodies, that one alone.
 
         Args:
             rest: "as-is", "t-pose" or "a-pose". VRM wants the T-pose.
+            fingers: bones of the fingers: "auto" (where the surface shows some), "on" or "off".
 
         Raises:
-            ValueError: there is no such pose.
+            ValueError: there is no such pose, or an option has another value.
             NoSkeletonError: the skeleton does not lie in the body.
 
         >>> skelgen.extract("body.off").rig(rest="t-pose").save("body.glb")
         """
-        return Rig(self, rest)
+        return Rig(self, rest, fingers)
 
     def pose(self, like: MeshLike) -> Posed:
         """Hold the body as another one holds itself, whatever the shape, proportions and unit of both.
+
+        Where `component` chose one of several bodies, that one alone comes back.
 
         Args:
             like: an `Extraction`, a `Skeleton`, a skeleton's file, or the mesh of another body.
@@ -149,10 +157,10 @@ class Extraction(Skeleton):
         if is_path(like) and Path(like).suffix == ".json":
             like = read_skeleton(like)
         if isinstance(like, Skeleton) and not isinstance(like, Extraction):
-            vertices, text = _core.pose_as(self._body, json.dumps(like.to_dict()))
+            posed = _core.pose_as(self._body, json.dumps(like.to_dict()))
         else:
-            vertices, text = _core.pose_like(self._body, _found(like)._body)  # noqa: SLF001
-        return Posed(self._mesh, vertices, Skeleton(text))
+            posed = _core.pose_like(self._body, _found(like)._body)  # noqa: SLF001
+        return Posed(self._mesh, *posed)
 
     def correspond(self, to: MeshLike) -> Correspondence:
         """Find for each vertex of this body the same place on another one.
@@ -160,11 +168,15 @@ class Extraction(Skeleton):
         Args:
             to: an `Extraction`, which is reused, or the mesh of another body.
 
+        Raises:
+            ValueError, NoSkeletonError: as `extract`, of the other mesh.
+
         >>> body = skelgen.extract("body.off")
         >>> float((body.correspond(body).vertex_to_vertex == range(6890)).mean()) > 0.9
         True
         """
-        return Correspondence(json.loads(_core.correspond(self._body, _found(to)._body)))  # noqa: SLF001
+        other = _found(to)
+        return Correspondence(json.loads(_core.correspond(self._body, other._body)), other.faces)  # noqa: SLF001
 
     def _shown_vertices(self) -> FloatArray:
         return self.vertices
@@ -198,6 +210,9 @@ class Segmentation:
 
         Raises:
             KeyError: there is no such part.
+
+        >>> int(skelgen.segment("body.off").mask("left_hand").sum()) > 100
+        True
         """
         if part not in self.parts:
             raise KeyError(part)
@@ -210,7 +225,11 @@ class Segmentation:
         return _core.part_colours(list(self.parts))[self.vertex_part]
 
     def to_dict(self) -> dict[str, Any]:
-        """The segmentation's file, as `skelgen segment` writes it."""
+        """The segmentation's file, as `skelgen segment` writes it.
+
+        >>> skelgen.segment("body.off").to_dict()["format"]
+        'skelgen-segmentation'
+        """
         return dict(json.loads(json.dumps(self._document)))
 
     def save(self, path: PathLike) -> None:
@@ -219,6 +238,8 @@ class Segmentation:
         Raises:
             ValueError: the name ends in none of these.
             OSError: it cannot be stored.
+
+        >>> skelgen.segment("body.off").save("parts.ply")
         """
         suffix = Path(path).suffix
         if suffix == ".ply":
@@ -241,6 +262,9 @@ class Measurements:
         volume: enclosed by it.
         lengths: of bones, by name.
         girths: around the body as a tape lies, by name; None where no section shows it.
+        girth_places: the plane of each girth, by its name: a place on it and its normal, (2, 3), in the mesh's
+            coordinates; None likewise.
+        unit: "m", "cm" or "mm", in which the body is as high as people are; None where it is so in none.
     """
 
     def __init__(self, document: dict[str, Any]) -> None:
@@ -252,13 +276,26 @@ class Measurements:
         self.volume: float = body["volume"]
         self.lengths: dict[str, float] = dict(body["lengths"])
         self.girths: dict[str, float | None] = dict(body["girths"])
+        self.girth_places: dict[str, FloatArray | None] = {
+            name: None if plane is None else _fixed(np.array([plane["place"], plane["normal"]], float))
+            for name, plane in body["girth_places"].items()
+        }
+        self.unit: str | None = body["unit"]["name"] if body["unit"] else None
 
     def to_dict(self) -> dict[str, Any]:
-        """The measures' file, as `skelgen measure` writes it."""
+        """The measures' file, as `skelgen measure` writes it.
+
+        >>> skelgen.measure("body.off").to_dict()["format"]
+        'skelgen-measurements'
+        """
         return dict(json.loads(json.dumps(self._document)))
 
-    def row(self) -> dict[str, float | None]:
-        """All of it, flat, as in the columns of `skelgen measure --csv`: a row for pandas."""
+    def row(self) -> dict[str, float | str | None]:
+        """All of it, flat, as in the columns of `skelgen measure --csv`: a row for pandas.
+
+        >>> round(skelgen.measure("body.off").row()["length_left_calf"], 2)
+        0.41
+        """
         return {
             "height": self.height,
             "arm_span": self.arm_span,
@@ -266,6 +303,7 @@ class Measurements:
             "volume": self.volume,
             **{f"length_{name}": value for name, value in self.lengths.items()},
             **{f"girth_{name}": value for name, value in self.girths.items()},
+            "unit": self.unit,
         }
 
     def save(self, path: PathLike) -> None:
@@ -274,6 +312,8 @@ class Measurements:
         Raises:
             ValueError: the name ends otherwise.
             OSError: it cannot be stored.
+
+        >>> skelgen.measure("body.off").save("measures.json")
         """
         _save_json(path, self._document)
 
@@ -281,14 +321,15 @@ class Measurements:
         return f"Measurements(height {self.height:.4g}, arm_span {self.arm_span:.4g}, {len(self.girths)} girths)"
 
 
-class _Moved(Mesh):
-    """The mesh of a body, its vertices elsewhere."""
+def _own(mesh: Mesh, sources: tuple[IntArray, IntArray]) -> tuple[IntArray, IntArray]:
+    """The numbers of the vertices of the mesh that there are, and faces between these, of those that are a body's."""
+    vertices, faces = sources
+    if len(vertices) == 0:
+        return np.arange(len(mesh.vertices), dtype=np.int32), mesh.faces
+    return vertices, np.searchsorted(vertices, mesh.faces[faces]).astype(np.int32)
 
-    def __init__(self, mesh: Mesh, vertices: FloatArray) -> None:
-        super().__init__(vertices, mesh.faces, mesh.name)
 
-
-class Aligned(_Moved):
+class Aligned(Mesh):
     """A body turned to +y up, facing +z.
 
     Attributes:
@@ -296,24 +337,33 @@ class Aligned(_Moved):
     """
 
     def __init__(self, mesh: Mesh, vertices: FloatArray, matrix: FloatArray) -> None:
-        super().__init__(mesh, vertices)
+        super().__init__(vertices, mesh.faces, mesh.name)
         self.matrix = matrix
 
     def to_dict(self) -> dict[str, Any]:
-        """The transform's file, as `skelgen align` writes it."""
+        """The transform's file, as `skelgen align` writes it.
+
+        >>> skelgen.align("body.off").to_dict()["format"]
+        'skelgen-transform'
+        """
         return dict(json.loads(_core.transform_to_json(self.matrix)))
 
 
-class Posed(_Moved):
+class Posed(Mesh):
     """A body in another pose.
 
     Attributes:
         skeleton: where its joints went.
+        source_vertices: (n,) which of the mesh's vertices each one is: all, but where one of several bodies was chosen.
     """
 
-    def __init__(self, mesh: Mesh, vertices: FloatArray, skeleton: Skeleton) -> None:
-        super().__init__(mesh, vertices)
-        self.skeleton = skeleton
+    def __init__(
+        self, mesh: Mesh, vertices: FloatArray, turns: FloatArray, sources: tuple[IntArray, IntArray], skeleton: str
+    ) -> None:
+        self.source_vertices, faces = _own(mesh, sources)
+        super().__init__(vertices, faces, mesh.name)
+        self._scene, self._sources, self._turns = mesh._scene, sources, turns  # noqa: SLF001
+        self.skeleton = Skeleton(skeleton)
 
 
 class Rig:
@@ -329,14 +379,18 @@ class Rig:
         positions: (j, 3) of the joints in the rest pose.
         joints: (n, 4) the joints that move each vertex, the strongest first.
         weights: (n, 4) by how much; rows sum to 1.
+        source_vertices: (n,) which of the mesh's vertices each one is: all, but where one of several bodies was chosen.
     """
 
-    def __init__(self, extraction: Extraction, rest: str = "as-is", clips: tuple[Path, ...] = ()) -> None:
+    def __init__(
+        self, extraction: Extraction, rest: str = "as-is", fingers: str = "auto", clips: tuple[Path, ...] = ()
+    ) -> None:
         self.extraction = extraction
         self.rest = rest
+        self._fingers = fingers
         self._clips = clips
-        looks = extraction._mesh.path  # noqa: SLF001
-        self._character = _core.make_rig(extraction._body, rest, looks)  # noqa: SLF001
+        scene = extraction._mesh._scene  # noqa: SLF001
+        self._character = _core.make_rig(extraction._body, rest, fingers, scene)  # noqa: SLF001
         for clip in clips:
             self._character = _core.animated(self._character, clip)
         self.vertices: FloatArray = self._character.vertices
@@ -346,6 +400,7 @@ class Rig:
         self.positions: FloatArray = self._character.positions
         self.joints: IntArray = self._character.joints
         self.weights: FloatArray = self._character.weights
+        self.source_vertices, _ = _own(extraction._mesh, self._character.sources)  # noqa: SLF001
 
     @property
     def metres_per_unit(self) -> float:
@@ -358,7 +413,7 @@ class Rig:
         return tuple(self._character.animations)
 
     def animate(self, clip: PathLike) -> Rig:
-        """The same character with one more motion: that of a BVH file's skeleton.
+        """The same character with one more motion, that of a BVH file's skeleton, and without bones of the fingers.
 
         Raises:
             FileNotFoundError: there is no such file.
@@ -372,7 +427,7 @@ class Rig:
         if not file.exists():
             message = f"{file}: there is no such file"
             raise FileNotFoundError(message)
-        return Rig(self.extraction, self.rest, (*self._clips, file))
+        return Rig(self.extraction, self.rest, "off", (*self._clips, file))
 
     def save(self, path: PathLike, names: str = "skelgen") -> None:
         """Write .glb, .vrm or .bvh, wholly or not at all; what moves only as .glb.
@@ -385,12 +440,14 @@ class Rig:
             ValueError: there are no such names, the file's name ends in none of these, or the rest pose is not what
                 VRM wants.
             OSError: it cannot be stored.
+
+        >>> skelgen.rig("body.off").save("body.glb", names="mixamo")
         """
         _core.write_character(self._character, Path(path), names)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickled as what it was made of."""
-        return type(self), (self.extraction, self.rest, self._clips)
+        return type(self), (self.extraction, self.rest, self._fingers, self._clips)
 
     def __repr__(self) -> str:
         moving = f", moving: {', '.join(self.animations)}" if self.animations else ""
@@ -402,36 +459,53 @@ class Correspondence:
 
     Attributes:
         vertex_to_vertex: (n,) for each vertex of the first one a vertex of the second.
+        vertex_to_face: (n,) and a face of the second that its place is on,
+        corners: (n, 3) the vertices of that face,
+        weights: (n, 3) and by how much each of them counts, 1 in all: the place is their mean.
         confidence: (n,) how sure, 0 to 1.
         landmarks: places that stand out, by the part that they are on: a vertex of each body.
     """
 
-    def __init__(self, document: dict[str, Any]) -> None:
+    def __init__(self, document: dict[str, Any], faces: IntArray) -> None:
         self._document = document
         self.vertex_to_vertex: IntArray = _fixed(np.array(document["vertex_to_vertex"], np.int32))
+        self.vertex_to_face: IntArray = _fixed(np.array(document["vertex_to_face"], np.int32))
+        self.corners: IntArray = _fixed(faces[self.vertex_to_face])
+        self.weights: FloatArray = _fixed(np.array(document["face_weights"], float))
         self.confidence: FloatArray = _fixed(np.array(document["confidence"], float))
         self.landmarks: dict[str, tuple[int, int]] = {
             mark["name"]: (mark["from"], mark["to"]) for mark in document["landmarks"]
         }
 
-    def transfer(self, values: npt.ArrayLike) -> npt.NDArray[Any]:
+    def transfer(self, values: npt.ArrayLike, *, smooth: bool = False) -> npt.NDArray[Any]:
         """What the second body has at each of its vertices (colours, texture coordinates, ...), for the first one's.
 
         Args:
             values: (vertices of the second body, ...).
+            smooth: whether values are mixed between vertices, or each is one of those given.
 
         Raises:
             ValueError: there are not as many values as vertices.
+
+        >>> body = skelgen.extract("body.off")
+        >>> body.correspond(body).transfer(body.vertices, smooth=True).shape
+        (6890, 3)
         """
         array = np.asarray(values)
         if array.ndim == 0 or len(array) != self._document["to"]["vertices"]:
             message = f"values: an array of shape {array.shape}; there are {self._document['to']['vertices']} vertices"
             raise ValueError(message)
         carried: npt.NDArray[Any] = array[self.vertex_to_vertex]
+        if smooth:
+            carried = np.einsum("nc,nc...->n...", self.weights, array[self.corners])
         return carried
 
     def to_dict(self) -> dict[str, Any]:
-        """The correspondence's file, as `skelgen correspond --confidence` writes it."""
+        """The correspondence's file, as `skelgen correspond --confidence --places` writes it.
+
+        >>> skelgen.correspond("body.off", "body.off").to_dict()["format"]
+        'skelgen-correspondence'
+        """
         return dict(json.loads(json.dumps(self._document)))
 
     def save(self, path: PathLike) -> None:
@@ -440,6 +514,8 @@ class Correspondence:
         Raises:
             ValueError: the name ends otherwise.
             OSError: it cannot be stored.
+
+        >>> skelgen.correspond("body.off", "body.off").save("map.json")
         """
         _save_json(path, self._document)
 
@@ -452,6 +528,7 @@ def extract(  # noqa: PLR0913
     faces: npt.ArrayLike | None = None,
     *,
     template: str = "human21",
+    fingers: str = "off",
     component: int = 0,
     threads: int = 1,
     name: str | None = None,
@@ -462,7 +539,8 @@ def extract(  # noqa: PLR0913
         mesh: vertices (n, 3), an object that has vertices and faces (trimesh, Open3D, PyVista, meshio), or a path.
             C-contiguous float64 is read where it is; other numbers are converted.
         faces: (m, 3) vertex indices, where `mesh` has none. int32 is read where it is.
-        template: a built-in template's name, or a template's file.
+        template: a built-in template's name, or a template's file; "human51" is human21 with fingers.
+        fingers: joints of the fingers: "off", "on" or "auto" (where the surface shows some).
         component: which of several bodies that stand apart, 1 for the largest; 0: there must be one alone.
         threads: that work on it; the result does not depend on their number.
         name: what results call the mesh; by default its file's name, or "mesh".
@@ -474,11 +552,11 @@ def extract(  # noqa: PLR0913
 
     >>> body = skelgen.extract("body.off")
     >>> body
-    Extraction('body.off', human21: 21 joints, sides_confidence 1.00)
+    Extraction('body.off', human21: 21 joints, sides_confidence 0.92)
     >>> body.positions.shape, body.names[:2]
     ((21, 3), ('crotch', 'waist'))
     """
-    return Extraction(as_mesh(mesh, faces, name=name), template, component, threads)
+    return Extraction(as_mesh(mesh, faces, name=name), template, fingers, component, threads)
 
 
 def _found(mesh: MeshLike, faces: npt.ArrayLike | None = None, **options: Any) -> Extraction:  # noqa: ANN401
@@ -513,9 +591,16 @@ def align(
     return _found(mesh, faces, **options).align(origin, scale=scale)
 
 
-def rig(mesh: MeshLike, faces: npt.ArrayLike | None = None, *, rest: str = "as-is", **options: Any) -> Rig:  # noqa: ANN401
-    """`extract` and `Extraction.rig`; options as `extract` has them."""
-    return _found(mesh, faces, **options).rig(rest)
+def rig(
+    mesh: MeshLike,
+    faces: npt.ArrayLike | None = None,
+    *,
+    rest: str = "as-is",
+    fingers: str = "auto",
+    **options: Any,  # noqa: ANN401
+) -> Rig:
+    """`extract` and `Extraction.rig`; options as `extract` has them, but `fingers`."""
+    return _found(mesh, faces, **options).rig(rest, fingers=fingers)
 
 
 def pose(mesh: MeshLike, faces: npt.ArrayLike | None = None, *, like: MeshLike, **options: Any) -> Posed:  # noqa: ANN401
@@ -523,7 +608,11 @@ def pose(mesh: MeshLike, faces: npt.ArrayLike | None = None, *, like: MeshLike, 
     return _found(mesh, faces, **options).pose(like)
 
 
-def correspond(template: MeshLike, bodies: MeshLike | Iterable[MeshLike]) -> Correspondence | Iterator[Correspondence]:
+@overload
+def correspond(template: MeshLike, bodies: list[Any] | Iterator[Any]) -> Iterator[Correspondence]: ...
+@overload
+def correspond(template: MeshLike, bodies: MeshLike) -> Correspondence: ...
+def correspond(template: MeshLike, bodies: MeshLike) -> Correspondence | Iterator[Correspondence]:
     """For each vertex of one body the same place on another one, or on each of many.
 
     Args:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import os
 import time
 from pathlib import Path
@@ -32,6 +33,9 @@ class Mesh:
         faces: (m, 3) int32, counter-clockwise seen from outside.
         name: what results call it: the file's name, or "mesh".
         path: the file, where it was read from one.
+
+    >>> skelgen.Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    Mesh('mesh': 4 vertices, 4 faces)
     """
 
     def __init__(self, vertices: npt.ArrayLike, faces: npt.ArrayLike, name: str = "mesh") -> None:
@@ -40,15 +44,21 @@ class Mesh:
         self.name = name
         self.path: Path | None = None
         self._read_ms = 0.0
+        # Whose looks are kept in files: file, animation, time; what of that scene this is; how it has turned.
+        self._scene: tuple[Path, str, float] | None = None
+        self._sources = (np.empty(0, np.int32), np.empty(0, np.int32))
+        self._turns: FloatArray | None = None
 
     def save(self, path: PathLike) -> None:
-        """Write .off, .obj, .ply, .stl or .glb, wholly or not at all.
+        """Write .off, .obj, .ply, .stl or .glb, wholly or not at all; .glb with the materials of its file, if any.
 
         Raises:
             ValueError: the name ends in none of these, or the arrays are no mesh.
             OSError: it cannot be stored.
+
+        >>> skelgen.read("body.off").save("copy.ply")
         """
-        _core.write(Path(path), self.vertices, self.faces)
+        _core.write(Path(path), self.vertices, self.faces, self._scene, self._sources, self._turns)
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.name!r}: {len(self.vertices)} vertices, {len(self.faces)} faces)"
@@ -73,9 +83,10 @@ def read(path: PathLike, *, animation: str = "", time: float = 0) -> Mesh:
     """
     file = _existing(path)
     start = _milliseconds()
-    vertices, faces = _core.read(file, animation, time)
+    vertices, faces = _core.read((file, animation, time))
     mesh = Mesh(vertices, faces, file.name)
     mesh.path = file
+    mesh._scene = (file.absolute(), animation, time)  # noqa: SLF001
     mesh._read_ms = _milliseconds() - start  # noqa: SLF001
     return mesh
 
@@ -103,8 +114,7 @@ def as_mesh(mesh: MeshLike, faces: npt.ArrayLike | None = None, *, name: str | N
     elif isinstance(mesh, Mesh):
         out = mesh
         if name is not None and name != mesh.name:
-            out = Mesh(mesh.vertices, mesh.faces)
-            out.path, out._read_ms = mesh.path, mesh._read_ms  # noqa: SLF001
+            out = copy.copy(mesh)
     elif isinstance(mesh, tuple) and len(mesh) == 2:  # noqa: PLR2004
         out = Mesh(*mesh)
     else:

@@ -65,7 +65,7 @@ class Skeleton:
 
     >>> skeleton = skelgen.read_skeleton("body.json")
     >>> skeleton
-    Skeleton(human21: 21 joints, sides_confidence 1.00)
+    Skeleton(human21: 21 joints, sides_confidence 0.92)
     >>> skeleton["left_knee"].shape
     (3,)
     """
@@ -103,11 +103,18 @@ class Skeleton:
 
         Raises:
             ValueError: it is none; the message says which part is missing or malformed.
+
+        >>> skelgen.Skeleton.from_dict(skelgen.extract("body.off").to_dict()).template
+        'human21'
         """
         return Skeleton(_core.skeleton_json(json.dumps(document)))
 
     def to_dict(self) -> dict[str, Any]:
-        """What the skeleton's file holds, as `skelgen extract` writes it."""
+        """What the skeleton's file holds, as `skelgen extract` writes it.
+
+        >>> skelgen.read_skeleton("body.json").to_dict()["joints"][0]["name"]
+        'crotch'
+        """
         return copy.deepcopy(self._document)
 
     def save(self, path: PathLike) -> None:
@@ -115,6 +122,8 @@ class Skeleton:
 
         Raises:
             OSError: it cannot be stored.
+
+        >>> skelgen.extract("body.off").save("body.json")
         """
         _core.write_text(Path(path), _core.skeleton_json(json.dumps(self._document)))
 

@@ -1,56 +1,50 @@
 #include "found_body.hpp"
 
+#include <utility>
+
 #include <skelgen/core/parallel.hpp>
 #include <skelgen/io/template_json.hpp>
+#include <skelgen/io/trail_json.hpp>
 
 namespace skelgen::python {
 namespace {
 
-Extraction<double> found_in(const Vertices& vertices, const Faces& faces, const SkeletonTemplate& wanted,
+Extraction<double> found_in(const TriangleMesh<double>& mesh, const SkeletonTemplate& wanted,
                             const FindOptions& options) {
     ExtractOptions how;
     how.skeleton_template = wanted;
     how.prepare.component = options.component;
     how.threads = options.threads;
     how.with_curve = options.with_curve;
-    const LentMesh mesh(vertices, faces);
-    return extract_in(*mesh, how);
-}
-
-/// What was tried, with the keys of trail files.
-nb::list listed(const Trail& trail) {
-    nb::list out;
-    for (const search::Tried& tried : trail) {
-        const search::Hypothesis& what = tried.hypothesis;
-        nb::dict entry;
-        entry["surface"] = std::string(search::to_string(what.surface));
-        entry["opened"] = std::string(search::to_string(what.opening));
-        entry["cuts"] = what.cuts;
-        entry["held"] = std::string(search::to_string(what.held));
-        entry["lacking"] = tried.lacks_limb;
-        entry["curve"] = std::string(search::to_string(what.effort));
-        entry["outcome"] = tried.candidates > 0 ? std::string("found") : std::string(to_string(tried.refusal));
-        entry["probability"] = tried.probability;
-        entry["seconds"] = tried.seconds;
-        out.append(entry);
-    }
-    return out;
+    return extract_in(mesh, how);
 }
 
 } // namespace
 
 FoundBody::FoundBody(const Vertices& vertices, const Faces& faces, const FindOptions& options)
-    : vertices_(vertices), faces_(faces), template_(io::load_template(options.skeleton_template)),
-      found_(found_in(vertices, faces, template_, options)), source_{options.name,
-                                                                     static_cast<std::int64_t>(vertices.shape(0)),
-                                                                     static_cast<std::int64_t>(faces.shape(0)),
-                                                                     found_.geodesic_diameter},
-      read_ms_(options.read_ms) {}
+    : vertices_(vertices), faces_(faces), read_ms_(options.read_ms), component_(options.component) {
+    const auto [named, fingers] = cli::template_and_fingers(options.skeleton_template, options.fingers);
+    template_ = io::load_template(named);
+    const LentMesh mesh(vertices, faces);
+    found_ = found_in(*mesh, template_, options);
+    const core::ThreadScope threads(options.threads);
+    shown_ = cli::with_fingers(*mesh, found_, fingers);
+    source_ = {options.name, (*mesh).vertices.rows(), (*mesh).faces.rows(), found_.geodesic_diameter};
+}
 
 std::string FoundBody::skeleton_json() const {
     io::FileTimings timings{read_ms_, found_.timings};
     timings.stages.total += read_ms_;
-    return skeleton_to_json(skeleton(), {source_, timings});
+    return skeleton_to_json(shown_.skeleton, {source_, timings, shown_.fused});
+}
+
+std::string FoundBody::trail_json() const { return io::trail_to_json(found_.trail); }
+
+std::optional<cli::FittedFile> FoundBody::own_part() const {
+    if (component_ == 0) return std::nullopt;
+    cli::FittedFile all{found_, source_};
+    all.found.mesh = *LentMesh(vertices_, faces_);
+    return cli::with_own_part(std::move(all));
 }
 
 const applications::ComparableBody<double>& FoundBody::comparable() const {
@@ -61,13 +55,12 @@ const applications::ComparableBody<double>& FoundBody::comparable() const {
     return *comparable_;
 }
 
-nb::list trail_of(const FoundBody& body) { return listed(body.trail()); }
-
 nb::object no_skeleton_error(const Error& error) {
     const auto* refused = dynamic_cast<const NoSkeleton*>(&error); // others: a skeleton that does not lie in its body
     const std::string code(error.refusal() == Refusal::none ? "no_skeleton" : to_string(error.refusal()));
     return nb::module_::import_("skelgen._errors")
-        .attr("NoSkeletonError")(error.what(), code, refused ? listed(refused->trail()) : nb::list());
+        .attr("NoSkeletonError")
+        .attr("_of")(error.what(), code.c_str(), io::trail_to_json(refused ? refused->trail() : Trail{}).c_str());
 }
 
 } // namespace skelgen::python

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include <skelgen/applications/correspondence.hpp>
@@ -9,14 +10,17 @@
 #include <skelgen/extract.hpp>
 #include <skelgen/io/skeleton_json.hpp>
 
+#include <extract_file.hpp>
+
 #include "lent_mesh.hpp"
 
 namespace skelgen::python {
 
 /// What Python's `extract` takes.
 struct FindOptions {
-    std::string name; ///< of the mesh, in the files of results
-    std::string skeleton_template = "human21";
+    std::string name;                          ///< of the mesh, in the files of results
+    std::string skeleton_template = "human21"; ///< or human51: with fingers
+    std::string fingers = "off";               ///< or "on", "auto"
     int component = 0;
     int threads = 1;
     bool with_curve = false;
@@ -32,15 +36,20 @@ public:
 
     [[nodiscard]] const Vertices& vertices() const { return vertices_; }
     [[nodiscard]] const Faces& faces() const { return faces_; }
+    [[nodiscard]] const Extraction<double>& found() const { return found_; }
+    /// Without fingers: what everything else is made with.
     [[nodiscard]] const KinematicSkeleton<double>& skeleton() const { return found_.skeleton; }
     [[nodiscard]] const SkeletonTemplate& skeleton_template() const { return template_; }
     [[nodiscard]] const Body<double>& body() const { return found_.body; }
     /// Empty unless `FindOptions::with_curve`.
     [[nodiscard]] const CurveSkeleton<double>& curve() const { return found_.curve; }
-    [[nodiscard]] const Trail& trail() const { return found_.trail; }
     [[nodiscard]] const io::SourceMesh& source() const { return source_; }
-    /// The skeleton's file.
+    /// The skeleton's file, and that of what was tried.
     [[nodiscard]] std::string skeleton_json() const;
+    [[nodiscard]] std::string trail_json() const;
+
+    /// What `component` chose, without the mesh's other bodies, as the program has it; nothing where it chose none.
+    [[nodiscard]] std::optional<cli::FittedFile> own_part() const;
 
     /// What a correspondence is found by; made once. \throws Error as `applications::comparable`.
     [[nodiscard]] const applications::ComparableBody<double>& comparable() const;
@@ -50,14 +59,13 @@ private:
     Faces faces_;
     SkeletonTemplate template_;
     Extraction<double> found_;
+    cli::FingeredSkeleton shown_;
     io::SourceMesh source_;
     double read_ms_ = 0;
+    int component_ = 0;
     mutable std::mutex mutex_;
     mutable std::unique_ptr<const applications::ComparableBody<double>> comparable_;
 };
-
-/// What was tried to find a body, one dictionary each; with the GIL.
-[[nodiscard]] nb::list trail_of(const FoundBody& body);
 
 /// The exception that Python gets for a body that was not found; with the GIL.
 [[nodiscard]] nb::object no_skeleton_error(const Error& error);

@@ -21,7 +21,6 @@
 #include <nanobind/stl/vector.h>
 
 #include <skelgen/applications/alignment.hpp>
-#include <skelgen/applications/body_coordinates.hpp>
 #include <skelgen/applications/clip_body.hpp>
 #include <skelgen/applications/correspondence.hpp>
 #include <skelgen/applications/measurement.hpp>
@@ -37,14 +36,19 @@
 #include <skelgen/io/correspondence_json.hpp>
 #include <skelgen/io/curve_formats.hpp>
 #include <skelgen/io/measurements_text.hpp>
+#include <skelgen/io/part_looks.hpp>
 #include <skelgen/io/polygon_mesh.hpp>
-#include <skelgen/io/read_mesh.hpp>
 #include <skelgen/io/rig_formats.hpp>
 #include <skelgen/io/scene_looks.hpp>
 #include <skelgen/io/segmentation_json.hpp>
 #include <skelgen/io/transform_json.hpp>
 #include <skelgen/io/write_mesh.hpp>
 #include <skelgen/version.hpp>
+
+#include <character.hpp>
+#include <compared_file.hpp>
+#include <mesh_input.hpp>
+#include <program.hpp>
 
 #include "found_body.hpp"
 #include "interruptible.hpp"
@@ -56,8 +60,13 @@ namespace fs = std::filesystem;
 using applications::RestPose;
 using Found = std::shared_ptr<FoundBody>;
 using Labels = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 1>;
+using Turns = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 using Pairs = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 2, Eigen::RowMajor>;
 using Colours = Eigen::Matrix<std::uint8_t, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+Labels to_labels(const std::vector<int>& labels) {
+    return Eigen::Map<const Labels>(labels.data(), static_cast<Eigen::Index>(labels.size()));
+}
 
 /// What the file's name is to be put in front of.
 template <typename Work>
@@ -71,19 +80,47 @@ auto in_file(const fs::path& file, const Work& work) {
 
 // ------------------------------------------------------------------------------------------------------------- meshes
 
-std::pair<Points<double>, Triangles> read(const fs::path& file, const std::string& animation, double time) {
+/// Where a mesh comes from: a file, and of a scene in it the animation and the time that pose it.
+using Scene = std::tuple<fs::path, std::string, double>;
+
+cli::MeshInput input_of(const Scene& scene) {
+    const auto& [file, animation, time] = scene;
+    return {file, {.animation = animation, .time = time, .isolated = true}};
+}
+
+std::pair<Points<double>, Triangles> read(const Scene& scene) {
     return interruptible([=] {
-        return in_file(file, [&] {
-            auto mesh = read_mesh<double>(file, {std::nullopt, animation, time});
+        return in_file(std::get<0>(scene), [&] {
+            auto mesh = cli::load_mesh(input_of(scene));
             return std::pair(std::move(mesh.vertices), std::move(mesh.faces));
         });
     });
 }
 
-bool write(const fs::path& file, const Vertices& vertices, const Faces& faces) {
+/// Which vertices and faces of its mesh something has; both empty: all.
+using Sources = std::pair<Labels, Labels>;
+
+Sources sources_of(const applications::OwnPart& part) { return {to_labels(part.vertices), to_labels(part.faces)}; }
+
+/// The looks of the scene that something is of; none where they cannot be read.
+io::SceneLooks looks_of(const std::optional<Scene>& scene, const applications::OwnPart& part) {
+    if (!scene) return {};
+    return io::looks_of(cli::keep_looks(input_of(*scene)).looks, part);
+}
+
+/// `turns`: what each vertex has been turned by since the scene was read, quaternions; none: not at all.
+bool write(const fs::path& file, const Vertices& vertices, const Faces& faces, const std::optional<Scene>& scene,
+           const Sources& sources, const std::optional<Turns>& turns) {
     return interruptible([=] {
         const LentMesh mesh(vertices, faces);
-        return in_file(file, [&] { return write_mesh(file, *mesh), true; });
+        applications::VertexTurns<double> turned(scene ? static_cast<std::size_t>((*mesh).vertices.rows()) : 0,
+                                                 Eigen::Quaterniond::Identity());
+        for (std::size_t v = 0; turns && v < turned.size(); ++v)
+            turned[v].coeffs() = turns->row(static_cast<Eigen::Index>(v));
+        const auto& [own_vertices, own_faces] = sources;
+        const applications::OwnPart part{
+            {own_faces.begin(), own_faces.end()}, {own_vertices.begin(), own_vertices.end()}, own_faces.size() == 0};
+        return in_file(file, [&] { return io::write_mesh(file, *mesh, looks_of(scene, part), turned), true; });
     });
 }
 
@@ -102,10 +139,6 @@ bool write_text(const fs::path& file, const std::string& text) {
 
 /// Nodes, edges, radii, regions.
 using CurveArrays = std::tuple<Points<double>, Pairs, Eigen::VectorXd, std::vector<Labels>>;
-
-Labels to_labels(const std::vector<int>& labels) {
-    return Eigen::Map<const Labels>(labels.data(), static_cast<Eigen::Index>(labels.size()));
-}
 
 CurveArrays arrays_of(const CurveSkeleton<double>& curve) {
     Pairs edges(static_cast<Eigen::Index>(curve.edges.size()), 2);
@@ -152,8 +185,8 @@ CurveArrays find_curve(const Vertices& vertices, const Faces& faces, const std::
 // ------------------------------------------------------------------------------------------------------- applications
 
 Found extract(const Vertices& vertices, const Faces& faces, const std::string& name, const std::string& wanted,
-              int component, int threads, bool with_curve, double read_ms) {
-    const FindOptions options{name, wanted, component, threads, with_curve, read_ms};
+              const std::string& fingers, int component, int threads, bool with_curve, double read_ms) {
+    const FindOptions options{name, wanted, fingers, component, threads, with_curve, read_ms};
     return interruptible([=] { return std::make_shared<FoundBody>(vertices, faces, options); });
 }
 
@@ -199,35 +232,44 @@ std::pair<Eigen::Matrix4d, Points<double>> align(const Found& found, const std::
 std::string correspond(const Found& from, const Found& to) {
     return interruptible([=] {
         const LentMesh from_mesh(from->vertices(), from->faces()), to_mesh(to->vertices(), to->faces());
-        const auto& from_body = from->comparable();
-        const auto found = applications::correspond(from_body, to->comparable());
-        const auto stands_for = applications::standing_for(from->body(), (*from_mesh).vertices);
-        const auto from_vertices = applications::vertices_of_input(from->body(), *from_mesh);
-        const auto to_vertices = applications::vertices_of_input(to->body(), *to_mesh);
-        io::CorrespondenceFile file{
-            from->source(), to->source(), from->skeleton().quality, to->skeleton().quality, {}, {}, {}};
-        for (const int v : stands_for) {
-            const auto at = static_cast<std::size_t>(v);
-            file.vertex_to_vertex.push_back(to_vertices[static_cast<std::size_t>(found.map[at])]);
-            file.confidence.push_back(found.confidence[at]);
-        }
-        for (const auto& landmark : applications::landmarks(from_body, found))
-            file.landmarks.push_back({landmark.name, from_vertices[static_cast<std::size_t>(landmark.from)],
-                                      to_vertices[static_cast<std::size_t>(landmark.to)]});
-        return io::correspondence_to_json(file);
+        const auto side = [](const FoundBody& found, const TriangleMesh<double>& mesh) {
+            return cli::ComparedBody{found.source(), found.skeleton().quality, mesh, found.body(), found.comparable()};
+        };
+        const cli::CorrespondenceExtras all{true, true};
+        return io::correspondence_to_json(
+            cli::correspondence_of(side(*from, *from_mesh), side(*to, *to_mesh), all).file);
     });
 }
 
-/// Vertices and the skeleton's file of a body held as a model; where the model stands on a floor, so does the body.
-std::pair<Points<double>, std::string> posed(const Found& found, const KinematicSkeleton<double>& model,
-                                             const std::optional<applications::Floor<double>>& floor) {
-    const LentMesh mesh(found->vertices(), found->faces());
-    auto held = applications::pose_like(*mesh, found->body(), found->skeleton(), model, found->skeleton_template());
+/// What is written of a body: its mesh, or what of that is the chosen one of several.
+struct Written {
+    explicit Written(const FoundBody& found)
+        : all(found.vertices(), found.faces()), own(found.own_part()), mesh(own ? own->mesh() : *all),
+          body(own ? own->found : found.found()), part(own ? own->part : applications::OwnPart{}) {}
+
+    LentMesh all;
+    std::optional<cli::FittedFile> own;
+    const TriangleMesh<double>& mesh;
+    const Extraction<double>& body;
+    applications::OwnPart part;
+};
+
+/// Vertices, what each was turned by, what they are of the mesh, and the skeleton's file of a body held as a model.
+using PosedArrays = std::tuple<Points<double>, Turns, Sources, std::string>;
+
+/// Where the model stands on a floor, so does the body.
+PosedArrays posed(const Found& found, const KinematicSkeleton<double>& model,
+                  const std::optional<applications::Floor<double>>& floor) {
+    const Written own(*found);
+    auto held = applications::pose_like(own.mesh, own.body.body, found->skeleton(), model, found->skeleton_template());
     if (floor) held = applications::put_on(std::move(held), *floor);
-    return {std::move(held.mesh.vertices), skeleton_to_json(held.skeleton)};
+    Turns turns(static_cast<Eigen::Index>(held.turns.size()), 4);
+    for (std::size_t v = 0; v < held.turns.size(); ++v)
+        turns.row(static_cast<Eigen::Index>(v)) = held.turns[v].coeffs();
+    return {std::move(held.mesh.vertices), std::move(turns), sources_of(own.part), skeleton_to_json(held.skeleton)};
 }
 
-std::pair<Points<double>, std::string> pose_like(const Found& found, const Found& model) {
+PosedArrays pose_like(const Found& found, const Found& model) {
     return interruptible([=] {
         const LentMesh mesh(model->vertices(), model->faces());
         const auto floor = applications::floor_of(*mesh, model->skeleton(), model->skeleton_template());
@@ -235,7 +277,7 @@ std::pair<Points<double>, std::string> pose_like(const Found& found, const Found
     });
 }
 
-std::pair<Points<double>, std::string> pose_as(const Found& found, const std::string& skeleton) {
+PosedArrays pose_as(const Found& found, const std::string& skeleton) {
     return interruptible([=] {
         const KinematicSkeleton<double> model = io::parse_skeleton_document(skeleton).skeleton;
         const bool has_bones = std::any_of(model.joints.begin(), model.joints.end(), [&](const Joint<double>& joint) {
@@ -252,6 +294,7 @@ std::pair<Points<double>, std::string> pose_as(const Found& found, const std::st
 struct Character {
     applications::Rig<double> rig;
     SkeletonTemplate skeleton_template;
+    applications::OwnPart part; ///< of the mesh, what this is
     io::SceneLooks looks;
     std::vector<applications::Animation<double>> animations;
 };
@@ -263,26 +306,18 @@ RestPose rest_named(const std::string& name) {
     throw Error(ErrorCode::usage, "rest: '" + name + "' is none of as-is, t-pose, a-pose");
 }
 
-/// The looks that a scene's file has; a damaged picture or material costs no more than the looks.
-io::SceneLooks looks_in(const std::optional<fs::path>& file) {
-    if (!file) return {};
-    try {
-        return io::read_looks(*file).value_or(io::SceneLooks{});
-    } catch (const Error& error) {
-        if (error.code() != ErrorCode::bad_input) throw;
-        return {};
-    }
-}
-
-std::shared_ptr<Character> make_rig(const Found& found, const std::string& rest, const std::optional<fs::path>& looks) {
+std::shared_ptr<Character> make_rig(const Found& found, const std::string& rest, const std::string& fingers,
+                                    const std::optional<Scene>& scene) {
     const RestPose pose = rest_named(rest);
+    const cli::Fingers wanted = cli::template_and_fingers("human21", fingers).second;
     return interruptible([=] {
-        const LentMesh mesh(found->vertices(), found->faces());
-        return std::make_shared<Character>(
-            Character{applications::make_rig(*mesh, found->body(), found->skeleton(), found->skeleton_template(), pose),
-                      found->skeleton_template(),
-                      looks_in(looks),
-                      {}});
+        const Written own(*found);
+        return std::make_shared<Character>(Character{
+            cli::rig_of(own.mesh, own.body, found->skeleton_template(), {pose, applications::Place::keep}, wanted),
+            found->skeleton_template(),
+            own.part,
+            looks_of(scene, own.part),
+            {}});
     });
 }
 
@@ -349,6 +384,18 @@ bool write_parts(const fs::path& file, const Vertices& vertices, const Faces& fa
     });
 }
 
+// ------------------------------------------------------------------------------------------------------------- program
+
+/// The program, in a process that does nothing else; arguments as the system gives them, without the program's name.
+int run_program(const std::vector<nb::bytes>& arguments) {
+    std::vector<std::string> texts{"skelgen"};
+    for (const nb::bytes& argument : arguments) texts.emplace_back(argument.c_str(), argument.size());
+    std::vector<char*> pointers;
+    for (std::string& text : texts) pointers.push_back(text.data());
+    pointers.push_back(nullptr);
+    return cli::run_program(static_cast<int>(texts.size()), pointers.data());
+}
+
 // -------------------------------------------------------------------------------------------------------------- errors
 
 void raise(PyObject* type, const Error& error) { PyErr_SetString(type, error.what()); }
@@ -384,8 +431,9 @@ NB_MODULE(_core, m) {
     m.def("builtin_template_names", &builtin_template_names);
     m.def("mesh_extensions",
           [] { return std::vector<std::string>(io::mesh_extensions().begin(), io::mesh_extensions().end()); });
-    m.def("read", &read, nb::arg("file"), nb::arg("animation"), nb::arg("time"));
-    m.def("write", &write, nb::arg("file"), nb::arg("vertices"), nb::arg("faces"));
+    m.def("read", &read, nb::arg("scene"));
+    m.def("write", &write, nb::arg("file"), nb::arg("vertices"), nb::arg("faces"), nb::arg("scene").none(),
+          nb::arg("sources"), nb::arg("turns").none());
     m.def("triangulated", &triangulated, nb::arg("vertices"), nb::arg("corners"), nb::arg("sizes"));
     m.def("write_text", &write_text, nb::arg("file"), nb::arg("text"));
     m.def("find_curve", &find_curve, nb::arg("vertices"), nb::arg("faces"), nb::arg("detail"),
@@ -397,10 +445,10 @@ NB_MODULE(_core, m) {
     });
     nb::class_<FoundBody>(m, "FoundBody")
         .def_prop_ro("skeleton_json", &FoundBody::skeleton_json)
-        .def_prop_ro("trail", &trail_of)
+        .def_prop_ro("trail_json", &FoundBody::trail_json)
         .def_prop_ro("curve", [](const FoundBody& found) { return arrays_of(found.curve()); });
     m.def("extract", &extract, nb::arg("vertices"), nb::arg("faces"), nb::arg("name"), nb::arg("template"),
-          nb::arg("component"), nb::arg("threads"), nb::arg("with_curve"), nb::arg("read_ms"));
+          nb::arg("fingers"), nb::arg("component"), nb::arg("threads"), nb::arg("with_curve"), nb::arg("read_ms"));
     m.def("skeleton_json", [](const std::string& text) {
         const auto document = io::parse_skeleton_document(text);
         return skeleton_to_json(document.skeleton, document.provenance);
@@ -418,6 +466,7 @@ NB_MODULE(_core, m) {
     nb::class_<Character>(m, "Character")
         .def_prop_ro("vertices", [](const Character& c) { return c.rig.mesh.vertices; })
         .def_prop_ro("faces", [](const Character& c) { return c.rig.mesh.faces; })
+        .def_prop_ro("sources", [](const Character& c) { return sources_of(c.part); })
         .def_prop_ro("names",
                      [](const Character& c) {
                          std::vector<std::string> names;
@@ -440,8 +489,9 @@ NB_MODULE(_core, m) {
             for (const auto& animation : c.animations) names.push_back(animation.name);
             return names;
         });
-    m.def("make_rig", &make_rig, nb::arg("found"), nb::arg("rest"), nb::arg("looks").none());
+    m.def("make_rig", &make_rig, nb::arg("found"), nb::arg("rest"), nb::arg("fingers"), nb::arg("scene").none());
     m.def("animated", &animated, nb::arg("character"), nb::arg("clip"));
+    m.def("run_program", &run_program, nb::arg("arguments"));
     m.def("write_character", &write_character, nb::arg("character"), nb::arg("file"), nb::arg("names"));
 }
 

@@ -45,11 +45,16 @@ def workplace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, body: skelgen.Ext
     return tmp_path
 
 
-def program(*arguments: object) -> str:
-    """What the program that comes with the package prints."""
+def program_file() -> str:
+    """The program that comes with the package."""
     found = shutil.which("skelgen", path=os.fspath(Path(sys.executable).parent))
     assert found, "the program does not come with the package"
-    command = [found, *map(str, arguments)]
+    return found
+
+
+def program(*arguments: object) -> str:
+    """What it prints."""
+    command = [program_file(), *map(str, arguments)]
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout  # noqa: S603
 
 
@@ -58,6 +63,11 @@ def program_json(*arguments: object) -> dict[str, Any]:
     document: dict[str, Any] = json.loads(program(*arguments))
     document.pop("timings_ms", None)
     return document
+
+
+def without_timings(document: dict[str, Any]) -> dict[str, Any]:
+    """A skeleton's file without what a clock says."""
+    return {key: value for key, value in document.items() if key != "timings_ms"}
 
 
 def real_bodies() -> list[Path]:

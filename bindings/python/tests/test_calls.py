@@ -16,6 +16,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import skelgen
+from conftest import program_file
 
 
 def test_other_threads_go_on(mesh: skelgen.Mesh) -> None:
@@ -65,10 +66,11 @@ def test_processes(sample: Path, body: skelgen.Extraction, method: str) -> None:
 
 
 INTERRUPTED = """
-import sys, time
+import signal, sys, time
 import numpy as np
 import skelgen
 
+signal.signal(signal.SIGINT, signal.default_int_handler)  # started in the background, there is none
 mesh = skelgen.read(sys.argv[1])
 vertices, faces = mesh.vertices, mesh.faces
 for _ in range(4):  # each face becomes four
@@ -105,6 +107,7 @@ def test_an_interrupt_is_heard_at_once(sample: Path) -> None:
 
 
 def test_after_an_interrupt_all_is_well(mesh: skelgen.Mesh, body: skelgen.Extraction) -> None:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     timer = threading.Timer(0.01, lambda: os.kill(os.getpid(), signal.SIGINT))
     with pytest.raises(KeyboardInterrupt):  # noqa: PT012
         timer.start()
@@ -121,13 +124,54 @@ def resident_bytes() -> int:
 def test_memory_does_not_grow(mesh: skelgen.Mesh) -> None:
     rounds = int(os.environ.get("SKELGEN_ROUNDS", "60"))
     after = []
-    for part in range(3):
+    for _ in range(3):
         for _ in range(rounds // 3):
             skelgen.extract(mesh.vertices, mesh.faces)
         gc.collect()
         after.append(resident_bytes())
-        assert part < 3
     assert after[2] - after[1] < 4 << 20
+
+
+NOT_COPIED = """
+import resource
+import numpy as np
+import skelgen
+
+def most() -> int:
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024
+
+vertices, faces = np.full((2_000_000, 3), 0.5), np.full((2_000_000, 3), [0, 1, 2], np.int32)
+for find in (skelgen.extract, skelgen.curve):
+    before = most()
+    try:  # refused once the arrays are there and looked through
+        find(vertices, faces, **{"component": -1} if find is skelgen.extract else {"spacing": -1})
+    except ValueError:
+        print(most() - before)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="others count memory otherwise")
+def test_arrays_are_not_copied() -> None:
+    command = [sys.executable, "-c", NOT_COPIED]
+    printed = subprocess.run(command, check=True, capture_output=True, text=True).stdout  # noqa: S603
+    grown = [int(mebibytes) for mebibytes in printed.split()]
+    assert len(grown) == 2
+    assert max(grown) < 10  # the arrays are 69 MiB
+
+
+def test_program_stays_a_program(workplace: Path) -> None:
+    """It is in Python's process, but signals, exit statuses and pipes are a program's own."""
+    assert subprocess.run([program_file(), "extract", "none.off"], capture_output=True, check=False).returncode == 3  # noqa: S603
+    with subprocess.Popen([program_file(), "extract", "-"], stdin=subprocess.PIPE, stderr=subprocess.PIPE) as waiting:  # noqa: S603
+        time.sleep(0.5)
+        waiting.send_signal(signal.SIGINT)
+        assert waiting.wait(5) == -signal.SIGINT
+    body = (workplace / "body.off").read_bytes()
+    printed = subprocess.run([program_file(), "extract", "-q", "-"], input=body, capture_output=True, check=True).stdout  # noqa: S603
+    assert printed.startswith(b"{")
+    (workplace / "ünï \udcff.off").write_bytes(body)  # a name that is no text
+    assert subprocess.run([program_file(), "batch", "-q", ".", "-o", "out"], check=False).returncode == 0  # noqa: S603
+    assert len(list((workplace / "out").glob("*.json"))) == 2
 
 
 def test_import_is_quick() -> None:
@@ -137,6 +181,30 @@ def test_import_is_quick() -> None:
         for _ in range(5)
     ]
     assert min(times) < 0.15
+
+
+COMPANIONS = ["trimesh", "open3d", "pyvista", "meshio", "pandas", "networkx", "matplotlib", "scipy"]
+ALONE = f"""
+import sys
+for companion in {COMPANIONS}:
+    sys.modules[companion] = None  # as if it were not installed
+import skelgen
+
+body = skelgen.extract(sys.argv[1])
+body.segment(), body.measure(), body.align(), body.rig(), body.pose(body), body.curve, body._repr_html_()
+rows = [result.row(measures=True) for result in skelgen.batch(sys.argv[1], jobs=1)]
+print(rows[0]["status"], rows[0]["unit"])
+try:
+    body.curve.to_networkx()
+except ImportError as error:
+    print(error.name)
+"""
+
+
+def test_nothing_but_numpy_is_needed(sample: Path) -> None:
+    command = [sys.executable, "-c", ALONE, str(sample)]
+    printed = subprocess.run(command, check=True, capture_output=True, text=True).stdout  # noqa: S603
+    assert printed.split() == ["ok", "m", "networkx"]
 
 
 def test_faces_changed_behind_our_back_are_noticed(mesh: skelgen.Mesh) -> None:

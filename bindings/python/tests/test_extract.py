@@ -8,11 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 import skelgen
-from conftest import program_json, real_bodies
-
-
-def without_timings(document: dict[str, Any]) -> dict[str, Any]:
-    return {key: value for key, value in document.items() if key != "timings_ms"}
+from conftest import program_json, real_bodies, without_timings
 
 
 def test_is_the_programs_file(sample: Path, body: skelgen.Extraction) -> None:

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import copy
+import csv
 import json
 import pickle
+import subprocess
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 import skelgen
-from conftest import program, program_json
+from conftest import program, program_file, program_json, without_timings
 
 
 def test_segmentation(body: skelgen.Extraction, sample: Path, workplace: Path) -> None:
@@ -33,6 +35,13 @@ def test_measures(body: skelgen.Extraction, sample: Path) -> None:
     theirs["bodies"][0]["mesh"]["file"] = "body.off"  # there with its folder
     assert measures.to_dict() == theirs
     assert set(measures.row()) >= {"height", "length_left_calf", "girth_waist"}
+    assert measures.unit == "m"
+    place, normal = measures.girth_places["waist"]
+    assert np.linalg.norm(normal) == pytest.approx(1)
+    assert np.linalg.norm(place - body["waist"]) < 0.2
+    in_feet = skelgen.measure(body.vertices / 0.3048, body.faces)
+    assert in_feet.unit is None  # no person is that high in metres, centimetres or millimetres
+    assert in_feet.height == pytest.approx(measures.height / 0.3048, rel=1e-6)
 
 
 def test_alignment(body: skelgen.Extraction, sample: Path, workplace: Path) -> None:
@@ -60,6 +69,27 @@ def test_rig(body: skelgen.Extraction, sample: Path, workplace: Path, extension:
     assert rig.vertices.shape == body.vertices.shape
 
 
+@pytest.mark.parametrize("fingers", ["on", "off", "auto"])
+def test_fingers(body: skelgen.Extraction, sample: Path, workplace: Path, fingers: str) -> None:
+    rig = body.rig(fingers=fingers)
+    assert any("index" in name for name in rig.names) == (fingers != "off")
+    rig.save("rig.glb")
+    program("rig", "-q", sample, "-o", "theirs.glb", "--fingers", fingers)
+    assert (workplace / "rig.glb").read_bytes() == (workplace / "theirs.glb").read_bytes()
+    skeleton = skelgen.extract(sample, fingers=fingers)
+    assert without_timings(skeleton.to_dict()) == program_json("extract", "-q", sample, "--fingers", fingers)
+    assert skeleton.segment().to_dict() == body.segment().to_dict()
+    assert pickle.loads(pickle.dumps(rig)).names == rig.names  # noqa: S301
+
+
+def test_a_template_with_fingers(body: skelgen.Extraction, sample: Path) -> None:
+    hands = skelgen.extract(sample, template="human51")
+    assert hands.template == "human51"
+    assert hands.positions.shape == (51, 3)
+    assert (hands.positions[:21] == body.positions).all()
+    assert without_timings(hands.to_dict()) == program_json("extract", "-q", sample, "--template", "human51")
+
+
 def test_animation(body: skelgen.Extraction, workplace: Path) -> None:
     rig = body.rig()
     moving = rig.animate("walk.bvh")
@@ -80,10 +110,54 @@ def test_pose(body: skelgen.Extraction, workplace: Path) -> None:
     assert (by_file.vertices == by_skeleton.vertices).all()
 
 
+@pytest.mark.parametrize("component", [1, 2])
+def test_one_of_two_bodies(body: skelgen.Extraction, workplace: Path, component: int) -> None:
+    count = len(body.vertices)
+    vertices = np.concatenate([body.vertices, 0.8 * body.vertices + [3, 0, 0]])
+    skelgen.convert((vertices, np.concatenate([body.faces, body.faces + count])), "two.off")
+    chosen = skelgen.extract("two.off", component=component)
+    rig, posed = chosen.rig(), chosen.pose(like="body.json")
+    for result in (rig, posed):
+        assert (result.source_vertices == np.arange(count) + (component - 1) * count).all()
+        assert (result.faces == body.faces).all()
+    assert (body.rig().source_vertices == np.arange(count)).all()
+    rig.save("rig.glb")
+    posed.save("posed.off")
+    program("rig", "-q", "two.off", "--component", component, "-o", "theirs.glb")
+    program("pose", "-q", "two.off", "--component", component, "--pose", "body.json", "-o", "theirs.off")
+    assert (workplace / "rig.glb").read_bytes() == (workplace / "theirs.glb").read_bytes()
+    assert (workplace / "posed.off").read_bytes() == (workplace / "theirs.off").read_bytes()
+
+
+def test_materials_are_kept(body: skelgen.Extraction, workplace: Path) -> None:
+    skelgen.convert("body.off", "plain.obj")
+    (workplace / "paint.mtl").write_text("newmtl vermilion\nKd 0.9 0.2 0.1\n")
+    painted = "mtllib paint.mtl\nusemtl vermilion\n" + (workplace / "plain.obj").read_text()
+    (workplace / "painted.obj").write_text(painted)
+    skelgen.convert("painted.obj", "ours.glb")
+    program("convert", "painted.obj", "theirs.glb")
+    found = skelgen.extract("painted.obj")
+    found.pose("body.json").save("ours_posed.glb")
+    program("pose", "-q", "painted.obj", "--pose", "body.json", "-o", "theirs_posed.glb")
+    found.rig().save("ours_rigged.glb")
+    program("rig", "-q", "painted.obj", "-o", "theirs_rigged.glb")
+    for kind in ("", "_posed", "_rigged"):
+        ours, theirs = ((workplace / f"{whose}{kind}.glb").read_bytes() for whose in ("ours", "theirs"))
+        assert b"vermilion" in ours
+        assert ours == theirs
+    moved = skelgen.Mesh(body.vertices, body.faces)
+    moved.save("moved.glb")
+    assert b"vermilion" not in (workplace / "moved.glb").read_bytes()
+
+
 def test_correspondence(body: skelgen.Extraction, sample: Path) -> None:
     found = body.correspond(sample)
-    assert found.to_dict() == program_json("correspond", "-q", sample, sample, "--confidence")
+    assert found.to_dict() == program_json("correspond", "-q", sample, sample, "--confidence", "--places")
     assert found.transfer(body.vertices).shape == body.vertices.shape
+    np.testing.assert_allclose(found.weights.sum(axis=1), 1)
+    assert (found.corners == body.faces[found.vertex_to_face]).all()
+    apart = np.linalg.norm(found.transfer(body.vertices, smooth=True) - body.vertices, axis=1)
+    assert apart.mean() < 1e-3 * body.geodesic_diameter
     many = skelgen.correspond(body, [body, sample])
     assert [one.to_dict() for one in many] == [found.to_dict()] * 2
 
@@ -172,6 +246,38 @@ def test_batch(workplace: Path) -> None:
     assert rows[0]["crotch_x"] == rows[1]["crotch_x"]
     assert "torn.off" in rows[2]["error"]
     assert len(skelgen.batch("sub/*.ply")) == 1
+
+
+def test_tables_are_those_of_the_program(workplace: Path) -> None:
+    (workplace / "in").mkdir()
+    skelgen.convert("body.off", "in/body.ply")
+    (workplace / "in" / "torn.off").write_text("OFF\n1")
+    ran = subprocess.run(  # noqa: S603
+        [program_file(), "batch", "-q", "in", "-o", "out", "--csv", "bodies.csv", "--npz", "bodies.npz"],
+        capture_output=True,
+        check=False,
+    )
+    assert ran.returncode == 5
+    with (workplace / "bodies.csv").open(newline="", encoding="utf-8") as file:
+        theirs = list(csv.DictReader(file))
+    ours = [result.row(measures=True) for result in skelgen.batch("in", jobs=1)]
+    columns = [name for name in ours[0] if name not in {"file", "error", "seconds"}]
+    assert list(theirs[0]) == list(ours[0])
+    for name in columns:
+        if isinstance(value := ours[0][name], float):
+            assert float(theirs[0][name]) == value
+        else:
+            assert theirs[0][name] == str(value)
+    assert [row["status"] for row in theirs] == ["ok", "bad_input"]
+    with np.load("bodies.npz") as arrays:
+        assert arrays["files"].tolist() == ["body.ply", "torn.off"]
+        assert arrays["status"].tolist() == ["ok", "bad_input"]
+        assert arrays["positions"].shape == (2, 21, 3)
+        knee = arrays["joints"].tolist().index("left_knee")
+        assert arrays["positions"][0, knee].tolist() == [ours[0][f"left_knee_{axis}"] for axis in "xyz"]
+        assert np.isnan(arrays["positions"][1]).all()
+        assert arrays["measured"][0, arrays["measures"].tolist().index("height")] == ours[0]["height"]
+        assert arrays["radius"].shape == arrays["confidence"].shape == (2, 21)
 
 
 def test_batch_for_pandas(workplace: Path) -> None:

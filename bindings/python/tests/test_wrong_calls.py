@@ -131,6 +131,8 @@ WRONG: list[tuple[str, Callable[[Given], Any], type[Exception], str]] = [
     # options
     ("no template", lambda g: skelgen.extract(g.v, g.f, template="human99"), ValueError, "human99"),
     ("template 5", lambda g: skelgen.extract(g.v, g.f, template=5), TypeError, ""),  # type: ignore[arg-type]
+    ("fingers", lambda g: skelgen.extract(g.v, g.f, fingers="six"), ValueError, "fingers: 'six' is none of"),
+    ("fingers of a rig", lambda g: g.body.rig(fingers="six"), ValueError, "fingers: 'six' is none of"),
     ("component -1", lambda g: skelgen.extract(g.v, g.f, component=-1), ValueError, "component"),
     ("component x", lambda g: skelgen.extract(g.v, g.f, component="x"), TypeError, ""),  # type: ignore[arg-type]
     ("threads 0", lambda g: skelgen.extract(g.v, g.f, threads=0), ValueError, "threads"),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,14 @@ struct Correspondence {
     /// n, 0 to 1: how near the one body's surface comes to the other one's in the common pose, once bent to it. Half a
     /// hand's breadth apart is 0.6.
     std::vector<double> confidence;
+    Points<double>
+        bent; ///< n x 3: where the one body's vertices come to lie in the common pose, once bent to the other
+};
+
+/// A place on a triangle of a mesh: the mean of its corners, weighed.
+struct TrianglePlace {
+    int face = -1;
+    std::array<double, 3> weights{}; ///< 0 or more, 1 in all
 };
 
 /// A place that stands out, on both bodies.
@@ -62,6 +71,14 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] Correspondence correspond(const ComparableBody<Scalar>& from, const ComparableBody<Scalar>& to,
                                         const CorrespondenceOptions& options = {});
+
+/// For each vertex of the body that was corresponded (`from`) its place on the other one's mesh (`to`), between
+/// vertices, too: of the triangles at the vertex that it corresponds to, or else of all, the place that is nearest in
+/// the common pose. `to_body` was made of that mesh. \throws Error usage as `standing_for`. O((n + m) log m).
+template <typename Scalar>
+[[nodiscard]] std::vector<TrianglePlace> triangle_places(const TriangleMesh<Scalar>& to, const Body<Scalar>& to_body,
+                                                         const ComparableBody<Scalar>& to_comparable,
+                                                         const Correspondence& correspondence);
 
 /// In each part of one body the vertex whose heat kernel signature (SOG09) is the largest, as in LF20 section 5.4, and
 /// the vertex of the other body that it corresponds to. Parts without vertices have none. O(n functions).

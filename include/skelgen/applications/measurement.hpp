@@ -12,6 +12,12 @@
 
 namespace skelgen::applications {
 
+/// A plane in which a girth was taken, in the input's coordinates.
+struct GirthPlane {
+    Vector3<double> place = Vector3<double>::Zero();  ///< on it, on the bone or the axis that the girth is across
+    Vector3<double> normal = Vector3<double>::Zero(); ///< of length 1, along it
+};
+
 /// What is read off a body, in the input's unit, its square and its cube.
 struct Measurements {
     double height = 0;   ///< of the body stood upright, see `standing_height`
@@ -21,6 +27,7 @@ struct Measurements {
     std::vector<std::pair<std::string, double>> lengths; ///< of bones, by name: left_upper_arm, ...
     /// Around the body as a tape lies: the convex hull of the section; none where no section shows it.
     std::vector<std::pair<std::string, std::optional<double>>> girths;
+    std::vector<std::optional<GirthPlane>> girth_planes; ///< one for each girth that a section shows
 };
 
 /// Height of the body stood upright, in the input's unit: from the crown along the bones to the soles, by the mean of

@@ -16,6 +16,21 @@ enum class RestPose {
     a_pose, ///< the same with the arms lowered by 45 degrees
 };
 
+namespace detail {
+
+/// Per joint the way to it from its parent; of the root none.
+template <typename Scalar>
+[[nodiscard]] std::vector<Vector3<Scalar>> lines_from_parents(const KinematicSkeleton<Scalar>& skeleton);
+
+/// Ways from parents, as of girdle_lines, with the shoulders so much higher where the joints move by `motions`, then
+/// together as far from the chest as they were.
+template <typename Scalar>
+[[nodiscard]] std::vector<Vector3<Scalar>> with_shoulders_higher(std::vector<Vector3<Scalar>> lines, Scalar higher,
+                                                                 const std::vector<RigidMotion<Scalar>>& motions,
+                                                                 const SkeletonTemplate& skeleton_template);
+
+} // namespace detail
+
 /// The orientations that joints have in a pose, for a body with +y up that faces +z. `now`: those it has, which
 /// `as_is` turns as a whole by `to_canonical`. O(joints).
 template <typename Scalar>

@@ -30,7 +30,22 @@ struct RigJoint {
     Eigen::Quaternion<Scalar> orientation = Eigen::Quaternion<Scalar>::Identity();
 };
 
-/// A mesh bound to joints, in its rest pose: +y up, facing +z, standing on y = 0 with its root above the origin.
+/// Where a rig is put.
+enum class Place {
+    keep,   ///< where the input was, in its scene, on the same floor; as `centre` where it had to be turned
+    centre, ///< the lowest place on y = 0, the root above the origin
+    floor,  ///< the lowest place on y = 0, but moved up or down alone; as `centre` where it had to be turned
+};
+
+/// What is to be made of a body.
+struct RigOptions {
+    RestPose rest = RestPose::as_is;
+    Place place = Place::centre;
+    double metres_per_unit = 0; ///< of the input; 0: as the body's height tells
+};
+
+/// A mesh bound to joints, in its rest pose: +y up, facing +z. An input that stands so within 20 degrees, or with other
+/// axes of its coordinates up and ahead, is not turned but by these axes: it stays as level as it was.
 template <typename Scalar = double>
 struct Rig {
     TriangleMesh<Scalar> mesh;            ///< the input's vertices and faces in their order, faces as `outward_faces`
@@ -38,6 +53,8 @@ struct Rig {
     Skin<Scalar> skin;
     /// From the input's pose to the rest pose: what the input's normals are turned by. Empty: not known.
     VertexTurns<Scalar> turns = {};
+    /// What each joint of the skeleton has done to the input's points, times `metres_per_unit`, that are fixed to it.
+    std::vector<RigidMotion<Scalar>> motions = {};
     RestPose rest = RestPose::as_is;
     Scalar metres_per_unit = 1; ///< what the input's coordinates were multiplied by
     bool unit_is_known = false; ///< else they keep the input's unit
@@ -58,7 +75,15 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
                                    const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
-                                   RestPose rest = RestPose::as_is);
+                                   const RigOptions& options);
+
+/// The same on y = 0 with the root above the origin, in the unit that the height tells.
+template <typename Scalar>
+[[nodiscard]] Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
+                                   const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
+                                   RestPose rest = RestPose::as_is) {
+    return make_rig(mesh, body, skeleton, skeleton_template, RigOptions{rest});
+}
 
 } // namespace skelgen::applications
 

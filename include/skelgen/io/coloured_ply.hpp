@@ -31,7 +31,7 @@ void write_coloured_ply(const std::filesystem::path& path, const TriangleMesh<do
                         const MeshColours& colours);
 
 /// A colour for each part of a body by its name: what is on the left is blue to green, on the right yellow to red, the
-/// trunk grey to violet, each further out lighter.
+/// trunk grey to violet; any two can be told apart.
 [[nodiscard]] std::vector<ByteColour> part_colours(const std::vector<std::string>& parts);
 
 } // namespace skelgen::io

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include <skelgen/applications/correspondence.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/io/skeleton_json.hpp>
 
@@ -22,6 +23,8 @@ struct CorrespondenceFile {
     std::vector<NamedPair> landmarks;
     std::vector<int> vertex_to_vertex; ///< for each vertex of `from` one of `to`
     std::vector<double> confidence;    ///< for each vertex of `from`, 0 to 1; empty: not asked for
+    /// For each vertex of `from` its place on a face of `to`; empty: not asked for.
+    std::vector<applications::TrianglePlace> places = {};
 };
 
 /// A correspondence as the text of its file (data/schema/correspondence.schema.json): JSON in UTF-8. O(n).

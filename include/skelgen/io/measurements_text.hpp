@@ -16,12 +16,13 @@ struct MeasuredBody {
     applications::Measurements measures;
 };
 
-/// The measures of some bodies as the text of a file (data/schema/measurements.schema.json): JSON in UTF-8; a girth
-/// that no section shows is null. \throws Error internal when a number is not finite.
+/// The measures of some bodies as the text of a file (data/schema/measurements.schema.json): JSON in UTF-8; with
+/// the unit in which the body is as high as people are, and where girths were taken; what is not known is null. \throws
+/// Error internal when a number is not finite.
 [[nodiscard]] std::string measurements_to_json(const std::vector<MeasuredBody>& bodies);
 
-/// The same as CSV (RFC 4180), a line for each body below one of names; a girth that no section shows is empty, file
-/// names are in quotes. \throws Error internal when a number is not finite.
+/// The same as CSV (RFC 4180), a line for each body below one of names; what is not known is empty, file names are in
+/// quotes. \throws Error internal when a number is not finite.
 [[nodiscard]] std::string measurements_to_csv(const std::vector<MeasuredBody>& bodies);
 
 } // namespace skelgen::io

@@ -13,10 +13,13 @@
 namespace skelgen::io {
 
 /// Whose names the joints of a file have.
-enum class JointNames { skelgen, smpl, mixamo, vrm };
+enum class JointNames { skelgen, smpl, mixamo, vrm, smplx, unity, godot, unreal, rigify };
 
 /// The names of those conventions, as `JointNames` has them: "skelgen", ...
 [[nodiscard]] std::optional<JointNames> joint_names_named(std::string_view name);
+
+/// All of these names.
+[[nodiscard]] std::vector<std::string> joint_names();
 
 /// What a convention calls a joint; the joint's own name where it has none.
 [[nodiscard]] std::string name_of(const applications::RigJoint<double>& joint, JointNames names);
@@ -51,6 +54,9 @@ enum class RigFormat { glb, vrm, bvh };
 
 /// The format that the extension of `path` stands for, whatever its case; none if it is no rig's.
 [[nodiscard]] std::optional<RigFormat> rig_format_of(const std::filesystem::path& path);
+
+/// What of a scene's looks is lost when a rig of it is written in a format, a phrase each ("2 animations").
+[[nodiscard]] std::vector<std::string> left_out_of(RigFormat format, const SceneLooks& looks);
 
 /// Writes one of the above by the extension of `path`, whatever its case: .glb, .vrm (named as the file) or .bvh.
 /// Whole or not at all (see `write_file_atomically`). \throws Error usage also when the extension is none of these; as

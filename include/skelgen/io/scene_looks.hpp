@@ -31,6 +31,24 @@ struct ScenePart {
     std::optional<std::size_t> same_as = std::nullopt;
 };
 
+/// How far vertices move when a morph target has the weight 1.
+struct MorphTarget {
+    std::vector<int> vertices; ///< of the mesh, rising: those that it moves, or whose normals it changes
+    Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> positions = {}; ///< how far each of them is moved
+    /// What is added to the normal of each; no rows: nothing is known of them.
+    Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> normals = {};
+};
+
+/// A run of parts that were one object in the scene.
+struct SceneObject {
+    std::string name, mesh_name; ///< of its node and of its mesh; empty: none
+    std::size_t first_part = 0, parts = 0;
+    std::vector<MorphTarget> morphs = {};
+    std::vector<double> weights = {}; ///< of the morph targets as the mesh is: one each
+    std::string extras, mesh_extras;  ///< JSON of the "extras" of node and mesh, the targets' names in it; empty: none
+    std::size_t node = 0, mesh = 0;   ///< their numbers in the file
+};
+
 /// What a scene's mesh looks like, beside its shape: the part of a glTF file that other programs need to draw it alike.
 struct SceneLooks {
     /// All faces, in their order. Several may have the same vertices.
@@ -51,11 +69,37 @@ struct SceneLooks {
     /// Why files of materials (an OBJ's MTL) are not there, or materials not in them, one reason each: these have their
     /// names alone then.
     std::vector<std::string> lost_materials = {};
+    /// All parts, in their order; none where the file knows no objects.
+    std::vector<SceneObject> objects = {};
+    /// JSON, an object: what the file says of itself, as its "asset" has it ("copyright", "extras").
+    std::string about = "{}";
+    /// JSON: what VRM says of an avatar, in the terms of VRM 1.0, as `rig_to_vrm` takes it over; empty: no VRM.
+    std::string vrm;
+    /// What the file's licence forbids ("redistribution and modification"), as far as VRM tells; empty: nothing.
+    std::string forbidden;
+    /// What else was in the file and is not here, a phrase each ("2 animations").
+    std::vector<std::string> left_out = {};
 };
+
+/// How many morph targets the objects have together.
+[[nodiscard]] inline std::size_t morph_target_count(const SceneLooks& looks) {
+    std::size_t count = 0;
+    for (const SceneObject& object : looks.objects) count += object.morphs.size();
+    return count;
+}
+
+/// What is to be said of a character's makers; empty: what its file says.
+struct Credits {
+    std::string title, author, license; ///< of the licence its name or its address
+};
+
+/// The looks with these credits in the place of their own.
+[[nodiscard]] SceneLooks with_credits(SceneLooks looks, const Credits& credits);
 
 /// Reads how the mesh of a file looks: of the vertices and faces that `read_mesh` gives with these options. O(n log n).
 ///
-/// - GLB, glTF, VRM: materials and all they need, texture coordinates, colours, normals.
+/// - GLB, glTF, VRM: materials and all they need, texture coordinates, colours, normals; objects with their names and
+///   morph targets. Normals of objects with morph targets are those without them.
 /// - OBJ: normals, texture coordinates, colours behind vertices, and of the materials of its MTL files colour (Kd),
 ///   opacity (d, Tr), roughness (Pr, else Ns), metalness (Pm) and picture (map_Kd, PNG or JPEG). These files are looked
 ///   for as the OBJ names them, in its folder or below; a picture also beside the MTL, or by its bare name.

@@ -27,7 +27,7 @@ struct Scene {
     std::vector<Mark> marks;
     std::string caption; ///< below the picture, UTF-8; letters outside ASCII show as boxes in a PNG
     std::string failure; ///< why something is missing: below the caption in red, and a red frame around the picture
-    /// Red, green and blue for each vertex: such a body is opaque; none at all: translucent skin.
+    /// Red, green and blue for each vertex: such a body is opaque but over its skeleton; none at all: translucent skin.
     std::vector<std::array<std::uint8_t, 3>> colours;
 };
 

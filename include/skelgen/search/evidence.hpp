@@ -33,7 +33,6 @@ enum class Witness {
     // the surface
     reach,    ///< log of the largest geodesic distance over the square root of the area, relative to an adult's
     envelope, ///< 1 where an envelope stands for the pieces
-    wrap,     ///< 1 where the one with gaps closed does
     rounded,  ///< 1 where a coarse surface was made rounder
     left_out, ///< share of the input's area that is not on the surface
     noisy,    ///< 1 where much noise was smoothed away
@@ -77,7 +76,12 @@ struct Evidence {
     [[nodiscard]] double operator[](Witness witness) const { return values[static_cast<std::size_t>(witness)]; }
 };
 
-/// As the calibration table spells it: "clutter_head".
+/// Proportions that are unlikely where they are far off an adult's either way.
+inline constexpr std::array curved_witnesses{
+    Witness::head_size,   Witness::arm_length, Witness::leg_length,  Witness::shoulder_width, Witness::hip_width,
+    Witness::trunk_girth, Witness::below_hips, Witness::neck_height, Witness::reach,          Witness::slack};
+
+/// As `./dev calibrate` spells it: "clutter_head".
 [[nodiscard]] std::string_view to_string(Witness witness);
 
 /// What a skeleton, its body and its curve show by themselves; what was done to the surface is added by the search.

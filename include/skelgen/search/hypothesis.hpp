@@ -10,9 +10,8 @@ namespace skelgen::search {
 
 /// What is done to a surface where it may have grown together with itself, before its curve is looked for.
 enum class Opening {
-    opened,        ///< pockets closed, handles opened, as far as there are any
-    short_handles, ///< the same at short handles alone
-    as_given,      ///< nothing
+    opened,   ///< pockets closed, handles opened, as far as there are any
+    as_given, ///< nothing
 };
 
 /// How much work goes into a curve skeleton.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include <skelgen/core/outcome.hpp>
@@ -10,6 +11,7 @@
 #include <skelgen/search/extract_options.hpp>
 #include <skelgen/search/rest_fit.hpp>
 #include <skelgen/surface/body.hpp>
+#include <skelgen/symmetry/sides.hpp>
 
 namespace skelgen::search {
 
@@ -24,19 +26,48 @@ struct Candidate {
     StageTimings timings;         ///< of embed, refine and sides
 };
 
-/// What LF20's Fig. 1 shows from the embedding on: joints placed by cross-sections and anatomy, sides told apart, the
-/// skeleton completed. A pure function: no other curve, template or surface is tried. `laid`: the template in the
-/// curve. \returns failure too_compact for a curve that is a point, flat_trunk where trunk or hips have no extent.
+/// What a curve that is a point is refused for.
+[[nodiscard]] inline Failure too_compact() {
+    return {Refusal::too_compact, "no human body: too compact a shape for one with arms and legs"};
+}
+
+/// Joints of a template in a body, left and right not told apart yet, and what is known of how they came to be.
+template <typename Scalar = double>
+struct PlacedJoints {
+    SkeletonTemplate skeleton_template;
+    refinement::RefinedJoints<Scalar> joints;
+    const embedding::Embedding* embedding = nullptr; ///< in the curve; none for a body at rest
+    Scalar geodesic_diameter = 0;
+    symmetry::SidesOptions witnesses;                 ///< of the sides
+    std::vector<std::pair<Witness, double>> evidence; ///< that the joints themselves do not show
+};
+
+/// The joints of a template that is laid into a curve, by cross-sections and anatomy. `laid` has to outlive the result.
+template <typename Scalar>
+[[nodiscard]] PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const curve::CurveResult<Scalar>& curve,
+                                                const embedding::FittingTemplate& laid,
+                                                const ExtractOptions& options = {});
+
+/// The joints of a body at rest that was laid into the surface (rest_fit.hpp): those at the ends of the limbs by
+/// cross-sections and anatomy along what the fit shows, the others, where figures show no cross-section, as the fit has
+/// them.
+template <typename Scalar>
+[[nodiscard]] PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const RestFit<Scalar>& fit,
+                                                const ExtractOptions& options = {});
+
+/// From placed joints on: sides told apart, the skeleton completed, its evidence. The curve serves as the middle that
+/// joints come inside towards. \returns failure flat_trunk where trunk or hips have no extent.
+template <typename Scalar>
+[[nodiscard]] Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>& body, const curve::CurveResult<Scalar>& curve,
+                                                     const PlacedJoints<Scalar>& placed);
+
+/// What LF20's Fig. 1 shows from the embedding on: place_joints() and the rest. A pure function: no other
+/// curve, template or surface is tried. `laid`: the template in the curve. \returns failure too_compact for a curve
+/// that is a point, flat_trunk where trunk or hips have no extent.
 template <typename Scalar>
 [[nodiscard]] Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>& body, const curve::CurveResult<Scalar>& curve,
                                                      const embedding::FittingTemplate& laid,
                                                      const ExtractOptions& options = {});
-
-/// The same for a body at rest that was laid into the surface (rest_fit.hpp); the curve serves as the middle that
-/// joints come inside towards.
-template <typename Scalar>
-[[nodiscard]] Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>& body, const curve::CurveResult<Scalar>& curve,
-                                                     const RestFit<Scalar>& fit, const ExtractOptions& options = {});
 
 /// The same with the template laid into the curve in the likeliest way (embedding::fitting_proportions): the paper's
 /// straight line from a body and its curve to its skeleton. \returns the failure of embed, too. \throws Error usage

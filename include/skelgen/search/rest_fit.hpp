@@ -7,6 +7,7 @@
 
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/embedding/embed.hpp>
 #include <skelgen/refinement/refine.hpp>
 #include <skelgen/surface/body.hpp>
 
@@ -30,6 +31,8 @@ template <typename Scalar = double>
 struct RestFit {
     SkeletonTemplate skeleton_template;       ///< the given one with the proportions that were found
     refinement::RefinedJoints<Scalar> joints; ///< in the body's coordinates; left is on the side of the plane's normal
+    CurveSkeleton<Scalar> lines;              ///< the model's axes as a curve without regions: what limbs are traced by
+    embedding::Embedding embedding;           ///< of the template in them
     double cost = 0;   ///< how badly the surface is explained: mean over its places, robust; 0 best
     double mirror = 0; ///< the plane's share
 };
@@ -43,8 +46,7 @@ struct RestFit {
 /// none where the surface mirrors itself in no plane or `wanted` lacks a limb. O(n log n), and some ten thousand
 /// distances to the surface.
 template <typename Scalar>
-[[nodiscard]] std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>& body, const SkeletonTemplate& wanted,
-                                                         const refinement::RefinementOptions& options = {});
+[[nodiscard]] std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>& body, const SkeletonTemplate& wanted);
 
 } // namespace skelgen::search
 

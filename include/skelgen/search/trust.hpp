@@ -9,9 +9,9 @@
 namespace skelgen::search {
 
 /// The probability that a skeleton is right: limbs where they are, sides not exchanged, joints near their places
-/// (README says how it was measured). Logistic in the evidence; the weights are of trust_table.hpp, fitted by
-/// `./dev calibrate`. It orders candidates, refuses what is less likely than `least_probability`, and is the
-/// confidence.
+/// (README says how it was measured). Its log odds are linear in the evidence, plus small trees boosted on that; the
+/// numbers are of trust_table.hpp, fitted by `./dev calibrate`. It orders candidates, refuses what is less likely than
+/// `least_probability`, and is the confidence.
 [[nodiscard]] double probability_right(const Evidence& evidence);
 
 /// Less likely skeletons are no answer. Between this and one half an answer is a guess and says so.
@@ -20,8 +20,8 @@ inline constexpr double least_probability = 0.05;
 /// Where one way to lay the template into a curve is likelier, no other one is tried.
 inline constexpr double likely_enough = 0.5;
 
-/// A candidate that is likelier ends the search.
-inline constexpr double sure_enough = 0.8;
+/// A candidate that is likelier ends the search: to go on would take longer and seldom lead to another.
+inline constexpr double sure_enough = 0.7;
 
 /// The skeleton with the confidence of its sides and joints, decided once: the probability that it is right, and of a
 /// joint the probability that it lies within 3 % of the geodesic diameter from its place, by its doubt

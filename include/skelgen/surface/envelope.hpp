@@ -23,13 +23,6 @@ template <typename Scalar>
 [[nodiscard]] TriangleMesh<Scalar> winding_envelope(const TriangleMesh<Scalar>& mesh,
                                                     const EnvelopeOptions& options = {});
 
-/// The same of what can be reached from outside only through gaps narrower than four cells, whatever the orientation of
-/// the pieces: what a ball of two cells' radius rolled over them cannot touch. Gaps narrower than the ball are filled.
-/// O(cells^3 + faces). \throws Error usage when an option is out of its range.
-template <typename Scalar>
-[[nodiscard]] TriangleMesh<Scalar> rolling_envelope(const TriangleMesh<Scalar>& mesh,
-                                                    const EnvelopeOptions& options = {});
-
 } // namespace skelgen::surface
 
 #ifdef SKELGEN_HEADER_ONLY

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <skelgen/core/mesh.hpp>
@@ -36,7 +37,6 @@ void require_surface(const TriangleMesh<Scalar>& mesh);
 enum class Remedy {
     largest_piece, ///< the piece with the largest area, its small holes closed, its triangles untouched
     envelope,      ///< winding_envelope around all pieces
-    wrap,          ///< rolling_envelope
     rounded,       ///< the largest piece, rounder than its faces (surface::rounded): those of a coarse one bend bones
 };
 
@@ -49,6 +49,13 @@ struct BodyMaterial {
     std::vector<Remedy> remedies;            ///< that may do, the gentlest first; never empty
     std::optional<Body<Scalar>> coarse = {}; ///< that of a large clean mesh which is to be taken as it is
 };
+
+/// What a mesh of several bodies is refused for, of which none was chosen.
+[[nodiscard]] inline Failure several_bodies(int bodies) {
+    return {Refusal::several_bodies,
+            std::to_string(bodies) +
+                " bodies apart; give each a file of its own, or take one by its number (--component)"};
+}
 
 /// Cleans a mesh, in its own axes unless it is sound, and chooses what belongs to the body. One piece that is closed
 /// but for small holes and has nearly all of the surface is the body, rounded where it is coarse and does not do as it

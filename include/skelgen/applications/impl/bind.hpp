@@ -23,6 +23,7 @@
 #include <skelgen/applications/resting_surface.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/nearest_share.hpp>
 #include <skelgen/core/precision.hpp>
 #include <skelgen/surface/weld.hpp>
 
@@ -35,31 +36,6 @@ int joints_inside(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& ske
         std::count_if(skeleton.joints.begin(), skeleton.joints.end(), [&](const Joint<Scalar>& joint) {
             return surface::is_inside(body, body.similarity.to_canonical(joint.position));
         }));
-}
-
-/// Barycentric coordinates of the place on a triangle that is nearest to `p`; the triangle may be degenerate.
-template <typename Scalar>
-Vector3<Scalar> nearest_share(const Vector3<Scalar>& p, const Vector3<Scalar>& a, const Vector3<Scalar>& b,
-                              const Vector3<Scalar>& c) {
-    const Vector3<Scalar> ab = b - a, ac = c - a, normal = ab.cross(ac);
-    const Scalar squared = normal.squaredNorm();
-    if (squared > 0) {
-        const Scalar u = normal.dot((p - a).cross(ac)) / squared, v = normal.dot(ab.cross(p - a)) / squared;
-        if (u >= 0 && v >= 0 && u + v <= 1) return {1 - u - v, u, v};
-    }
-    const Vector3<Scalar> corners[3] = {a, b, c};
-    Vector3<Scalar> best = Vector3<Scalar>::UnitX();
-    Scalar least = std::numeric_limits<Scalar>::infinity();
-    for (int k = 0; k < 3; ++k) {
-        const int next = (k + 1) % 3;
-        const auto near = core::nearest_on_segment<Scalar, 3>(p, corners[k], corners[next]);
-        if (!(near.distance < least)) continue;
-        least = near.distance;
-        best = Vector3<Scalar>::Zero();
-        best[k] = 1 - near.along;
-        best[next] += near.along;
-    }
-    return best;
 }
 
 /// The faces around each vertex of a mesh.
@@ -210,7 +186,7 @@ std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>& body, const Tria
         around.of(vertices[v], [&](int f) {
             Vector3<Scalar> corners[3];
             for (int k = 0; k < 3; ++k) corners[k] = core::point(body.mesh.vertices, body.mesh.faces(f, k));
-            const Vector3<Scalar> share = detail::nearest_share(place, corners[0], corners[1], corners[2]);
+            const Vector3<Scalar> share = core::nearest_share(place, corners[0], corners[1], corners[2]);
             const Scalar distance =
                 (share[0] * corners[0] + share[1] * corners[1] + share[2] * corners[2] - place).norm();
             if (!(distance < least)) return;

@@ -19,7 +19,9 @@
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
+#include <skelgen/core/nearest_share.hpp>
 #include <skelgen/core/options.hpp>
+#include <skelgen/surface/face_tree.hpp>
 
 namespace skelgen::applications {
 namespace detail {
@@ -253,8 +255,43 @@ Correspondence correspond(const ComparableBody<Scalar>& from, const ComparableBo
             detail::beside((to.basis.functions.leftCols(k) / unit).template cast<float>(), posture * to_pose),
             detail::beside(mapped.cast<float>(),
                            detail::rows_of(detail::pose_features(moved, options.posture), wanted)));
-        if (is_last) return {map, detail::confidences(moved.common, to.common, map)};
+        if (is_last)
+            return {map, detail::confidences(moved.common, to.common, map), moved.common.template cast<double>()};
     }
+}
+
+template <typename Scalar>
+std::vector<TrianglePlace> triangle_places(const TriangleMesh<Scalar>& to, const Body<Scalar>& to_body,
+                                           const ComparableBody<Scalar>& to_comparable,
+                                           const Correspondence& correspondence) {
+    const std::vector<int> stands_for = standing_for(to_body, to.vertices);
+    TriangleMesh<Scalar> drawn{to_comparable.common, to.faces};
+    for (int& corner : drawn.faces.reshaped()) corner = stands_for[static_cast<std::size_t>(corner)];
+    std::vector<std::vector<int>> around(static_cast<std::size_t>(drawn.vertices.rows()));
+    for (int f = 0; f < drawn.faces.rows(); ++f)
+        for (int i = 0; i < 3; ++i) around[static_cast<std::size_t>(drawn.faces(f, i))].push_back(f);
+    const surface::FaceTree<Scalar> tree(drawn);
+    std::vector<TrianglePlace> out;
+    for (std::size_t v = 0; v < correspondence.map.size(); ++v) {
+        const Vector3<double> place = core::point(correspondence.bent, static_cast<Eigen::Index>(v));
+        int nearest = correspondence.map[v];
+        if (around[static_cast<std::size_t>(nearest)].empty()) // of a surface around all pieces: of none of their faces
+            nearest = tree.nearest_corner(drawn, Vector3<Scalar>(place.cast<Scalar>()));
+        TrianglePlace best;
+        double least = std::numeric_limits<double>::infinity();
+        for (const int face : around[static_cast<std::size_t>(nearest)]) {
+            Eigen::Matrix3d corners;
+            for (int i = 0; i < 3; ++i)
+                corners.col(i) = core::point(drawn.vertices, drawn.faces(face, i)).template cast<double>();
+            const Vector3<double> share =
+                core::nearest_share<double>(place, corners.col(0), corners.col(1), corners.col(2))
+                    .cwiseMax(0); // rounded
+            const double apart = (corners * share - place).squaredNorm();
+            if (apart < least) best = {face, {share[0], share[1], share[2]}}, least = apart;
+        }
+        out.push_back(best);
+    }
+    return out;
 }
 
 template <typename Scalar>

@@ -230,9 +230,8 @@ template <typename Scalar>
 Rig<Scalar> with_finger_bones(Rig<Scalar> rig, const TriangleMesh<Scalar>& mesh,
                               const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
                               const std::vector<hands::Hand<Scalar>>& hands) {
-    if (rig.joints.size() != skeleton.joints.size())
+    if (rig.joints.size() != skeleton.joints.size() || rig.motions.size() != skeleton.joints.size())
         throw Error(ErrorCode::usage, "the rig was not made of that skeleton: it has other joints");
-    const Orientations<Scalar> now = bone_orientations(skeleton, skeleton_template);
     for (const hands::Hand<Scalar>& hand : hands) {
         const int wrist = find_joint(skeleton_template, JointRole::wrist, hand.side);
         const int middle = find_joint(skeleton_template, JointRole::hand, hand.side);
@@ -243,9 +242,7 @@ Rig<Scalar> with_finger_bones(Rig<Scalar> rig, const TriangleMesh<Scalar>& mesh,
             // Else the thumb is at rest as the wrist has it, the fingers as the knuckles.
             const auto carrier = static_cast<std::size_t>(digit.digit == hands::Digit::thumb ? wrist : middle);
             const RigJoint<Scalar> carried_by = rig.joints[carrier];
-            const Eigen::Quaternion<Scalar> turn = (carried_by.orientation * now[carrier].conjugate()).normalized();
-            const Vector3<Scalar> pivot = rig.metres_per_unit * skeleton.joints[carrier].position;
-            const detail::FingerToRest<Scalar> carried{rig.metres_per_unit, {turn, carried_by.position - turn * pivot}};
+            const detail::FingerToRest<Scalar> carried{rig.metres_per_unit, rig.motions[carrier]};
             const auto at_rest = detail::motion_of_digit(rig, mesh, static_cast<int>(rig.joints.size()), carried);
             for (std::size_t k = 0; k < hands::phalanges; ++k) {
                 const Vector3<Scalar> end = k + 1 < hands::phalanges ? digit.joints[k + 1] : digit.tip;

@@ -122,10 +122,17 @@ Vector3<Scalar> girth_end(const KinematicSkeleton<Scalar>& skeleton, const std::
     return (joint_place(skeleton, "left_hip") + joint_place(skeleton, "right_hip")) / 2;
 }
 
+/// A girth with the plane that it is in, in the body's coordinates and unit.
+template <typename Scalar>
+struct Girth {
+    Scalar length = 0;
+    Vector3<Scalar> place, normal;
+};
+
 /// The girth that counts among those at a place; `side` in front of the names of joints and parts that have one.
 template <typename Scalar>
-std::optional<Scalar> girth_of(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
-                               const Segmentation& parts, const GirthPlace& place, const std::string& side) {
+std::optional<Girth<Scalar>> girth_of(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
+                                      const Segmentation& parts, const GirthPlace& place, const std::string& side) {
     constexpr int steps = 12; // along the place: girths change slowly
     const auto is_allowed = [&](const std::string& part) {
         return std::any_of(place.parts.begin(), place.parts.end(), [&](const std::string& name) {
@@ -146,17 +153,17 @@ std::optional<Scalar> girth_of(const Body<Scalar>& body, const KinematicSkeleton
     const Vector3<Scalar> left =
         (joint_place(skeleton, "left_shoulder") - joint_place(skeleton, "right_shoulder")).stableNormalized();
     const int last = place.end > place.begin ? steps : 0, tilts = place.is_tilted ? 3 : 0;
-    std::optional<Scalar> chosen;
+    std::optional<Girth<Scalar>> chosen;
     for (int tilt = -tilts; tilt <= tilts; ++tilt) {
         const Eigen::AngleAxis<Scalar> turn(Scalar(tilt) * static_cast<Scalar>(std::numbers::pi / 18), left);
         for (int i = 0; i <= last; ++i) {
             const auto along = static_cast<Scalar>(place.begin + (place.end - place.begin) * i / steps);
-            const auto girth =
-                girth_at<Scalar>(body, parts, wanted, from + along * (to - from), Vector3<Scalar>(turn * direction));
+            const Vector3<Scalar> at = from + along * (to - from), normal = turn * direction;
+            const auto girth = girth_at<Scalar>(body, parts, wanted, at, normal);
             if (!girth) continue;
-            const bool counts =
-                !chosen || (place.choice == GirthPlace::Choice::largest ? *girth > *chosen : *girth < *chosen);
-            if (counts) chosen = girth;
+            const bool counts = !chosen || (place.choice == GirthPlace::Choice::largest ? *girth > chosen->length
+                                                                                        : *girth < chosen->length);
+            if (counts) chosen = {*girth, at, normal};
         }
     }
     return chosen;
@@ -256,9 +263,12 @@ Measurements measure(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& 
     }
     const auto add_girth = [&](const detail::GirthPlace& place, const std::string& side) {
         const auto girth = detail::girth_of(body, inside, parts, place, side);
-        std::optional<double> value;
-        if (girth) value = unit * static_cast<double>(*girth);
-        out.girths.emplace_back(side + place.name, value);
+        out.girths.emplace_back(side + place.name,
+                                girth ? std::optional(unit * static_cast<double>(girth->length)) : std::nullopt);
+        out.girth_planes.emplace_back();
+        if (!girth) return;
+        out.girth_planes.back() = {body.similarity.to_input(girth->place).template cast<double>(),
+                                   body.similarity.direction_to_input(girth->normal).template cast<double>()};
     };
     for (const detail::GirthPlace& place : detail::trunk_girths()) add_girth(place, "");
     for (const std::string side : {"left_", "right_"})

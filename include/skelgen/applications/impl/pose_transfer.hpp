@@ -3,15 +3,18 @@
 #include <skelgen/applications/pose_transfer.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include <skelgen/applications/bind.hpp>
 #include <skelgen/applications/bone_orientations.hpp>
 #include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/floor.hpp>
 #include <skelgen/applications/lowest_place.hpp>
 #include <skelgen/applications/outward_faces.hpp>
 #include <skelgen/applications/posing.hpp>
+#include <skelgen/applications/rest_posture.hpp>
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/applications/skinning.hpp>
 #include <skelgen/core/geometry.hpp>
@@ -49,14 +52,26 @@ Vector3<Scalar> median_way(const KinematicSkeleton<Scalar>& from, const Kinemati
     return median;
 }
 
+/// The axis of the coordinates that is up where it is within 20 degrees of this direction: trunks lean. Else itself.
+template <typename Scalar>
+Vector3<Scalar> up_by_axes(const Vector3<Scalar>& up) {
+    Eigen::Index axis = 0;
+    const Scalar along = up.normalized().cwiseAbs().maxCoeff(&axis);
+    return along >= std::cos(Scalar(near_axes)) ? Vector3<Scalar>(Vector3<Scalar>::Unit(axis) * (up[axis] < 0 ? -1 : 1))
+                                                : up;
+}
+
 } // namespace detail
 
 template <typename Scalar>
 PosedBody<Scalar> pose_like(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
                             const KinematicSkeleton<Scalar>& skeleton, const KinematicSkeleton<Scalar>& model,
                             const SkeletonTemplate& skeleton_template) {
-    const Orientations<Scalar> from = bone_orientations(skeleton, skeleton_template);
-    const Orientations<Scalar> to = bone_orientations(model, skeleton_template);
+    const auto held = [&](const KinematicSkeleton<Scalar>& one, const Vector3<Scalar>& up) {
+        return posture(one, skeleton_template, rotation_to_canonical(one.frame.left, up));
+    };
+    const Orientations<Scalar> from = held(skeleton, upright(mesh, skeleton, skeleton_template));
+    const Orientations<Scalar> to = held(model, detail::up_by_axes<Scalar>(model.frame.up));
     const Skin<Scalar> skin = bind(mesh, body, skeleton, skeleton_template);
     auto motion = motions<Scalar>(skeleton, from, to, model.joints.front().position,
                                   girdle_lines(skeleton, from, model, to, skeleton_template));

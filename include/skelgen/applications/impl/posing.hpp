@@ -13,7 +13,6 @@
 namespace skelgen::applications {
 namespace detail {
 
-/// Per joint the way to it from its parent; of the root none.
 template <typename Scalar>
 std::vector<Vector3<Scalar>> lines_from_parents(const KinematicSkeleton<Scalar>& skeleton) {
     std::vector<Vector3<Scalar>> out;
@@ -46,8 +45,6 @@ Scalar way_to_usual_height(const KinematicSkeleton<Scalar>& rest, const Skeleton
     return *neck + (*neck - *hips) * core::usual_shoulder_height(raised, Scalar(0)) - *shoulders;
 }
 
-/// Ways from parents, as of girdle_lines, with the shoulders so much higher where the joints move by `motions`, then
-/// together as far from the chest as they were.
 template <typename Scalar>
 std::vector<Vector3<Scalar>> with_shoulders_higher(std::vector<Vector3<Scalar>> lines, Scalar higher,
                                                    const std::vector<RigidMotion<Scalar>>& motions,

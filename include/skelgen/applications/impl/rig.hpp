@@ -11,24 +11,42 @@
 #include <skelgen/applications/floor.hpp>
 #include <skelgen/applications/lowest_place.hpp>
 #include <skelgen/applications/outward_faces.hpp>
+#include <skelgen/applications/rest_posture.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 
 namespace skelgen::applications {
 namespace detail {
 
-/// In metres where the unit is known, on the floor, with the root above the origin.
+/// Where an input was before it was put into a rest pose, turned as that is.
 template <typename Scalar>
-Rig<Scalar> put_in_place(Rig<Scalar> rig, Scalar height) {
-    const auto metres = static_cast<Scalar>(metres_per_unit(static_cast<double>(height)));
+struct FormerPlace {
+    TriangleMesh<Scalar> mesh;
+    Points<Scalar> skeleton; ///< the root first
+    bool is_turned;          ///< by other than the axes of its coordinates
+};
+
+/// In metres where the unit is known, at the given place.
+template <typename Scalar>
+Rig<Scalar> put_in_place(Rig<Scalar> rig, Scalar height, const RigOptions& options, const FormerPlace<Scalar>& was) {
+    const double known = options.metres_per_unit;
+    const auto metres = static_cast<Scalar>(known > 0 ? known : metres_per_unit(static_cast<double>(height)));
     rig.unit_is_known = metres > 0;
     if (rig.unit_is_known) rig.metres_per_unit = metres;
-    const Scalar floor = lowest_place<Scalar>(rig.mesh, Vector3<Scalar>::UnitY(), places_of(rig.joints));
-    const Vector3<Scalar> root = rig.joints.front().position, origin(root[0], floor, root[2]);
+    const Vector3<Scalar> up = Vector3<Scalar>::UnitY();
+    const Scalar floor = lowest_place<Scalar>(rig.mesh, up, places_of(rig.joints));
+    const Vector3<Scalar> root = rig.joints.front().position;
+    Vector3<Scalar> origin(root[0], floor, root[2]); // what comes to lie at the origin
+    if (options.place != Place::centre && !was.is_turned) {
+        origin -= Vector3<Scalar>(was.skeleton(0, 0), 0, was.skeleton(0, 2));
+        if (options.place == Place::keep) origin[1] -= lowest_place<Scalar>(was.mesh, up, was.skeleton);
+    }
     for (Eigen::Index v = 0; v < rig.mesh.vertices.rows(); ++v) {
         const Vector3<Scalar> placed = rig.metres_per_unit * (core::point(rig.mesh.vertices, v) - origin);
         core::set_point<Scalar>(rig.mesh.vertices, v, placed);
     }
+    for (RigidMotion<Scalar>& motion : rig.motions)
+        motion.translation = rig.metres_per_unit * (motion.translation - origin);
     for (RigJoint<Scalar>& joint : rig.joints) {
         joint.position = rig.metres_per_unit * (joint.position - origin);
         joint.end = rig.metres_per_unit * (joint.end - origin);
@@ -65,16 +83,24 @@ SKELGEN_INLINE double metres_per_unit(double height) {
 template <typename Scalar>
 Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
                      const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
-                     RestPose rest) {
+                     const RigOptions& options) {
     Rig<Scalar> rig;
-    rig.rest = rest;
+    rig.rest = options.rest;
     rig.skin = bind(mesh, body, skeleton, skeleton_template);
 
-    const Orientations<Scalar> now = bone_orientations(skeleton, skeleton_template);
-    const auto to_canonical = rotation_to_canonical(skeleton.frame.left, upright(mesh, skeleton, skeleton_template));
-    const auto motion = rest_motions(rest, skeleton, skeleton_template, now, to_canonical);
+    const auto seen = rotation_to_canonical(skeleton.frame.left, upright(mesh, skeleton, skeleton_template));
+    const auto axes_to_axes = along_axes(seen);
+    const Eigen::Quaternion<Scalar> by_axes = axes_to_axes.value_or(seen);
+    // A scene that is turned by its axes, or not at all, still looks a little aside: so does the rest pose then.
+    const Eigen::Quaternion<Scalar> aside = about_vertical<Scalar>(by_axes * seen.conjugate());
+    const Eigen::Quaternion<Scalar> to_canonical = aside.conjugate() * by_axes;
+    const Orientations<Scalar> now = posture(skeleton, skeleton_template, to_canonical);
+    auto motion = posture_motions(options.rest, skeleton, skeleton_template, now, to_canonical);
+    for (RigidMotion<Scalar>& of_joint : motion)
+        of_joint = {(aside * of_joint.rotation).normalized(), aside * of_joint.translation};
     rig.mesh = {skinned(mesh.vertices, rig.skin, motion), outward_faces(mesh, body)};
     rig.turns = skin_turns(rig.skin, motion);
+    rig.motions = motion;
 
     const Orientations<Scalar> axes = bone_axes(skeleton, skeleton_template, now);
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
@@ -84,7 +110,10 @@ Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
                               motion[j](end), (motion[j].rotation * axes[j]).normalized(),
                               skeleton.joints[j].confidence, (motion[j].rotation * now[j]).normalized()});
     }
-    return detail::put_in_place(std::move(rig), height_by_bones(skeleton, skeleton_template));
+    const Eigen::Matrix3<Scalar> turned = by_axes.toRotationMatrix().transpose(); // as points are rows
+    return detail::put_in_place<Scalar>(
+        std::move(rig), height_by_bones(skeleton, skeleton_template), options,
+        {{mesh.vertices * turned, mesh.faces}, places_of(skeleton) * turned, !axes_to_axes});
 }
 
 } // namespace skelgen::applications

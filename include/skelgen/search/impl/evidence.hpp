@@ -355,14 +355,17 @@ void add_pose(Evidence& out, const KinematicSkeleton<Scalar>& skeleton, const Sk
 
 SKELGEN_INLINE std::string_view to_string(Witness witness) {
     constexpr std::array<std::string_view, witness_count> names{
-        "distortion",     "unmatched",    "unmatched_reach", "clutter_head", "clutter_hands", "clutter_back",
-        "clutter_legs",   "contacts",     "fitted",          "fit_cost",     "adapted",       "lacks_head",
-        "lacks_limbs",    "cut_limbs",    "reach",           "envelope",     "wrap",          "rounded",
-        "left_out",       "noisy",        "opened",          "cut",          "held",          "doubt",
-        "misplaced",      "outside",      "apart",           "unexplained",  "support",       "slack",
-        "pairs_lengths",  "pairs_girths", "mirror",          "head_size",    "arm_length",    "leg_length",
-        "shoulder_width", "hip_width",    "trunk_girth",     "below_hips",   "neck_height",   "sides",
-        "legs_go_on",     "four_legged"};
+        "distortion",    "unmatched",     "unmatched_reach", "clutter_head",
+        "clutter_hands", "clutter_back",  "clutter_legs",    "contacts",
+        "fitted",        "fit_cost",      "adapted",         "lacks_head",
+        "lacks_limbs",   "cut_limbs",     "reach",           "envelope",
+        "rounded",       "left_out",      "noisy",           "opened",
+        "cut",           "held",          "doubt",           "misplaced",
+        "outside",       "apart",         "unexplained",     "support",
+        "slack",         "pairs_lengths", "pairs_girths",    "mirror",
+        "head_size",     "arm_length",    "leg_length",      "shoulder_width",
+        "hip_width",     "trunk_girth",   "below_hips",      "neck_height",
+        "sides",         "legs_go_on",    "four_legged"};
     return names[static_cast<std::size_t>(witness)];
 }
 

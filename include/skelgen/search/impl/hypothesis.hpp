@@ -48,8 +48,6 @@ SKELGEN_INLINE std::string_view to_string(surface::Remedy remedy) {
         return "largest_piece";
     case surface::Remedy::envelope:
         return "envelope";
-    case surface::Remedy::wrap:
-        return "wrap";
     case surface::Remedy::rounded:
         return "rounded";
     }
@@ -60,8 +58,6 @@ SKELGEN_INLINE std::string_view to_string(Opening opening) {
     switch (opening) {
     case Opening::opened:
         return "opened";
-    case Opening::short_handles:
-        return "short_handles";
     case Opening::as_given:
         return "as_given";
     }

@@ -46,16 +46,12 @@ double smoothed_away(const Body<Scalar>& body, const TriangleMesh<Scalar>& mesh)
 /// So much noise, a centimetre on a person, may have moved joints.
 inline constexpr double much_noise = 0.005;
 
-inline bool is_envelope(surface::Remedy remedy) {
-    return remedy == surface::Remedy::envelope || remedy == surface::Remedy::wrap;
-}
-
 /// A surface that a remedy has made of the mesh.
 template <typename Scalar>
 struct PreparedSurface {
     std::shared_ptr<const Body<Scalar>> whole;
-    std::shared_ptr<const Body<Scalar>> closed;         ///< its pockets closed; the same where it has none
-    std::optional<surface::OpenedBody<Scalar>> handles; ///< and its handles opened; none where it has none
+    std::shared_ptr<const Body<Scalar>> closed; ///< its pockets closed; the same where it has none
+    std::optional<Body<Scalar>> handles;        ///< and its handles opened; none where it has none
     double noise = 0;
     double left_out = 0; ///< share of the input's area
 };
@@ -82,9 +78,7 @@ public:
         material_ = surface::gather(mesh_, options_.prepare);
         out_.timings.surface = stage.lap();
         if (material_.bodies > 1 && options_.prepare.component == 0) {
-            out_.failure = {Refusal::several_bodies,
-                            std::to_string(material_.bodies) +
-                                " bodies apart; give each a file of its own, or take one by its number (--component)"};
+            out_.failure = surface::several_bodies(material_.bodies);
             return std::move(out_);
         }
         remedies_ = material_.remedies;
@@ -107,7 +101,7 @@ private:
     static constexpr int rungs_per_surface = 100;
     /// On the way up from a surface's draft. Each try that is not sure leads to those above it.
     static constexpr int for_cuts = 1, for_rest_fit = 25, for_whole = 10, for_less_centred = 11, for_held = 20,
-                         for_other_opening = 30, for_finer = 40, for_finest = 50;
+                         for_as_given = 30, for_finer = 40, for_finest = 50;
 
     void add(Lead<Scalar> lead) {
         const auto place = std::upper_bound(leads_.begin(), leads_.end(), lead,
@@ -142,17 +136,15 @@ private:
         out.noise = smoothed_away(*out.whole, mesh_);
         const double area =
             static_cast<double>(out.whole->similarity.scale * out.whole->similarity.scale); // a body has 1
-        if (!is_envelope(remedy) && input_area > 0) out.left_out = std::clamp(1 - area / input_area, 0.0, 1.0);
+        if (remedy != surface::Remedy::envelope && input_area > 0)
+            out.left_out = std::clamp(1 - area / input_area, 0.0, 1.0);
         return surfaces_.emplace(remedy, std::move(out)).first->second;
     }
 
-    /// The surface as a hypothesis has it opened; none where that is as another one.
+    /// The surface as a hypothesis has it opened.
     std::shared_ptr<const Body<Scalar>> opened(const PreparedSurface<Scalar>& surface, Opening opening) const {
         if (opening == Opening::as_given) return surface.whole;
-        if (!surface.handles) return opening == Opening::opened ? surface.closed : nullptr;
-        if (opening == Opening::opened) return std::make_shared<const Body<Scalar>>(surface.handles->body);
-        auto short_alone = surface::open_short_handles(*surface.closed, *surface.handles);
-        return short_alone ? std::make_shared<const Body<Scalar>>(std::move(short_alone->body)) : nullptr;
+        return surface.handles ? std::make_shared<const Body<Scalar>>(*surface.handles) : surface.closed;
     }
 
     /// The one place where a curve is looked for.
@@ -221,47 +213,65 @@ private:
     double try_at_rest(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
                        const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
         core::Stopwatch stage;
-        const auto fit = fit_at_rest(*lead.body, wanted_, options_.refinement);
+        const auto fit = fit_at_rest(*lead.body, wanted_);
         out_.timings.refine += stage.lap();
-        if (fit) return try_laid(lead, surface, curve, *fit, entry);
-        refuse(entry, {Refusal::no_mirror, "no body at rest: the surface mirrors itself in no plane"});
-        return 0;
+        if (!fit) {
+            refuse(entry, {Refusal::no_mirror, "no body at rest: the surface mirrors itself in no plane"});
+            return 0;
+        }
+        return try_placed(lead, surface, curve, entry, options_,
+                          [&](const ExtractOptions& options) { return place_joints(*lead.body, *fit, options); });
     }
 
-    /// `laid`: a template laid into the curve, or a body at rest laid into the surface.
-    template <typename Laid>
     double try_laid(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
-                    const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, const Laid& laid, Tried& entry) {
-        const double likeliest = try_with(lead, surface, curve, laid, options_, entry);
+                    const std::shared_ptr<const curve::CurveResult<Scalar>>& curve,
+                    const embedding::FittingTemplate& laid, Tried& entry) {
+        if (curve->is_point) {
+            refuse(entry, too_compact());
+            return 0;
+        }
+        const auto placed = [&](const ExtractOptions& options) {
+            return place_joints(*lead.body, *curve, laid, options);
+        };
+        const double likeliest = try_placed(lead, surface, curve, entry, options_, placed);
         const bool is_cut = last_cut_limbs_ > 0;
         if (!is_cut || (likeliest >= sure_enough && thoroughness_ == Thoroughness::until_sure)) return likeliest;
         ExtractOptions as_whole = options_; // flat soles may pass for cuts
         as_whole.refinement.limbs_may_be_cut = false;
-        return std::max(likeliest, try_with(lead, surface, curve, laid, as_whole, entry));
+        return std::max(likeliest, try_placed(lead, surface, curve, entry, as_whole, placed));
     }
 
-    template <typename Laid>
-    double try_with(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
-                    const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, const Laid& laid,
-                    const ExtractOptions& options, Tried& entry) {
-        Outcome<Candidate<Scalar>> candidate = skeleton_of(*lead.body, *curve, laid, options);
+    /// The skeleton of placed joints. \returns its probability.
+    template <typename Place>
+    double try_placed(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
+                      const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry,
+                      const ExtractOptions& options, Place place) {
+        core::Stopwatch stage;
+        const PlacedJoints<Scalar> placed = place(options);
+        out_.timings.refine += stage.lap();
+        Outcome<Candidate<Scalar>> candidate = skeleton_of(*lead.body, *curve, placed);
         last_cut_limbs_ = candidate ? candidate->evidence[Witness::cut_limbs] : 0;
-        if (!candidate) {
-            refuse(entry, candidate.failure());
-            return 0;
-        }
-        out_.timings = out_.timings + candidate->timings;
+        if (candidate) return keep(lead, surface, curve, *std::move(candidate), entry);
+        refuse(entry, candidate.failure());
+        return 0;
+    }
+
+    /// Keeps a candidate where it is the likeliest so far. \returns its probability.
+    double keep(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
+                const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Candidate<Scalar> candidate,
+                Tried& entry) {
+        out_.timings = out_.timings + candidate.timings;
         ++entry.candidates;
-        candidate->evidence = with_history(candidate->evidence, lead.what, surface);
-        candidate->probability = probability_right(candidate->evidence);
-        const double probability = candidate->probability;
+        candidate.evidence = with_history(candidate.evidence, lead.what, surface);
+        candidate.probability = probability_right(candidate.evidence);
+        const double probability = candidate.probability;
         if (probability > entry.probability) {
             entry.probability = probability;
-            entry.lacks_limb = candidate->evidence[Witness::lacks_head] + candidate->evidence[Witness::lacks_limbs] +
-                                   candidate->evidence[Witness::cut_limbs] >
+            entry.lacks_limb = candidate.evidence[Witness::lacks_head] + candidate.evidence[Witness::lacks_limbs] +
+                                   candidate.evidence[Witness::cut_limbs] >
                                0;
         }
-        Found<Scalar> found{*std::move(candidate), lead.body, surface.whole, curve, lead.what, surface.noise};
+        Found<Scalar> found{std::move(candidate), lead.body, surface.whole, curve, lead.what, surface.noise};
         if (thoroughness_ == Thoroughness::exhaustive || out_.found.empty())
             out_.found.push_back(std::move(found));
         else if (probability > out_.found.front().candidate.probability)
@@ -278,7 +288,6 @@ private:
     static Evidence with_history(Evidence evidence, const Hypothesis& what, const PreparedSurface<Scalar>& surface) {
         const auto flag = [](bool is) { return is ? 1.0 : 0.0; };
         evidence[Witness::envelope] = flag(what.surface == surface::Remedy::envelope);
-        evidence[Witness::wrap] = flag(what.surface == surface::Remedy::wrap);
         evidence[Witness::rounded] = flag(what.surface == surface::Remedy::rounded);
         evidence[Witness::left_out] = surface.left_out;
         evidence[Witness::noisy] = flag(surface.noise > much_noise);
@@ -312,17 +321,11 @@ private:
         if (effort != Effort::whole) return;
         if (lead.what.held == Held::nothing && lead.what.cuts == 0) {
             follow_held(lead, curve, rung + for_held);
-            if (lead.what.opening == Opening::opened) {
+            if (lead.what.opening == Opening::opened && (surface.handles || surface.closed != surface.whole)) {
                 what = lead.what;
                 what.effort = Effort::draft;
-                if (surface.handles && surface.handles->before_creases) {
-                    what.opening = Opening::short_handles;
-                    lead_to(what, for_other_opening, nullptr);
-                }
-                if (surface.handles || surface.closed != surface.whole) {
-                    what.opening = Opening::as_given;
-                    lead_to(what, for_other_opening, nullptr);
-                }
+                what.opening = Opening::as_given;
+                lead_to(what, for_as_given, nullptr);
             }
             follow_centring(lead, curve, rung + for_less_centred);
             what = lead.what;
@@ -337,7 +340,7 @@ private:
     /// are the whole curve's to tell.
     void follow_contacts(const Lead<Scalar>& lead, const std::shared_ptr<const curve::CurveResult<Scalar>>& curve) {
         const int contacts = embedding::contact_count(curve->curve);
-        const bool is_envelopes_draft = curve->is_draft && is_envelope(lead.what.surface);
+        const bool is_envelopes_draft = curve->is_draft && lead.what.surface == surface::Remedy::envelope;
         if (contacts == 0 || contacts >= lead.most_contacts || is_envelopes_draft) return;
         core::Stopwatch stage;
         const auto with_regions =

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <skelgen/anatomy/complete.hpp>
@@ -17,62 +18,73 @@
 
 namespace skelgen::search {
 
-namespace detail {
-
-/// From placed joints on: sides, the completed skeleton, the evidence.
 template <typename Scalar>
-Outcome<Candidate<Scalar>> completed_candidate(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve,
-                                               const refinement::RefinedJoints<Scalar>& joints,
-                                               const embedding::Embedding* embedding, const SkeletonTemplate& wanted,
-                                               Scalar diameter, const symmetry::SidesOptions& witnesses) {
+PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found,
+                                  const embedding::FittingTemplate& laid, const ExtractOptions& options) {
+    const auto& [wanted, embedding, is_odd, fits_badly] = laid;
+    const auto ends = refinement::find_end_points(body, found.curve, embedding, wanted);
+    return {wanted,
+            refinement::refine(body, ends, found.curve, embedding, wanted, options.refinement),
+            &embedding,
+            refinement::geodesic_diameter(ends),
+            is_odd ? symmetry::sides_of_figures(options.sides) : options.sides,
+            {}};
+}
+
+template <typename Scalar>
+PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const RestFit<Scalar>& fit, const ExtractOptions& options) {
+    using enum JointRole;
+    const SkeletonTemplate& wanted = fit.skeleton_template;
+    const auto ends = refinement::find_end_points(body, fit.lines, fit.embedding, wanted);
+    refinement::RefinedJoints<Scalar> joints =
+        refinement::refine(body, ends, fit.lines, fit.embedding, wanted, options.refinement);
+    for (std::size_t j = 0; j < wanted.joints.size(); ++j) {
+        const JointRole role = wanted.joints[j].role;
+        if (joints.is_present[j] && (role == wrist || role == hand || role == ankle || role == foot)) continue;
+        joints.positions.row(static_cast<Eigen::Index>(j)) = fit.joints.positions.row(static_cast<Eigen::Index>(j));
+    }
+    joints.head = std::nullopt; // head and trunk are not measured: they tell less than limbs which way a figure faces
+    joints.trunk = std::nullopt;
+    const double cost = std::log(std::max(fit.cost, 1e-3));
+    return {wanted,        std::move(joints),
+            nullptr,       core::geodesic_diameter(body.graph),
+            options.sides, {{Witness::fitted, 1}, {Witness::fit_cost, cost}}};
+}
+
+template <typename Scalar>
+Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found,
+                                       const PlacedJoints<Scalar>& placed) {
     core::Stopwatch stage;
-    const auto sides = symmetry::decide_sides(joints, wanted, witnesses);
+    const SkeletonTemplate& wanted = placed.skeleton_template;
+    const auto sides = symmetry::decide_sides(placed.joints, wanted, placed.witnesses);
     if (!sides) return sides.failure();
-    auto completed = anatomy::complete_skeleton(symmetry::assemble(joints, wanted, *sides), body, curve, wanted);
+    auto completed =
+        anatomy::complete_skeleton(symmetry::assemble(placed.joints, wanted, *sides), body, found.curve, wanted);
     Candidate<Scalar> out;
-    out.geodesic_diameter = diameter;
-    out.evidence = evidence_of(body, curve, embedding, completed, wanted, diameter);
+    out.geodesic_diameter = placed.geodesic_diameter;
+    out.evidence = evidence_of(body, found.curve, placed.embedding, completed, wanted, placed.geodesic_diameter);
+    for (const auto& [witness, value] : placed.evidence) out.evidence[witness] = value;
     out.probability = probability_right(out.evidence);
     out.skeleton = std::move(completed.skeleton);
     out.doubt = std::move(completed.doubt);
     out.timings.sides = stage.lap();
-    return out;
-}
-
-} // namespace detail
-
-template <typename Scalar>
-Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found,
-                                       const embedding::FittingTemplate& laid, const ExtractOptions& options) {
-    if (found.is_point)
-        return Failure{Refusal::too_compact, "no human body: too compact a shape for one with arms and legs"};
-    const auto& [wanted, embedding, is_odd, fits_badly] = laid;
-    core::Stopwatch stage;
-    const auto ends = refinement::find_end_points(body, found.curve, embedding, wanted);
-    const auto joints = refinement::refine(body, ends, found.curve, embedding, wanted, options.refinement);
-    const double refine_time = stage.lap();
-    auto out =
-        detail::completed_candidate(body, found.curve, joints, &embedding, wanted, refinement::geodesic_diameter(ends),
-                                    is_odd ? symmetry::sides_of_figures(options.sides) : options.sides);
-    if (!out) return out;
-    out->timings.refine = refine_time;
-    out->skeleton.quality.matched_nodes = embedding.matched_nodes;
-    if (!embedding.is_least)
-        out->skeleton.quality.warnings.push_back(
+    if (!placed.embedding) return out;
+    out.skeleton.quality.matched_nodes = placed.embedding->matched_nodes;
+    if (!placed.embedding->is_least)
+        out.skeleton.quality.warnings.push_back(
             "the curve skeleton has too many branches to try all matches: limbs may be mistaken");
     return out;
 }
 
 template <typename Scalar>
 Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found,
-                                       const RestFit<Scalar>& fit, const ExtractOptions& options) {
-    auto out = detail::completed_candidate<Scalar>(body, found.curve, fit.joints, nullptr, fit.skeleton_template,
-                                                   core::geodesic_diameter(body.graph),
-                                                   symmetry::sides_of_figures(options.sides));
-    if (!out) return out;
-    out->evidence[Witness::fitted] = 1;
-    out->evidence[Witness::fit_cost] = std::log(std::max(fit.cost, 1e-3));
-    out->probability = probability_right(out->evidence);
+                                       const embedding::FittingTemplate& laid, const ExtractOptions& options) {
+    if (found.is_point) return too_compact();
+    core::Stopwatch stage;
+    const auto placed = place_joints(body, found, laid, options);
+    const double refine_time = stage.lap();
+    auto out = skeleton_of(body, found, placed);
+    if (out) out->timings.refine = refine_time;
     return out;
 }
 

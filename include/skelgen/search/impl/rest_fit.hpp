@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -189,6 +190,8 @@ inline RestNumbers prior_deviations() {
 struct RestBone {
     Vec3d from, to;
     double from_radius, to_radius, from_width = 0, to_width = 0;
+
+    friend bool operator==(const RestBone&, const RestBone&) = default;
 };
 
 /// The model's half beside the mirror plane.
@@ -299,14 +302,15 @@ public:
                                  bool with_middles) const {
         constexpr double step = 1e-4, least_damping = 1e-6, most_damping = 1e6;
         RestNumbers x = start;
-        Eigen::VectorXd r = residuals(x, prior, with_middles);
+        Laid here = laid(x, with_middles, nullptr);
+        Eigen::VectorXd r = residuals(here, x, prior);
         double cost = r.squaredNorm(), damping = 1e-2;
         for (int round = 0; round < rounds; ++round) {
             Eigen::Matrix<double, Eigen::Dynamic, numbers> jacobian(r.size(), static_cast<int>(numbers));
             for (int k = 0; k < numbers; ++k) {
                 RestNumbers moved = x;
                 moved[k] += step;
-                jacobian.col(k) = (residuals(moved, prior, with_middles) - r) / step;
+                jacobian.col(k) = (residuals(laid(moved, with_middles, &here), moved, prior) - r) / step;
             }
             const Eigen::Matrix<double, numbers, numbers> normal = jacobian.transpose() * jacobian;
             const RestNumbers gradient = jacobian.transpose() * r;
@@ -315,13 +319,15 @@ public:
                 Eigen::Matrix<double, numbers, numbers> damped = normal;
                 damped.diagonal() *= 1 + damping;
                 const RestNumbers next = x - damped.ldlt().solve(gradient);
-                const Eigen::VectorXd there = residuals(next, prior, with_middles);
-                improved = there.squaredNorm() < cost;
+                Laid there = laid(next, with_middles, nullptr);
+                const Eigen::VectorXd residuals_there = residuals(there, next, prior);
+                improved = residuals_there.squaredNorm() < cost;
                 damping = improved ? std::max(damping / 5, least_damping) : damping * 4;
                 if (!improved) continue;
-                const double gain = cost - there.squaredNorm();
+                const double gain = cost - residuals_there.squaredNorm();
                 x = next;
-                r = there;
+                here = std::move(there);
+                r = residuals_there;
                 cost = r.squaredNorm();
                 if (gain < 1e-4 * cost) return {x, cost};
             }
@@ -331,29 +337,52 @@ public:
     }
 
 private:
-    [[nodiscard]] Eigen::VectorXd residuals(const RestNumbers& x, const RestNumbers& prior, bool with_middles) const {
+    static constexpr std::array<double, 4> along{0.1, 0.35, 0.65,
+                                                 0.9};        ///< a bone: where its axis has to be in the middle
+    static constexpr Eigen::Index bones = 5, with_middle = 4; ///< a foot's axis has no middle to be in
+
+    /// How the model lies in the surface.
+    struct Laid {
+        RestModel model;
+        Eigen::Matrix<double, Eigen::Dynamic, bones> beyond;         ///< per place and bone, absolute
+        Eigen::Matrix<double, along.size(), with_middle> off_middle; ///< distance to the surface less the radius
+        bool has_middles = false;
+    };
+
+    /// What a bone has in common with `known` is taken over: most numbers move one or two of them.
+    [[nodiscard]] Laid laid(const RestNumbers& x, bool with_middles, const Laid* known) const {
+        Laid out;
+        if (known) out = *known;
+        out.model = model_of(x);
+        out.has_middles = with_middles;
+        const auto places = static_cast<Eigen::Index>(places_.size());
+        out.beyond.resize(places, bones);
+        for (Eigen::Index b = 0; b < bones; ++b) {
+            const RestBone& bone = out.model.bones[static_cast<std::size_t>(b)];
+            if (known && bone == known->model.bones[static_cast<std::size_t>(b)]) continue;
+            for (Eigen::Index i = 0; i < places; ++i)
+                out.beyond(i, b) = std::abs(beyond(bone, places_[static_cast<std::size_t>(i)]));
+            for (std::size_t k = 0; k < along.size() && with_middles && b < with_middle; ++k) {
+                const double radius = bone.from_radius + along[k] * (bone.to_radius - bone.from_radius);
+                out.off_middle(static_cast<Eigen::Index>(k), b) =
+                    distance_(bone.from + along[k] * (bone.to - bone.from)) - radius;
+            }
+        }
+        return out;
+    }
+
+    [[nodiscard]] Eigen::VectorXd residuals(const Laid& laid, const RestNumbers& x, const RestNumbers& prior) const {
         constexpr double on_surface = 0.02, in_middle = 0.03; // of the height: as much as counts 1
         constexpr double surface_weight = 6, middle_weight = 4, prior_weight = 0.5; // of all residuals of the kind
-        constexpr std::array<double, 4> along{0.1, 0.35, 0.65, 0.9};
         static const RestNumbers deviations = prior_deviations();
-        const RestModel model = model_of(x);
-        const auto middles = with_middles ? static_cast<Eigen::Index>(4 * along.size()) : 0;
-        const auto places = static_cast<Eigen::Index>(places_.size());
+        const Eigen::Index places = laid.beyond.rows(), middles = laid.has_middles ? laid.off_middle.size() : 0;
         Eigen::VectorXd out(places + middles + numbers);
-        for (Eigen::Index i = 0; i < places; ++i) {
-            double least = std::numeric_limits<double>::infinity();
-            for (const RestBone& bone : model.bones)
-                least = std::min(least, std::abs(beyond(bone, places_[static_cast<std::size_t>(i)])));
-            out[i] = robust(least / on_surface) * surface_weight / std::sqrt(static_cast<double>(places));
-        }
-        Eigen::Index row = places;
-        for (std::size_t b = 0; b < 4 && with_middles; ++b)
-            for (const double u : along) {
-                const RestBone& bone = model.bones[b];
-                const double radius = bone.from_radius + u * (bone.to_radius - bone.from_radius);
-                out[row++] = robust((distance_(bone.from + u * (bone.to - bone.from)) - radius) / in_middle) *
-                             middle_weight / std::sqrt(static_cast<double>(middles));
-            }
+        for (Eigen::Index i = 0; i < places; ++i)
+            out[i] = robust(laid.beyond.row(i).minCoeff() / on_surface) * surface_weight /
+                     std::sqrt(static_cast<double>(places));
+        for (Eigen::Index k = 0; k < middles; ++k)
+            out[places + k] =
+                robust(laid.off_middle.data()[k] / in_middle) * middle_weight / std::sqrt(static_cast<double>(middles));
         out.tail<numbers>() = prior_weight * (x - prior).cwiseQuotient(deviations);
         return out;
     }
@@ -362,29 +391,8 @@ private:
     Distance distance_;
 };
 
-/// How far the foot reaches ahead of the shin more than behind it, in the model's coordinates: that tells which way a
-/// body faces. Negative for a foot that points back; 0 where there is too little to see.
-inline double foot_ahead(const RestFrame& frame, const RestModel& model, const Places& cloud) {
-    constexpr double sole = 0.045, calf_from = 0.1, calf_to = 0.2; // of the height, above the floor
-    constexpr double beside = 0.08, stray = 0.05;
-    constexpr std::size_t least = 8; // places
-    const double floor = model.toe.y() - (model.ankle.y() - model.bones[3].to.y()) - model.bones[3].to_radius;
-    std::vector<double> foot, calf;
-    for (Eigen::Index i = 0; i < cloud.rows(); ++i) {
-        const Vec3d place = frame.to_model(cloud.row(i).transpose());
-        if (std::abs(place.x() - model.ankle.x()) > beside) continue;
-        const double above = place.y() - floor;
-        if (above < sole) foot.push_back(place.z());
-        if (above > calf_from && above < calf_to) calf.push_back(place.z());
-    }
-    if (foot.size() < least || calf.size() < least) return 0;
-    std::sort(foot.begin(), foot.end());
-    std::sort(calf.begin(), calf.end());
-    const auto at = [&](double part) {
-        return foot[static_cast<std::size_t>(part * static_cast<double>(foot.size() - 1))];
-    };
-    return at(1 - stray) + at(stray) - 2 * calf[calf.size() / 2];
-}
+/// Parts of the way from shoulder to fingertip, in the mean over people and characters, as place_of() has more of them.
+inline constexpr double elbow_at = 0.43, wrist_at = 0.78;
 
 /// How long head, arms and legs are beside the trunk, as multiples of the template's.
 inline embedding::Proportions proportions_of_model(const RestModel& model, const SkeletonTemplate& wanted) {
@@ -412,9 +420,8 @@ inline embedding::Proportions proportions_of_model(const RestModel& model, const
 /// Where a template's joint is on the model's half.
 inline Vec3d place_of(const RestModel& model, const SkeletonTemplate& wanted, int joint) {
     using enum JointRole;
-    // Parts of the way, in the mean over people and characters (see the calibration table).
-    constexpr double shoulder_at = 0.07, elbow_at = 0.43, wrist_at = 0.78, hand_at = 0.88, knee_at = 0.5,
-                     ankle_at = 0.955, waist_at = 0.33, chest_at = 0.7, head_at = 0.45;
+    constexpr double shoulder_at = 0.07, hand_at = 0.88, knee_at = 0.5, ankle_at = 0.955, waist_at = 0.33,
+                     chest_at = 0.7, head_at = 0.45;
     constexpr double shoulder_lower = 0.004; // than the line of the arm's middle begins; of the height
     const auto between = [](const Vec3d& a, const Vec3d& b, double part) -> Vec3d { return a + part * (b - a); };
     switch (wanted.joint(joint).role) {
@@ -446,6 +453,57 @@ inline Vec3d place_of(const RestModel& model, const SkeletonTemplate& wanted, in
         return model.toe;
     }
     return model.crotch;
+}
+
+/// The axes of a model that was laid into a body as a curve, and the template in it. `place`: per joint, `tip`: per end
+/// of a limb where the model has it in the body.
+template <typename Scalar>
+void draw_lines(const Body<Scalar>& body, const SkeletonTemplate& wanted, const Points<Scalar>& place,
+                const std::map<int, Vector3<Scalar>>& tip, RestFit<Scalar>& out) {
+    constexpr int nodes_per_bone = 6;
+    std::vector<int> children(wanted.joints.size(), 0);
+    for (const TemplateJoint& joint : wanted.joints)
+        if (joint.parent >= 0) ++children[static_cast<std::size_t>(joint.parent)];
+    const auto is_kept = [&](int j) {
+        return wanted.joint(j).parent < 0 || children[static_cast<std::size_t>(j)] != 1;
+    };
+    std::vector<Vector3<Scalar>> nodes;
+    out.embedding.node_of_joint.assign(wanted.joints.size(), -1);
+    const auto node_at = [&](const Vector3<Scalar>& where) {
+        nodes.push_back(where);
+        return static_cast<int>(nodes.size()) - 1;
+    };
+    for (int end = 0; end < static_cast<int>(wanted.joints.size()); ++end) {
+        if (!is_kept(end)) continue;
+        const auto at_tip = tip.find(end);
+        const Vector3<Scalar> last = at_tip == tip.end() ? core::point(place, end) : at_tip->second;
+        int& node = out.embedding.node_of_joint[static_cast<std::size_t>(end)];
+        node = node_at(last);
+        if (wanted.joint(end).parent < 0) continue;
+        embedding::Chain chain{{end}, {}};
+        while (chain.joints.size() < 2 || !is_kept(chain.joints.back()))
+            chain.joints.push_back(wanted.joint(chain.joints.back()).parent);
+        std::reverse(chain.joints.begin(), chain.joints.end());
+        chain.nodes.push_back(out.embedding.node_of_joint[static_cast<std::size_t>(chain.joints.front())]);
+        for (std::size_t j = 1; j < chain.joints.size(); ++j) {
+            const bool is_last = j + 1 == chain.joints.size();
+            const Vector3<Scalar> from = core::point(place, chain.joints[j - 1]);
+            const Vector3<Scalar> to = is_last ? last : core::point(place, chain.joints[j]);
+            for (int k = 1; k <= nodes_per_bone; ++k) {
+                const bool is_end = is_last && k == nodes_per_bone;
+                const int next = is_end ? node : node_at(from + Scalar(k) / Scalar(nodes_per_bone) * (to - from));
+                out.lines.edges.push_back({std::min(chain.nodes.back(), next), std::max(chain.nodes.back(), next)});
+                chain.nodes.push_back(next);
+            }
+        }
+        out.embedding.chains.push_back(std::move(chain));
+    }
+    out.lines.nodes.resize(static_cast<Eigen::Index>(nodes.size()), 3);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        core::set_point<Scalar>(out.lines.nodes, static_cast<Eigen::Index>(i), nodes[i]);
+        out.lines.radii.push_back(body.tree.distance(body.mesh, nodes[i]));
+    }
+    out.lines.regions.resize(nodes.size());
 }
 
 } // namespace detail
@@ -492,10 +550,9 @@ std::vector<MirrorPlane> mirror_planes(const Body<Scalar>& body) {
 }
 
 template <typename Scalar>
-std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>& body, const SkeletonTemplate& wanted,
-                                           const refinement::RefinementOptions& options) {
+std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>& body, const SkeletonTemplate& wanted) {
     using detail::Vec3d;
-    constexpr int few = 256, many = 2048, first_rounds = 3, second_rounds = 4, last_rounds = 12;
+    constexpr int few = 256, more = 512, many = 2048, first_rounds = 3, second_rounds = 4, last_rounds = 12;
     constexpr std::size_t most_seconds = 16, most_finals = 4;
     if (std::any_of(wanted.joints.begin(), wanted.joints.end(),
                     [](const TemplateJoint& joint) { return joint.is_absent; }))
@@ -503,7 +560,9 @@ std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>& body, const Skele
     if (!(core::enclosed_volume(body.mesh) > detail::least_volume<Scalar>)) return std::nullopt;
     const std::vector<MirrorPlane> planes = mirror_planes(body);
     if (planes.empty()) return std::nullopt;
-    const detail::Places places = detail::spread_places(body.mesh, few), cloud = detail::spread_places(body.mesh, many);
+    const detail::Places places = detail::spread_places(body.mesh, few),
+                         closer = detail::spread_places(body.mesh, more),
+                         cloud = detail::spread_places(body.mesh, many);
 
     struct Run {
         detail::RestFrame frame;
@@ -512,9 +571,9 @@ std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>& body, const Skele
         double cost;
     };
     std::vector<Run> runs;
-    const auto solver_for = [&](const detail::RestFrame& frame) {
+    const auto solver_for = [&](const detail::RestFrame& frame, const detail::Places& at) {
         std::vector<Vec3d> in_model;
-        for (Eigen::Index i = 0; i < places.rows(); ++i) in_model.push_back(frame.to_model(places.row(i).transpose()));
+        for (Eigen::Index i = 0; i < at.rows(); ++i) in_model.push_back(frame.to_model(at.row(i).transpose()));
         const auto distance = [&body, frame](const Vec3d& place) {
             const Vec3d there = frame.to_body(place, 1);
             return static_cast<double>(body.tree.distance(body.mesh, Vector3<Scalar>(there.cast<Scalar>()))) /
@@ -524,7 +583,7 @@ std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>& body, const Skele
     };
     for (const MirrorPlane& plane : planes)
         for (const detail::RestFrame& frame : detail::frames_of(plane, cloud)) {
-            const auto solver = solver_for(frame);
+            const auto solver = solver_for(frame, places);
             for (const detail::RestStart& start : detail::rest_starts)
                 for (const double angle : detail::arm_angles) {
                     const detail::RestNumbers prior = detail::start_at(start, angle);
@@ -533,22 +592,22 @@ std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>& body, const Skele
                 }
         }
     const auto cheaper = [](const Run& a, const Run& b) { return a.cost < b.cost; };
-    const auto finish = [&](std::size_t most, int rounds) {
+    const auto finish = [&](std::size_t most, int rounds, const detail::Places& at) {
         std::stable_sort(runs.begin(), runs.end(), cheaper);
         if (runs.size() > most) runs.resize(most);
         for (Run& run : runs) {
-            const auto [numbers, cost] = solver_for(run.frame).solve(run.numbers, run.prior, rounds, true);
+            const auto [numbers, cost] = solver_for(run.frame, at).solve(run.numbers, run.prior, rounds, true);
             run.numbers = numbers;
             run.cost = cost;
         }
     };
-    finish(most_seconds, second_rounds);
-    finish(most_finals, last_rounds);
+    finish(most_seconds, second_rounds, places);
+    finish(most_finals, last_rounds, closer);
     const Run& best = *std::min_element(runs.begin(), runs.end(), cheaper);
 
     detail::RestModel model = detail::model_of(best.numbers);
-    // As far down as the foot is long where it points straight ahead: what hardly points says little of the sides.
-    model.toe = model.ankle + Vec3d(0, -0.8 * model.bones[3].to_radius, detail::foot_ahead(best.frame, model, cloud));
+    // Straight down: where feet point is for the cross-sections to see.
+    model.toe = model.ankle + Vec3d(0, -0.8 * model.bones[3].to_radius, 0);
     RestFit<Scalar> out;
     out.cost = best.cost;
     out.mirror = best.mirror;
@@ -560,6 +619,7 @@ std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>& body, const Skele
     };
     out.joints.positions.resize(static_cast<Eigen::Index>(wanted.joints.size()), 3);
     out.joints.is_present.assign(wanted.joints.size(), true);
+    std::map<int, Vector3<Scalar>> tips;
     for (int j = 0; j < static_cast<int>(wanted.joints.size()); ++j) {
         const TemplateJoint& joint = wanted.joint(j);
         const double side = joint.side == Side::right ? -1 : 1;
@@ -568,14 +628,11 @@ std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>& body, const Skele
         const Vec3d tip = joint.role == JointRole::head   ? model.top
                           : joint.role == JointRole::hand ? model.fingertip
                                                           : model.toe;
+        tips.emplace(j, in_body(tip, side));
         const int vertex = body.tree.nearest_corner(body.mesh, in_body(tip, side));
         out.joints.tips.emplace_back(j, core::point(body.mesh.vertices, vertex));
     }
-    const refinement::Slicer<Scalar> slicer(body);
-    out.joints.head = refinement::measure_head(slicer, in_body(model.top, 1), in_body(model.neck, 1), options.head);
-    out.joints.trunk = refinement::measure_trunk(
-        slicer, in_body(0.5 * (model.hip + Vec3d(-model.hip.x(), model.hip.y(), model.hip.z())), 1),
-        in_body(model.neck, 1), Vector3<Scalar>(in_body(model.hip, 1) - in_body(model.hip, -1)));
+    detail::draw_lines(body, wanted, out.joints.positions, tips, out);
     return out;
 }
 

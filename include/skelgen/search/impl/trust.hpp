@@ -14,18 +14,37 @@ namespace detail {
 
 inline double logistic(double x) { return 1 / (1 + std::exp(-x)); }
 
-/// What a witness adds to the logarithm of the odds.
-inline double voice(const Evidence& evidence, std::size_t witness) {
-    return trust_weights[witness] * (evidence.values[witness] - trust_means[witness]);
+/// What the square of a proportion adds to the logarithm of the odds; no more than for one 4.5 times an adult's.
+inline double voice_of_square(const Evidence& evidence, std::size_t curved) {
+    constexpr double most = 1.5;
+    const double value = std::clamp(evidence[curved_witnesses[curved]], -most, most);
+    return trust_square_weights[curved] * (value * value - trust_square_means[curved]);
+}
+
+/// What the answers to a tree's questions add to the logarithm of the odds.
+inline double voice_of_tree(const TrustTree& tree, const Evidence& evidence) {
+    std::size_t place = 0;
+    while (place < tree.witness.size())
+        place = 2 * place + 1 + (static_cast<float>(evidence.values[tree.witness[place]]) > tree.bound[place] ? 1 : 0);
+    return tree.voice[place - tree.witness.size()];
+}
+
+/// What each witness by itself adds to the logarithm of the odds.
+inline std::array<double, witness_count> voices(const Evidence& evidence) {
+    std::array<double, witness_count> out;
+    for (std::size_t w = 0; w < witness_count; ++w) out[w] = trust_weights[w] * (evidence.values[w] - trust_means[w]);
+    for (std::size_t c = 0; c < curved_witnesses.size(); ++c)
+        out[static_cast<std::size_t>(curved_witnesses[c])] += voice_of_square(evidence, c);
+    return out;
 }
 
 } // namespace detail
 
 SKELGEN_INLINE double probability_right(const Evidence& evidence) {
     double log_odds = trust_offset;
-    for (std::size_t w = 0; w < witness_count; ++w) log_odds += detail::voice(evidence, w);
-    const bool is_at_rest = evidence[Witness::fitted] > 0.5;
-    return detail::logistic(log_odds) * (is_at_rest ? trust_in_rest_fits : 1);
+    for (const double voice : detail::voices(evidence)) log_odds += voice;
+    for (const TrustTree& tree : trust_trees) log_odds += detail::voice_of_tree(tree, evidence);
+    return detail::logistic(log_odds);
 }
 
 template <typename Scalar>
@@ -43,10 +62,8 @@ KinematicSkeleton<Scalar> with_confidence(KinematicSkeleton<Scalar> skeleton, do
 }
 
 SKELGEN_INLINE const char* strongest_doubt(const Evidence& evidence) {
-    std::size_t worst = 0;
-    for (std::size_t w = 1; w < witness_count; ++w)
-        if (detail::voice(evidence, w) < detail::voice(evidence, worst)) worst = w;
-    switch (static_cast<Witness>(worst)) {
+    const auto voices = detail::voices(evidence);
+    switch (static_cast<Witness>(std::min_element(voices.begin(), voices.end()) - voices.begin())) {
     case Witness::unmatched:
     case Witness::unmatched_reach:
     case Witness::clutter_head:

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <vector>
 
 #include <skelgen/core/geometry.hpp>
@@ -108,129 +106,6 @@ TriangleMesh<Scalar> winding_envelope(const TriangleMesh<Scalar>& mesh, const En
         };
         shape.crossing = detail::crossing_by(distance, cell);
         return make(lattice, detail::nodes_within(distance, cell), shape);
-    };
-    const Scalar cell = detail::cell_for_few_faces(
-        mesh, options, [&](Scalar wide) { return with_cells(wide, lattice_face_count<Scalar>); });
-    return smoothed(with_cells(cell, lattice_surface<Scalar>), options.smoothing_passes);
-}
-
-namespace detail {
-
-/// Distances from the places where a ball's middle can be, known near them alone.
-template <typename Scalar>
-class RollingBall {
-public:
-    /// `distance` to the faces, known up to two cells more than `radius`.
-    RollingBall(const Lattice<Scalar>& lattice, const SparseGrid<Scalar>& distance, Scalar radius, Scalar reach)
-        : lattice_(lattice), reach_(reach), free_(count(lattice), 0), distance_(distance), radius_(radius),
-          nearest_(lattice.nodes, Nearest{{}, std::numeric_limits<Scalar>::infinity()}) {
-        roll(distance, radius);
-        spread();
-    }
-
-    /// From the nearest place of the ball's middle; 0 there, `reach` and more where it is farther.
-    [[nodiscard]] Scalar distance(const LatticeNode& node) const {
-        if (free_[index(node)] != 0) return 0;
-        return std::min(nearest_.get(node).distance, 2 * reach_);
-    }
-
-private:
-    struct Nearest {
-        LatticeNode node{};
-        Scalar distance = 0;
-    };
-    static std::size_t count(const Lattice<Scalar>& lattice) {
-        return static_cast<std::size_t>(lattice.nodes[0]) * static_cast<std::size_t>(lattice.nodes[1]) *
-               static_cast<std::size_t>(lattice.nodes[2]);
-    }
-    [[nodiscard]] std::size_t index(const LatticeNode& node) const {
-        return static_cast<std::size_t>(node[0]) +
-               static_cast<std::size_t>(lattice_.nodes[0]) *
-                   (static_cast<std::size_t>(node[1]) +
-                    static_cast<std::size_t>(lattice_.nodes[1]) * static_cast<std::size_t>(node[2]));
-    }
-    template <typename Visit>
-    void visit_neighbours(const LatticeNode& node, Visit&& visit) const {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            for (const int step : {-1, 1}) {
-                LatticeNode next = node;
-                next[axis] += step;
-                if (lattice_.has(next)) visit(next);
-            }
-    }
-
-    /// How much nearer to the faces than a node at the rim the ball's middle can come.
-    [[nodiscard]] Scalar spare(const LatticeNode& node) const {
-        return std::min(distance_.get(node), radius_ + lattice_.cell) - radius_;
-    }
-
-    /// From a corner of the lattice through all places farther than `radius` from the faces.
-    void roll(const SparseGrid<Scalar>& distance, Scalar radius) {
-        std::vector<LatticeNode> pending{LatticeNode{0, 0, 0}};
-        free_[0] = 1;
-        while (!pending.empty()) {
-            const LatticeNode node = pending.back();
-            pending.pop_back();
-            bool at_rim = false;
-            visit_neighbours(node, [&](const LatticeNode& next) {
-                if (free_[index(next)] != 0) return;
-                if (distance.get(next) <= radius) {
-                    at_rim = true;
-                    return;
-                }
-                free_[index(next)] = 1;
-                pending.push_back(next);
-            });
-            if (at_rim) rim_.push_back(node);
-        }
-        std::sort(rim_.begin(), rim_.end());
-    }
-
-    /// Hands on, from node to node, the nearest of the places at the rim.
-    void spread() {
-        std::vector<LatticeNode> layer = rim_;
-        for (const LatticeNode& node : rim_) nearest_.at(node) = {node, -spare(node)};
-        while (!layer.empty()) {
-            std::vector<LatticeNode> next_layer;
-            for (const LatticeNode& node : layer) {
-                const LatticeNode source = nearest_.get(node).node;
-                visit_neighbours(node, [&](const LatticeNode& next) {
-                    if (free_[index(next)] != 0) return;
-                    const Scalar d = (lattice_.place(next) - lattice_.place(source)).norm() - spare(source);
-                    if (d > reach_ || d >= nearest_.get(next).distance) return;
-                    nearest_.at(next) = {source, d};
-                    next_layer.push_back(next);
-                });
-            }
-            layer = std::move(next_layer);
-        }
-    }
-
-    const Lattice<Scalar>& lattice_;
-    Scalar reach_;
-    std::vector<std::uint8_t> free_;
-    const SparseGrid<Scalar>& distance_;
-    Scalar radius_;
-    SparseGrid<Nearest> nearest_;
-    std::vector<LatticeNode> rim_;
-};
-
-} // namespace detail
-
-template <typename Scalar>
-TriangleMesh<Scalar> rolling_envelope(const TriangleMesh<Scalar>& mesh, const EnvelopeOptions& options) {
-    validate(options);
-    constexpr int margin = 6, radius_in_cells = 2;
-    /// Makes a surface, or counts its faces.
-    const auto with_cells = [&](Scalar cell, const auto& make) {
-        const Scalar radius = radius_in_cells * cell;
-        const Lattice<Scalar> lattice = lattice_around(mesh, cell, margin);
-        const SparseGrid<Scalar> distance = distance_band(mesh, lattice, radius + 2 * cell);
-        const detail::RollingBall<Scalar> ball(lattice, distance, radius, 2 * radius);
-        LatticeShape<Scalar> shape;
-        shape.depth = [&](const LatticeNode& node) { return ball.distance(node) - radius; };
-        shape.crossing = detail::crossing_by(distance, cell);
-        return make(lattice, detail::nodes_within(distance, radius), shape);
     };
     const Scalar cell = detail::cell_for_few_faces(
         mesh, options, [&](Scalar wide) { return with_cells(wide, lattice_face_count<Scalar>); });

@@ -52,8 +52,7 @@ bool is_short(const TriangleMesh<Scalar>& mesh, const HandleLoop<Scalar>& loop) 
 }
 
 template <typename Scalar>
-bool is_contact(const TriangleMesh<Scalar>& mesh, const HandleLoop<Scalar>& loop, Contacts contacts) {
-    if (contacts == Contacts::short_alone) return is_short(mesh, loop);
+bool is_contact(const TriangleMesh<Scalar>& mesh, const HandleLoop<Scalar>& loop) {
     if (loop.length < static_cast<Scalar>(short_loop)) return true;
     return loop.length < static_cast<Scalar>(short_seam) &&
            loop.length < static_cast<Scalar>(crease_share) * girth(mesh, loop.vertices);
@@ -134,18 +133,12 @@ private:
     std::vector<std::vector<int>> loops_;
 };
 
-/// Contacts that can be opened at once.
-struct ContactsApart {
-    std::vector<std::vector<int>> loops;
-    bool are_short = true; ///< else there is but one
-};
-
 /// Contacts' loops on a surface in canonical form, as tight as they are found, `most` of them: of those through the
 /// vertex farthest along x, each shortest first, the loops through where it crosses seams are looked at, up to the
 /// first that is no short contact apart from those before it. Loops far from a root are not tight.
 template <typename Scalar>
-ContactsApart find_contacts(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency, Contacts contacts,
-                            std::size_t most) {
+std::vector<std::vector<int>> find_contacts(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency,
+                                            std::size_t most) {
     Eigen::Index farthest = 0;
     mesh.vertices.col(0).maxCoeff(&farthest);
     const CreaseGraph<Scalar> creases = crease_graph(mesh, adjacency);
@@ -156,33 +149,32 @@ ContactsApart find_contacts(const TriangleMesh<Scalar>& mesh, const Triangles& a
         if (found.loops().size() == most) break;
         const HandleLoop<Scalar> tightest = tightened(creases, loop);
         const bool is_first = found.loops().empty();
-        if (!is_contact(mesh, tightest, contacts) || tightest.vertices.size() < 3) {
+        if (!is_contact(mesh, tightest) || tightest.vertices.size() < 3) {
             if (is_first) continue;
             break;
         }
         if (!is_short(mesh, tightest)) {
-            if (is_first) return {{tightest.vertices}, false};
+            if (is_first) return {tightest.vertices};
             break;
         }
         if (!found.add_if_apart(tightest)) break;
     }
-    return {found.loops(), true};
+    return found.loops();
 }
 
-/// The surface cut open at one contact after another.
+} // namespace detail
+
 template <typename Scalar>
-std::optional<OpenedBody<Scalar>> opened_on(const Body<Scalar>& body, OpenedSurface<Scalar> surface,
-                                            Contacts contacts) {
-    const int handles = genus(body.mesh);
-    if (handles < 1 || handles > most_handles || !body.is_closed) return std::nullopt;
-    OpenedBody<Scalar> out;
-    auto& [mesh, adjacency, source, opened] = surface;
+std::optional<Body<Scalar>> open_handles(const Body<Scalar>& body) {
+    const int handles = detail::genus(body.mesh);
+    if (handles < 1 || handles > detail::most_handles || !body.is_closed) return std::nullopt;
+    TriangleMesh<Scalar> mesh = body.mesh;
+    Triangles adjacency = body.adjacency;
+    std::vector<int> source; // per vertex that of the body, -1 for new ones
+    int opened = 0;
     while (opened < handles) {
-        const auto [loops, are_short] =
-            find_contacts(mesh, adjacency, contacts, static_cast<std::size_t>(handles - opened));
+        const auto loops = detail::find_contacts(mesh, adjacency, static_cast<std::size_t>(handles - opened));
         if (loops.empty()) break;
-        // No edge counts more than its length: the short loops are contacts in any case, and come in the same order.
-        if (!out.before_creases && !are_short) out.before_creases = surface;
         CutSurface<Scalar> cut = cut_along(mesh, adjacency, loops);
         mesh = std::move(cut.mesh);
         adjacency = core::face_adjacency(mesh.faces);
@@ -190,22 +182,10 @@ std::optional<OpenedBody<Scalar>> opened_on(const Body<Scalar>& body, OpenedSurf
         opened += static_cast<int>(loops.size());
     }
     if (opened == 0) return std::nullopt;
-    out.body = resurfaced(body, std::move(mesh), std::move(source));
-    out.body.repairs.push_back("the body has grown together with itself in " + std::to_string(opened) +
-                               (opened == 1 ? " place" : " places") + ": it was opened there");
+    Body<Scalar> out = resurfaced(body, std::move(mesh), std::move(source));
+    out.repairs.push_back("the body has grown together with itself in " + std::to_string(opened) +
+                          (opened == 1 ? " place" : " places") + ": it was opened there");
     return out;
-}
-
-} // namespace detail
-
-template <typename Scalar>
-std::optional<OpenedBody<Scalar>> open_handles(const Body<Scalar>& body, Contacts contacts) {
-    return detail::opened_on(body, {body.mesh, body.adjacency, {}, 0}, contacts);
-}
-
-template <typename Scalar>
-std::optional<OpenedBody<Scalar>> open_short_handles(const Body<Scalar>& body, const OpenedBody<Scalar>& opened) {
-    return opened.before_creases ? detail::opened_on(body, *opened.before_creases, Contacts::short_alone) : opened;
 }
 
 } // namespace skelgen::surface

@@ -335,13 +335,10 @@ Body<Scalar> body_of_rounded_piece(const BodyMaterial<Scalar>& material, const P
 
 /// An envelope of the material as a body.
 template <typename Scalar>
-Outcome<Body<Scalar>> body_of_envelope(Remedy remedy, const BodyMaterial<Scalar>& material,
-                                       const PrepareOptions& options) {
+Outcome<Body<Scalar>> body_of_envelope(const BodyMaterial<Scalar>& material, const PrepareOptions& options) {
     // In canonical form first: the lattice then lies along the body's axes, however the input was turned.
     const CanonicalMesh<Scalar> whole = canonical_form(used_part(material.clean.mesh).mesh);
-    LargestEnvelope<Scalar> largest =
-        largest_of(remedy == Remedy::envelope ? winding_envelope(whole.mesh, options.envelope)
-                                              : rolling_envelope(whole.mesh, options.envelope));
+    LargestEnvelope<Scalar> largest = largest_of(winding_envelope(whole.mesh, options.envelope));
     TriangleMesh<Scalar>& envelope = largest.mesh;
     if (largest.as_large > 0)
         return Failure{Refusal::several_bodies,
@@ -353,8 +350,7 @@ Outcome<Body<Scalar>> body_of_envelope(Remedy remedy, const BodyMaterial<Scalar>
         core::set_point<Scalar>(envelope.vertices, v, whole.similarity.to_input(core::point(envelope.vertices, v)));
     ChosenPiece<Scalar> piece{std::move(envelope), {}, material.dropped_pieces, material.clean.notes};
     piece.source.assign(static_cast<std::size_t>(piece.mesh.vertices.rows()), -1);
-    piece.notes.push_back(overlapping_pieces(material.clean.mesh) + " pieces joined into one surface" +
-                          (remedy == Remedy::envelope ? "" : ", gaps closed"));
+    piece.notes.push_back(overlapping_pieces(material.clean.mesh) + " pieces joined into one surface");
     Body<Scalar> body = body_of(std::move(piece), {}, options);
     const std::vector<int> nearest = nearest_on(body, material.clean.mesh);
     body.nearest = material.clean.placed.empty() ? nearest : composed(material.clean.placed, nearest);
@@ -433,9 +429,9 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
     if (filled.open == 0 && share >= nearly_all)
         out.remedies = for_one_piece;
     else if (filled.open_area <= wide_open && reaches_as_far && share >= much)
-        out.remedies = {Remedy::largest_piece, Remedy::envelope, Remedy::wrap};
+        out.remedies = {Remedy::largest_piece, Remedy::envelope};
     else
-        out.remedies = {Remedy::envelope, Remedy::wrap, Remedy::largest_piece};
+        out.remedies = {Remedy::envelope, Remedy::largest_piece};
     return out;
 }
 
@@ -445,7 +441,7 @@ Outcome<Body<Scalar>> make_body_by(Remedy remedy, BodyMaterial<Scalar> material,
     Outcome<Body<Scalar>> body = remedy == Remedy::largest_piece
                                      ? detail::body_of_largest_piece(std::move(material), options)
                                  : remedy == Remedy::rounded ? detail::body_of_rounded_piece(material, options)
-                                                             : detail::body_of_envelope(remedy, material, options);
+                                                             : detail::body_of_envelope(material, options);
     if (body) body->similarity = cleaned.then(body->similarity);
     return body;
 }

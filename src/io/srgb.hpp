@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cmath>
+
+namespace skelgen::io::detail {
+
+/// The light of a channel as it is shown, 0 to 1 (IEC 61966-2-1).
+template <typename Number>
+[[nodiscard]] Number linear_light(Number shown) {
+    constexpr auto knee = Number(0.04045), slope = Number(12.92), offset = Number(0.055), power = Number(2.4);
+    return shown <= knee ? shown / slope : std::pow((shown + offset) / (1 + offset), power);
+}
+
+} // namespace skelgen::io::detail
