@@ -150,6 +150,7 @@ set(skelgen_core_headers
     include/skelgen/embedding/reduced_graph.hpp
     include/skelgen/embedding/spectral_matching.hpp
     include/skelgen/extract.hpp
+    include/skelgen/extract_hinted.hpp
     include/skelgen/fit_skeleton.hpp
     include/skelgen/hands/digit.hpp
     include/skelgen/hands/digit_tubes.hpp
@@ -220,6 +221,7 @@ set(skelgen_core_headers
     include/skelgen/surface/weld.hpp
     include/skelgen/surface/winding_tree.hpp
     include/skelgen/surface/without_faces.hpp
+    include/skelgen/symmetry/exact_mirror.hpp
     include/skelgen/symmetry/sides.hpp
     include/skelgen/symmetry/standing_pose.hpp
     include/skelgen/version.hpp
@@ -307,6 +309,7 @@ set(skelgen_core_definitions
     include/skelgen/hands/impl/hand_surface.hpp
     include/skelgen/hands/impl/phalanges.hpp
     include/skelgen/impl/extract.hpp
+    include/skelgen/impl/extract_hinted.hpp
     include/skelgen/impl/fit_skeleton.hpp
     include/skelgen/refinement/impl/bare_joints.hpp
     include/skelgen/refinement/impl/bend.hpp
@@ -367,6 +370,7 @@ set(skelgen_core_definitions
     include/skelgen/surface/impl/weld.hpp
     include/skelgen/surface/impl/winding_tree.hpp
     include/skelgen/surface/impl/without_faces.hpp
+    include/skelgen/symmetry/impl/exact_mirror.hpp
     include/skelgen/symmetry/impl/sides.hpp
     include/skelgen/symmetry/impl/standing_pose.hpp
 )
@@ -386,6 +390,7 @@ set(skelgen_io_headers
     include/skelgen/io/openmesh_adaptor.hpp
     include/skelgen/io/part_looks.hpp
     include/skelgen/io/polygon_mesh.hpp
+    include/skelgen/io/read_clip.hpp
     include/skelgen/io/read_file.hpp
     include/skelgen/io/read_mesh.hpp
     include/skelgen/io/rig_formats.hpp
@@ -443,6 +448,7 @@ set(skelgen_instantiations
     src/instantiate/curve.cpp
     src/instantiate/embedding.cpp
     src/instantiate/extract.cpp
+    src/instantiate/extract_hinted.cpp
     src/instantiate/finger_bones.cpp
     src/instantiate/hands.cpp
     src/instantiate/refinement.cpp
@@ -469,6 +475,8 @@ set(skelgen_io_sources
     src/io/curve_ply.cpp
     src/io/curve_swc.cpp
     src/io/data_uri.cpp
+    src/io/fbx_node.cpp
+    src/io/fbx_writer.cpp
     src/io/glb_container.cpp
     src/io/glb_writer.cpp
     src/io/gltf_animation.cpp
@@ -500,12 +508,14 @@ set(skelgen_io_sources
     src/io/ply_parser.cpp
     src/io/polygon_bytes.cpp
     src/io/polygon_mesh.cpp
+    src/io/read_clip.cpp
     src/io/read_file.cpp
     src/io/read_looks.cpp
     src/io/read_mesh.cpp
     src/io/rig_formats.cpp
     src/io/rig_motion.cpp
     src/io/rig_scene.cpp
+    src/io/scene_clip.cpp
     src/io/scene_pose.cpp
     src/io/segmentation_json.cpp
     src/io/separate_process.cpp
@@ -624,6 +634,7 @@ set(skelgen_cli_sources
     program.cpp
     progress_bar.cpp
     rig.cpp
+    rig_joints.cpp
     segment.cpp
     trail_text.cpp
     waiting_line.cpp

@@ -3,6 +3,7 @@
 // What must not matter to a result: place, size, order. And how meshes hang together.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -88,6 +89,54 @@ inline TriangleMesh<double> without_faces(const TriangleMesh<double>& mesh, Eige
     const Eigen::Index rest = mesh.faces.rows() - first - count;
     out.faces.resize(mesh.faces.rows() - count, 3);
     out.faces << mesh.faces.topRows(first), mesh.faces.bottomRows(rest);
+    return out;
+}
+
+/// What of a mesh has x of 0 or more, cut there, and its mirror image beside it: the same vertex numbers on both sides,
+/// those of the image after all others. The mesh is closed where the given one is.
+inline TriangleMesh<double> with_mirrored_half(const TriangleMesh<double>& mesh) {
+    std::vector<Eigen::RowVector3d> places;
+    std::map<std::pair<int, int>, int> corner; // by the edge that it cuts, or twice its vertex
+    std::vector<std::array<int, 3>> faces;
+    const auto x = [&](int v) { return mesh.vertices(v, 0); };
+    const auto at = [&](int a, int b) {
+        const auto [entry, is_new] = corner.try_emplace(std::minmax(a, b), static_cast<int>(places.size()));
+        if (is_new) {
+            const auto [from, to] = entry->first;
+            Eigen::RowVector3d place = mesh.vertices.row(from);
+            if (from != to) {
+                place += x(from) / (x(from) - x(to)) * (mesh.vertices.row(to) - mesh.vertices.row(from));
+                place[0] = 0;
+            }
+            places.push_back(place);
+        }
+        return entry->second;
+    };
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+        std::vector<int> polygon;
+        for (int k = 0; k < 3; ++k) {
+            const int a = mesh.faces(f, k), b = mesh.faces(f, (k + 1) % 3);
+            if (x(a) >= 0) polygon.push_back(at(a, a));
+            if (x(a) * x(b) < 0) polygon.push_back(at(a, b));
+        }
+        for (std::size_t k = 2; k < polygon.size(); ++k) faces.push_back({polygon[0], polygon[k - 1], polygon[k]});
+    }
+    const std::size_t half = faces.size();
+    std::vector<int> image;
+    for (std::size_t v = 0, count = places.size(); v < count; ++v) {
+        image.push_back(static_cast<int>(places[v][0] == 0 ? v : places.size()));
+        if (places[v][0] != 0) places.emplace_back(-places[v][0], places[v][1], places[v][2]);
+    }
+    for (std::size_t f = 0; f < half; ++f) {
+        const auto [a, b, c] = faces[f];
+        faces.push_back({image[static_cast<std::size_t>(a)], image[static_cast<std::size_t>(c)],
+                         image[static_cast<std::size_t>(b)]});
+    }
+    TriangleMesh<double> out{Points<double>(static_cast<Eigen::Index>(places.size()), 3),
+                             Triangles(static_cast<Eigen::Index>(faces.size()), 3)};
+    for (std::size_t v = 0; v < places.size(); ++v) out.vertices.row(static_cast<Eigen::Index>(v)) = places[v];
+    for (std::size_t f = 0; f < faces.size(); ++f)
+        for (int k = 0; k < 3; ++k) out.faces(static_cast<Eigen::Index>(f), k) = faces[f][static_cast<std::size_t>(k)];
     return out;
 }
 

@@ -1,4 +1,5 @@
 #include <memory>
+#include <utility>
 
 #include <skelgen/applications/alignment.hpp>
 #include <skelgen/applications/measurement.hpp>
@@ -23,21 +24,24 @@ struct AlignCommand {
 };
 
 /// Where the aligned mesh goes: as its input is called, in a format that is written.
-fs::path aligned_file(const BatchItem& item) {
-    const fs::path name = fs::path(item.output).replace_filename(item.mesh.filename());
+fs::path aligned_file(const AlignCommand& command, const BatchItem& item) {
+    const bool is_one_of_several = command.inputs.component == all_components && item.component > 0;
+    const fs::path name = is_one_of_several ? fs::path(item.output).replace_extension(item.mesh.extension())
+                                            : fs::path(item.output).replace_filename(item.mesh.filename());
     const auto format = io::mesh_format_of(name);
     if (format && io::is_written(*format)) return name;
     return fs::path(item.output).replace_extension(".glb");
 }
 
-void align(const AlignCommand& command, const FittedInput& input) {
+void align(const AlignCommand& command, FittedInput input) {
+    if (input.item.component > 0) static_cast<FittedFile&>(input) = with_own_part(std::move(input));
     const KinematicSkeleton<double>& skeleton = input.skeleton();
     applications::AlignmentOptions options;
     if (command.origin == "floor") options.origin = applications::AlignedOrigin::floor;
     if (command.to_unit_height) options.scale = 1 / applications::standing_height(input.found.body, skeleton);
     const Eigen::Matrix4d transform =
         applications::alignment(input.found.body, skeleton, input.mesh().vertices, options);
-    const fs::path mesh_file = aligned_file(input.item);
+    const fs::path mesh_file = aligned_file(command, input.item);
     require_different_files(input.item.mesh, mesh_file.string());
     make_folder(mesh_file.parent_path());
     in_file(mesh_file, [&] {

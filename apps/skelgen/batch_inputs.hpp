@@ -14,6 +14,7 @@ struct BatchItem {
     std::filesystem::path output; ///< where its skeleton goes, see `find_batch_items`
     std::string fault;            ///< why there is nothing to be done with it; empty for meshes
     std::filesystem::path folder; ///< the output folder, which `output` lies in
+    int component = 0;            ///< the body in it, as `PrepareOptions::component`
 };
 
 /// The path as text in UTF-8, another one for each path: a backslash becomes two, and in a path that is no UTF-8 every

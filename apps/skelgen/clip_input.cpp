@@ -5,7 +5,7 @@
 #include <skelgen/applications/clip_body.hpp>
 #include <skelgen/applications/retarget.hpp>
 #include <skelgen/core/builtin_templates.hpp>
-#include <skelgen/io/bvh.hpp>
+#include <skelgen/io/read_clip.hpp>
 
 #include "console.hpp"
 
@@ -13,7 +13,7 @@ namespace skelgen::cli {
 
 ClipInput load_clip(const std::filesystem::path& file) {
     return in_file(file, [&] {
-        ClipInput input{file, read_bvh(file)};
+        ClipInput input{file, io::read_clip(file, true)};
         if (const auto body = applications::find_body(input.clip); !body)
             throw Error(ErrorCode::bad_input, body.failure().what);
         return input;

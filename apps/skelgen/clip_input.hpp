@@ -13,8 +13,8 @@ struct ClipInput {
     applications::MotionClip clip;
 };
 
-/// Reads a BVH file. \throws Error with the file's name in front, bad_input where it is damaged or its joints are not
-/// known as a body's.
+/// Reads a clip, as `io::read_clip`. \throws Error with the file's name in front, bad_input where it is damaged or its
+/// joints are not known as a body's.
 [[nodiscard]] ClipInput load_clip(const std::filesystem::path& file);
 
 /// Has a rig, of the template human21, move as the clip's skeleton does; the animation has the file's name. \throws

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <skelgen/applications/correspondence.hpp>
@@ -16,6 +17,7 @@ struct ComparedBody {
     const TriangleMesh<double>& mesh; ///< that the body was made of
     const Body<double>& body;
     const applications::ComparableBody<double>& comparable;
+    const FittedFile* own = nullptr; ///< without the others, where it is one of several (`with_own_part`)
 };
 
 /// What is asked for beside a vertex for each vertex.
@@ -37,13 +39,15 @@ struct FoundCorrespondence {
 struct ComparedFile {
     FittedFile file;
     applications::ComparableBody<double> comparable;
+    std::optional<FittedFile> own; ///< as in `ComparedBody`
 
     [[nodiscard]] ComparedBody body() const {
-        return {file.source, file.skeleton().quality, file.mesh(), file.found.body, comparable};
+        return {file.source, file.skeleton().quality, file.mesh(), file.found.body, comparable, own ? &*own : nullptr};
     }
 };
 
-/// \throws Error as `applications::comparable`.
-[[nodiscard]] ComparedFile compared(FittedFile file);
+/// `component`: which body of the file it is, as `PrepareOptions::component`. \throws Error as
+/// `applications::comparable`.
+[[nodiscard]] ComparedFile compared(FittedFile file, int component = 0);
 
 } // namespace skelgen::cli

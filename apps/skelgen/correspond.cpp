@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 
 struct CorrespondCommand {
     fs::path from;
+    int from_component = 0; ///< as `PrepareOptions::component`
     FittedInputs to;
     std::string output = "-";
     std::string ply; ///< folder
@@ -31,7 +32,11 @@ struct CorrespondCommand {
 
 ComparedFile load(const CorrespondCommand& command) {
     const WaitingLine waiting(command.from.string(), !command.to.quiet);
-    return in_file(command.from, [&] { return compared(fit_file({command.from, {}})); });
+    ExtractOptions options;
+    options.prepare.component = command.from_component;
+    return in_file(command.from, [&] {
+        return compared(fit_file({command.from, {}}, options), command.from_component);
+    });
 }
 
 /// Each vertex in the colour of its place in the common pose: x red, y green, z blue.
@@ -112,7 +117,8 @@ void run(const CorrespondCommand& command) {
     for_each_fitted(command.to, items, [&](const FittedInput& input) {
         const Outputs outputs = outputs_of(input.item);
         if (into_folder) make_folder(fs::path(outputs.json).parent_path());
-        correspond(command, from, in_file(input.item.mesh, [&] { return compared(input); }), outputs);
+        correspond(command, from, in_file(input.item.mesh, [&] { return compared(input, input.item.component); }),
+                   outputs);
     });
     print_warnings(command.from, from.file.skeleton(), from.file.found.body.repairs, words_of(command.to.quiet));
 }
@@ -137,6 +143,8 @@ void add_correspond_command(CLI::App& app) {
     sub->add_flag("--confidence", command->extras.confidence, "Also how sure each vertex's place is, 0 to 1");
     sub->add_flag("--places", command->extras.places,
                   "Also places between vertices: a face of TO for each vertex, and its corners' weights");
+    add_components_option(*sub, command->to.component);
+    add_component_option(*sub, command->from_component, "--from-component", "The same of FROM");
     sub->add_flag("-q,--quiet", command->to.quiet, "No warnings but that a skeleton is a guess");
     sub->footer("Examples:\n  skelgen correspond child.ply adult.obj -o map.json --ply coloured/\n"
                 "  skelgen correspond template.obj scans/ -o maps/");

@@ -1,5 +1,9 @@
 #include <cstdio>
+#include <locale>
 #include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <skelgen/io/curve_formats.hpp>
 #include <skelgen/io/template_json.hpp>
@@ -22,7 +26,8 @@ struct ExtractCommand {
     std::string fingers = "off";
     std::string curve;
     std::string trail;
-    int component = 0; ///< 0: the only one
+    std::vector<std::string> hints; ///< "left_hand=x,y,z" each
+    int component = 0;              ///< 0: the only one
     int threads = 1;
     bool verbose = false;
     bool quiet = false;
@@ -42,6 +47,21 @@ void print_details(const FileExtraction& result) {
                  timings.stages.refine, timings.stages.sides, timings.stages.total);
 }
 
+/// What a hint says. \throws Error usage when it is not as NAME=X,Y,Z.
+Hint hint_of(const std::string& text) {
+    Hint hint;
+    std::string rest;
+    char between = 0, other = 0;
+    const std::size_t sign = text.find('=');
+    std::istringstream place(sign == std::string::npos ? "" : text.substr(sign + 1));
+    place.imbue(std::locale::classic());
+    place >> hint.position[0] >> between >> hint.position[1] >> other >> hint.position[2];
+    if (!place || between != ',' || other != ',' || place >> rest)
+        throw Error(ErrorCode::usage, "--hint " + text + ": must be a joint and its place, as left_hand=0.5,1.2,0");
+    hint.joint = text.substr(0, sign);
+    return hint;
+}
+
 void write_trail(const ExtractCommand& command, const Trail& trail) {
     if (!command.trail.empty()) write_result(command.trail, io::trail_to_json(trail));
 }
@@ -54,6 +74,8 @@ void run(const ExtractCommand& command) {
     require_different_outputs(command.output, "-o", command.curve, "--curve");
     require_different_outputs(command.output, "-o", command.trail, "--trail");
     require_different_outputs(command.curve, "--curve", command.trail, "--trail");
+    std::vector<Hint> hints;
+    for (const std::string& text : command.hints) hints.push_back(hint_of(text));
     ExtractOptions options;
     const auto named = template_and_fingers(command.skeleton_template, command.fingers);
     options.skeleton_template = in_file("--template", [&] { return load_template(named.first); });
@@ -63,7 +85,7 @@ void run(const ExtractCommand& command) {
     const auto result = in_file(command.mesh.file, [&] {
         try {
             const WaitingLine waiting(command.mesh.file.string(), !command.quiet);
-            return extract_file(command.mesh, options, named.second);
+            return extract_file(command.mesh, options, named.second, hints);
         } catch (const NoSkeleton& refused) {
             if (command.verbose) print_trail(command.mesh.file, refused.trail());
             write_trail(command, refused.trail());
@@ -97,6 +119,11 @@ void add_extract_command(CLI::App& app) {
         ->capture_default_str();
     sub->add_option("--curve", command->curve, "Also write the curve skeleton: .json, .obj, .ply or .swc");
     sub->add_option("--trail", command->trail, "Also write what was tried and what came of it (JSON), found or not");
+    sub->add_option(
+           "--hint", command->hints,
+           "Where a joint is, in the mesh's coordinates: left_hand=x,y,z; any number. The skeleton that is most\n"
+           "likely and nearest to all hints is bent to them, however unlikely it is")
+        ->take_all();
     add_component_option(*sub, command->component);
     sub->add_option("--threads", command->threads,
                     "Threads that work on it; the result does not depend on their number")
@@ -105,7 +132,8 @@ void add_extract_command(CLI::App& app) {
     CLI::Option* verbose = sub->add_flag("-v,--verbose", command->verbose,
                                          "Tell sizes, confidence, timings, and what was tried and what came of it");
     sub->add_flag("-q,--quiet", command->quiet, "No warnings but that the skeleton is a guess")->excludes(verbose);
-    sub->footer("Example:\n  skelgen extract body.off -o body.json");
+    sub->footer("Examples:\n  skelgen extract body.off -o body.json\n"
+                "  skelgen extract dragon.glb --hint left_hand=0.7,1.1,0.2 --hint head=0,1.6,0.1 -o dragon.json");
     sub->callback([command] { run(*command); });
 }
 

@@ -31,7 +31,8 @@ std::pair<std::string, Fingers> template_and_fingers(const std::string& skeleton
     return {skeleton_template, known->second};
 }
 
-FileExtraction extract_file(const MeshInput& input, const ExtractOptions& options, Fingers fingers) {
+FileExtraction extract_file(const MeshInput& input, const ExtractOptions& options, Fingers fingers,
+                            const std::vector<Hint>& hints) {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     const auto ms_since_start = [&] { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); };
@@ -41,7 +42,7 @@ FileExtraction extract_file(const MeshInput& input, const ExtractOptions& option
     TriangleMesh<double> mesh = load_mesh(input);
     const double read_ms = ms_since_start();
 
-    result.found = extract(std::move(mesh), options);
+    result.found = hints.empty() ? extract(std::move(mesh), options) : extract_hinted(std::move(mesh), hints, options);
     FingeredSkeleton shown = with_fingers(result.mesh(), result.found, fingers);
     result.provenance.fused = std::move(shown.fused);
     io::FileTimings timings{read_ms, result.found.timings};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <skelgen/extract.hpp>
+#include <skelgen/extract_hinted.hpp>
 #include <skelgen/io/skeleton_json.hpp>
 
 #include "fitted_file.hpp"
@@ -43,9 +44,9 @@ struct FingeredSkeleton {
                                                                    const std::string& fingers);
 
 /// Reads a mesh and finds its skeleton: what `extract` and `batch` both do, so that they give the same bytes. With
-/// fingers the file's text has those; the skeleton beside it has none. \throws Error as `io::read_mesh` and
-/// `extract`, without the file's name.
+/// fingers the file's text has those; the skeleton beside it has none. With hints as `extract_hinted`. \throws Error as
+/// `io::read_mesh` and `extract`, without the file's name.
 [[nodiscard]] FileExtraction extract_file(const MeshInput& mesh, const ExtractOptions& options,
-                                          Fingers fingers = Fingers::off);
+                                          Fingers fingers = Fingers::off, const std::vector<Hint>& hints = {});
 
 } // namespace skelgen::cli

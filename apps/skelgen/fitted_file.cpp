@@ -8,6 +8,7 @@
 #include <skelgen/hands/find_hands.hpp>
 
 #include "console.hpp"
+#include "rig_joints.hpp"
 
 namespace skelgen::cli {
 
@@ -19,7 +20,9 @@ io::SourceMesh source_of(const MeshInput& input, const Extraction<double>& found
 FittedFile fit_file(const MeshInput& input, ExtractOptions options) {
     FittedFile out;
     options.with_curve = false;
-    if (input.skeleton.empty()) {
+    if (input.use_rig) {
+        out.found = extract_with_rig(input, options);
+    } else if (input.skeleton.empty()) {
         out.found = extract(load_mesh(input), options);
     } else {
         auto skeleton = in_file(input.skeleton, [&] { return hands::without_digits(read_skeleton(input.skeleton)); });

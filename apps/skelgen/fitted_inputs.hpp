@@ -16,9 +16,10 @@ struct FittedInputs {
     std::vector<std::string> inputs; ///< as `find_batch_items` takes them
     bool quiet = false;              ///< no warnings
     std::filesystem::path skeleton;  ///< of a single mesh; empty: it is to be found
+    int component = 0;               ///< as `PrepareOptions::component`, or `all_components`
 };
 
-/// Adds the positional MESH... and the flag --quiet.
+/// Adds the positional MESH..., --skeleton, --component and the flag --quiet.
 void add_fitted_inputs(CLI::App& command, FittedInputs& inputs);
 
 /// One of them.
@@ -29,7 +30,8 @@ struct FittedInput : FittedFile {
 /// Are these several meshes, or a folder of them, so that results go to a folder?
 [[nodiscard]] bool are_many(const FittedInputs& inputs, const std::vector<BatchItem>& items);
 
-/// The meshes in `inputs`, their outputs in `folder`. \throws Error as `find_batch_items`.
+/// The meshes in `inputs`, their outputs in `folder`; where all bodies are wanted, each of those in a mesh of several.
+/// \throws Error as `find_batch_items`.
 [[nodiscard]] std::vector<BatchItem> find_items(const FittedInputs& inputs, const std::filesystem::path& folder);
 
 /// Finds the skeleton in each mesh and does `work` with it. Of one mesh a failure is the command's own; of many each

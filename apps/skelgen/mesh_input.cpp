@@ -28,6 +28,17 @@ std::vector<std::string> format_names() {
     return names;
 }
 
+constexpr const char* all = "all";
+
+CLI::Validator component_number(bool takes_all) {
+    const CLI::Range range(1, 1000);
+    const auto check = [=](const std::string& text) -> std::string {
+        if (text != all) return range(text);
+        return takes_all ? "" : "all: what is written is of one body; take each by its number";
+    };
+    return CLI::Validator(check, range.get_description() + (takes_all ? " or all" : ""));
+}
+
 /// "2 pictures are left out: why; and others"; empty where nothing is.
 std::string what_is_lost(const std::vector<std::string>& lost, const std::string& one, const std::string& several) {
     if (lost.empty()) return "";
@@ -57,15 +68,33 @@ void add_mesh_input(CLI::App& command, MeshInput& input, const std::string& help
         ->capture_default_str();
 }
 
-void add_component_option(CLI::App& command, int& component) {
-    command.add_option("--component", component, "Which of several bodies that stand apart; 1 is the largest")
-        ->check(CLI::Range(1, 1000));
+void add_component_option(CLI::App& command, int& component, const std::string& name, const std::string& help) {
+    command.add_option(name, component, help)->check(component_number(false));
+}
+
+void add_components_option(CLI::App& command, int& component) {
+    command
+        .add_option_function<std::string>(
+            "--component",
+            [&component](const std::string& text) { component = text == all ? all_components : std::stoi(text); },
+            "Which of several bodies that stand apart; 1 is the largest; all: each, as if it were a mesh of its own,\n"
+            "called NAME.1, NAME.2 and so on")
+        ->check(component_number(true));
 }
 
 void add_skeleton_option(CLI::App& command, std::filesystem::path& skeleton) {
     command.add_option("--skeleton", skeleton,
                        "Take this skeleton of the mesh (JSON, as extract writes it), put right by hand perhaps, and\n"
                        "search for none");
+}
+
+void add_skeleton_options(CLI::App& command, MeshInput& input) {
+    add_skeleton_option(command, input.skeleton);
+    command
+        .add_flag("--use-rig", input.use_rig,
+                  "Take the joints of the file's own rig where they lie in the body, and say how far off those are\n"
+                  "that are found without it")
+        ->excludes("--skeleton");
 }
 
 TriangleMesh<double> load_mesh(const MeshInput& input) {
@@ -98,9 +127,9 @@ void print_lost_looks(const std::filesystem::path& file, const KeptLooks& kept, 
     const io::SceneLooks& looks = kept.looks;
     std::string lost;
     const auto add = [&](const std::string& what) { lost += (lost.empty() ? "left out: " : ", ") + what; };
-    if (format != io::MeshFormat::glb) {
+    if (format != io::MeshFormat::glb && format != io::MeshFormat::fbx) {
         if (const std::size_t morphs = io::morph_target_count(looks); morphs > 0)
-            add(std::to_string(morphs) + " morph targets (.glb keeps them)");
+            add(std::to_string(morphs) + " morph targets (.glb and .fbx keep them)");
     } else if (!kept.warning.empty()) {
         lost = kept.warning + (looks.left_out.empty() ? "" : "; ");
     }

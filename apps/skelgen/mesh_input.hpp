@@ -16,16 +16,28 @@ struct MeshInput {
     std::filesystem::path file;                    ///< "-": standard input
     io::ReadMeshOptions options{.isolated = true}; ///< the program reads strangers' files
     std::filesystem::path skeleton = {};           ///< file of the skeleton to take; empty: it is to be found
+    bool use_rig = false;                          ///< take the joints of the file's own rig
 };
 
 /// Adds the positional MESH, with `help` as what it says there, and the options --format, --animation and --time.
 void add_mesh_input(CLI::App& command, MeshInput& input, const std::string& help);
 
-/// Adds the option --component: which of several bodies a command works on, as `PrepareOptions::component`.
-void add_component_option(CLI::App& command, int& component);
+/// What `--component all` gives.
+inline constexpr int all_components = -1;
+
+/// Adds the option --component: which of several bodies a command works on, as `PrepareOptions::component`. `all`, each
+/// of them, is refused.
+void add_component_option(CLI::App& command, int& component, const std::string& name = "--component",
+                          const std::string& help = "Which of several bodies that stand apart; 1 is the largest");
+
+/// The same of a command that takes `all`, too.
+void add_components_option(CLI::App& command, int& component);
 
 /// Adds the option --skeleton: the file of the skeleton that is taken instead of searching for one.
 void add_skeleton_option(CLI::App& command, std::filesystem::path& skeleton);
+
+/// Adds the options --skeleton and --use-rig, of which one may be given.
+void add_skeleton_options(CLI::App& command, MeshInput& input);
 
 /// \throws Error as `io::read_mesh`, without the file's name.
 [[nodiscard]] TriangleMesh<double> load_mesh(const MeshInput& input);

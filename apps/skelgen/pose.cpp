@@ -188,7 +188,7 @@ void add_pose_command(CLI::App& app) {
     CLI::Option_group* model = sub->add_option_group("pose", "Whose pose it gets");
     model->add_option("--like", command->like, "Mesh of another body, of any shape and unit");
     model->add_option("--pose", command->pose, "Skeleton of another body, as extract writes it");
-    CLI::Option* clip = model->add_option("--bvh", command->clip, "Motion of a skeleton, as animate takes it");
+    CLI::Option* clip = model->add_option("--clip,--bvh", command->clip, "Motion of a skeleton, as animate takes it");
     model->require_option(1);
     sub->add_option("--frame", command->frame, "Which of the motion's frames, counted from 0")
         ->needs(clip)
@@ -196,7 +196,7 @@ void add_pose_command(CLI::App& app) {
         ->capture_default_str();
     sub->add_option("-o,--output", command->output, "Mesh to write: " + io::written_mesh_extensions_text())->required();
     add_component_option(*sub, command->component);
-    add_skeleton_option(*sub, command->mesh.skeleton);
+    add_skeleton_options(*sub, command->mesh);
     sub->add_flag("-q,--quiet", command->quiet, "No warnings but what a licence forbids, and guesses");
     sub->footer("Examples:\n  skelgen pose woman.off --like walking_man.ply -o walking_woman.off\n"
                 "  skelgen pose character.glb --pose walking.json -o walking.glb\n"

@@ -51,7 +51,7 @@ void run(const RigCommand& command) {
     require_different_files(command.mesh.file, command.output);
     require_folder_of(command.output);
     const auto format = io::rig_format_of(command.output);
-    if (!format) throw Error(ErrorCode::usage, command.output + ": its name must end in .glb, .vrm or .bvh");
+    if (!format) throw Error(ErrorCode::usage, command.output + ": its name must end in .glb, .vrm, .fbx or .bvh");
     const double metres = command.unit.empty() ? 0 : units.at(command.unit);
     const CharacterOptions options{command.component,
                                    {rest_pose(command, *format), places.at(command.place), metres},
@@ -73,7 +73,7 @@ void add_rig_command(CLI::App& app) {
     auto command = std::make_shared<RigCommand>();
     CLI::App* sub = app.add_subcommand("rig", "Bind the mesh of a body to its skeleton: a character that moves");
     add_mesh_input(*sub, command->mesh, "Mesh of one body");
-    sub->add_option("-o,--output", command->output, "Character (.glb, .vrm) or skeleton alone (.bvh) to write")
+    sub->add_option("-o,--output", command->output, "Character (.glb, .vrm, .fbx) or skeleton alone (.bvh) to write")
         ->required();
     add_joint_names_option(*sub, command->names, "Whose names the joints get; VRM's own in .vrm");
     sub->add_option("--rest", command->rest, "Pose at rest: as-is, or un-posed (default: as-is; in .vrm t-pose)")
@@ -89,7 +89,7 @@ void add_rig_command(CLI::App& app) {
     sub->add_option("--author", command->credits.author, "Who made it, in place of the input's");
     sub->add_option("--license", command->credits.license,
                     "Its licence or that one's address, in place of the input's");
-    add_skeleton_option(*sub, command->mesh.skeleton);
+    add_skeleton_options(*sub, command->mesh);
     sub->add_option("--fingers", command->fingers, "Bones of the fingers: where the surface shows some, or none")
         ->check(CLI::IsMember({"auto", "off", "on"}))
         ->capture_default_str();

@@ -54,7 +54,8 @@ private:
 
 /// Finds the kinematic skeleton of one human body: any pose, orientation and unit. Surface, curve, template, joints,
 /// sides: `search::climb` tries these stages with what may be true of the mesh until a skeleton is sure enough, and the
-/// likeliest is taken. Pass `mesh` by std::move to spare a copy.
+/// likeliest is taken. The skeleton of a mesh that mirrors itself vertex by vertex does so, too
+/// (`symmetry::mirrored_evenly`). Pass `mesh` by std::move to spare a copy.
 /// \throws Error usage when an option is out of its range, bad_input when `mesh` is no usable surface; NoSkeleton when
 /// no body can be found in it.
 template <typename Scalar>

@@ -1,5 +1,6 @@
 // The symmetry compiled once, for float and double.
 
+#include <skelgen/symmetry/impl/exact_mirror.hpp>
 #include <skelgen/symmetry/impl/sides.hpp>
 #include <skelgen/symmetry/impl/standing_pose.hpp>
 
@@ -11,7 +12,12 @@ namespace skelgen::symmetry {
     template Outcome<SidesDecision<Scalar>> decide_sides(const refinement::RefinedJoints<Scalar>&,                     \
                                                          const SkeletonTemplate&, const SidesOptions&);                \
     template KinematicSkeleton<Scalar> assemble(const refinement::RefinedJoints<Scalar>&, const SkeletonTemplate&,     \
-                                                const SidesDecision<Scalar>&);
+                                                const SidesDecision<Scalar>&);                                         \
+    template std::optional<ExactMirror<Scalar>> exact_mirror(const TriangleMesh<Scalar>&);                             \
+    template bool is_mirrored(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&, const ExactMirror<Scalar>&,   \
+                              Scalar);                                                                                 \
+    template KinematicSkeleton<Scalar> mirrored_evenly(KinematicSkeleton<Scalar>, const SkeletonTemplate&,             \
+                                                       const ExactMirror<Scalar>&, Scalar);
 
 SKELGEN_INSTANTIATE(SKELGEN_SCALAR)
 

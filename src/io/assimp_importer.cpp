@@ -4,6 +4,8 @@
 
 #include <skelgen/core/error.hpp>
 
+#include <skelgen/io/bvh.hpp>
+
 #include "polygon_bytes.hpp"
 #include "separate_process.hpp"
 
@@ -103,10 +105,11 @@ AnimationChannel read_channel(std::size_t node, AnimatedProperty property, const
     return channel;
 }
 
-std::vector<SceneNode> animated(NodeList list, const aiScene& scene, const ReadMeshOptions& options) {
+/// What an animation moves, which is named as `ReadMeshOptions::animation`.
+std::vector<AnimationChannel> read_channels(const NodeList& list, const aiScene& scene, const std::string& name) {
     std::vector<std::string> names;
     for (unsigned i = 0; i < scene.mNumAnimations; ++i) names.emplace_back(scene.mAnimations[i]->mName.C_Str());
-    const aiAnimation& animation = *scene.mAnimations[choose_animation(names, options.animation)];
+    const aiAnimation& animation = *scene.mAnimations[choose_animation(names, name)];
     constexpr double usual_ticks = 25; // where the file does not say, as assimp's documentation has it
     const double ticks = animation.mTicksPerSecond > 0 ? animation.mTicksPerSecond : usual_ticks;
     std::vector<AnimationChannel> channels;
@@ -125,7 +128,12 @@ std::vector<SceneNode> animated(NodeList list, const aiScene& scene, const ReadM
             channels.push_back(
                 read_channel(n, AnimatedProperty::scale, source.mScalingKeys, source.mNumScalingKeys, ticks));
     }
-    for (const AnimationChannel& channel : channels) list.nodes = animate(std::move(list.nodes), channel, options.time);
+    return channels;
+}
+
+std::vector<SceneNode> animated(NodeList list, const aiScene& scene, const ReadMeshOptions& options) {
+    for (const AnimationChannel& channel : read_channels(list, scene, options.animation))
+        list.nodes = animate(std::move(list.nodes), channel, options.time);
     return list.nodes;
 }
 
@@ -195,6 +203,29 @@ private:
     VertexMerger merger_{mesh_}; // assimp has one vertex for each corner of a face
 };
 
+applications::MotionClip import_clip_here(std::string_view bytes, MeshFormat format, const ClipOfScene& wanted) {
+    applications::MotionClip clip;
+    with_imported_scene(
+        bytes, format == MeshFormat::dae ? "dae" : "fbx",
+        [&](const aiScene& scene) {
+            NodeList list = list_nodes(*scene.mRootNode);
+            SceneMotion motion;
+            if (!wanted.animation.empty()) motion.channels = read_channels(list, scene, wanted.animation);
+            motion.is_bone.resize(list.nodes.size(), false);
+            for (const aiNode* node : list.sources) motion.names.emplace_back(node->mName.C_Str());
+            for (const AnimationChannel& channel : motion.channels) motion.is_bone[channel.node] = true;
+            for (unsigned m = 0; m < scene.mNumMeshes; ++m)
+                for (unsigned b = 0; b < scene.mMeshes[m]->mNumBones; ++b)
+                    if (const auto bone = list.by_name.find(scene.mMeshes[m]->mBones[b]->mName.C_Str());
+                        bone != list.by_name.end())
+                        motion.is_bone[bone->second] = true;
+            motion.nodes = std::move(list.nodes);
+            clip = clip_of(std::move(motion), wanted.time);
+        },
+        Pivots::one_node);
+    return clip;
+}
+
 PolygonMesh import_here(std::string_view bytes, MeshFormat format, const ReadMeshOptions& options) {
     PolygonMesh mesh;
     with_imported_scene(bytes, format == MeshFormat::dae ? "dae" : "fbx",
@@ -212,7 +243,19 @@ PolygonMesh import_scene(std::string_view bytes, MeshFormat format, const ReadMe
         run_separately([&] { return to_bytes(import_here(bytes, format, options)); }, limits, "reading the scene"));
 }
 
+applications::MotionClip import_clip(std::string_view bytes, MeshFormat format, const ClipOfScene& wanted) {
+    if (!wanted.isolated) return import_clip_here(bytes, format, wanted);
+    const ProcessLimits limits{60, std::size_t{1} << 32U};
+    return parse_bvh(run_separately([&] { return clip_to_bvh(import_clip_here(bytes, format, wanted)); }, limits,
+                                    "reading the scene"));
+}
+
 #else
+
+applications::MotionClip import_clip(std::string_view bytes, MeshFormat format, const ClipOfScene&) {
+    static_cast<void>(import_scene(bytes, format, {})); // says what is missing
+    return {};
+}
 
 PolygonMesh import_scene(std::string_view, MeshFormat, const ReadMeshOptions&) {
     throw Error(ErrorCode::bad_input,

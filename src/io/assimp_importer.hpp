@@ -2,9 +2,12 @@
 
 #include <string_view>
 
+#include <skelgen/applications/motion_clip.hpp>
 #include <skelgen/io/mesh_format.hpp>
 #include <skelgen/io/polygon_mesh.hpp>
 #include <skelgen/io/read_mesh.hpp>
+
+#include "scene_clip.hpp"
 
 namespace skelgen::io::detail {
 
@@ -22,5 +25,9 @@ namespace skelgen::io::detail {
 /// \throws Error bad_input when it cannot read the file, or this build lacks it, which the message then says; usage for
 ///         an animation that is not there.
 [[nodiscard]] PolygonMesh import_scene(std::string_view bytes, MeshFormat format, const ReadMeshOptions& options);
+
+/// The skeleton of such a file and how it moves. \throws Error as `import_scene` and `clip_of`.
+[[nodiscard]] applications::MotionClip import_clip(std::string_view bytes, MeshFormat format,
+                                                   const ClipOfScene& wanted);
 
 } // namespace skelgen::io::detail

@@ -92,6 +92,16 @@ std::string gzip(std::string_view bytes) {
     return result;
 }
 
+std::optional<std::string> zlib_compressed(std::string_view bytes) {
+    auto size = ::compressBound(static_cast<uLong>(bytes.size()));
+    std::string result(size, '\0');
+    if (::compress(reinterpret_cast<Bytef*>(result.data()), &size, input_bytes(bytes),
+                   static_cast<uLong>(bytes.size())) != Z_OK)
+        throw std::bad_alloc();
+    result.resize(size);
+    return result;
+}
+
 #else
 
 std::string gunzip(std::string_view, std::size_t) {
@@ -104,6 +114,8 @@ std::string gzip(std::string_view) {
     throw Error(ErrorCode::usage, "this build of skelgen cannot compress; build it with zlib (Debian: zlib1g-dev), or "
                                   "leave .gz out");
 }
+
+std::optional<std::string> zlib_compressed(std::string_view) { return std::nullopt; }
 
 #endif
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,5 +18,8 @@ namespace skelgen::io::detail {
 
 /// The bytes compressed as gzip does, always the same for the same bytes. \throws Error usage without zlib.
 [[nodiscard]] std::string gzip(std::string_view bytes);
+
+/// The bytes in zlib's own format, always the same for the same bytes; none without zlib.
+[[nodiscard]] std::optional<std::string> zlib_compressed(std::string_view bytes);
 
 } // namespace skelgen::io::detail

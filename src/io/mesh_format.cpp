@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace skelgen::io {
 namespace {
@@ -30,14 +31,17 @@ std::filesystem::path uncompressed_name(std::filesystem::path path) {
 
 } // namespace
 
-bool is_written(MeshFormat format) { return format <= MeshFormat::glb; }
+bool is_written(MeshFormat format) { return format <= MeshFormat::glb || format == MeshFormat::fbx; }
 
 std::span<const std::string_view> mesh_extensions() { return extensions; }
 
 std::string mesh_extensions_text() { return enumerated(extensions); }
 
 std::string written_mesh_extensions_text() {
-    return enumerated(std::span(extensions).first(static_cast<std::size_t>(MeshFormat::glb) + 1));
+    std::vector<std::string_view> written;
+    for (std::size_t i = 0; i < extensions.size(); ++i)
+        if (is_written(static_cast<MeshFormat>(i))) written.push_back(extensions[i]);
+    return enumerated(written);
 }
 
 std::optional<MeshFormat> mesh_format_named(std::string_view name) {

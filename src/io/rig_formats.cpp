@@ -10,6 +10,7 @@
 #include <skelgen/io/atomic_file.hpp>
 #include <skelgen/io/bvh.hpp>
 
+#include "fbx_writer.hpp"
 #include "file_extension.hpp"
 #include "rig_motion.hpp"
 #include "rig_scene.hpp"
@@ -90,6 +91,18 @@ std::string rig_to_glb(const Rig<double>& rig, JointNames names, const SceneLook
     return detail::format_scene(std::move(scene));
 }
 
+std::string rig_to_fbx(const Rig<double>& rig, JointNames names, const SceneLooks& looks,
+                       const std::vector<applications::Animation<double>>& animations) {
+    constexpr double centimetres = 100;
+    detail::FbxOptions options;
+    options.scale = rig.unit_is_known ? centimetres : 1;
+    options.centimetres_per_unit = rig.unit_is_known ? 1 : centimetres;
+    options.copies = looks.copies;
+    for (const applications::Animation<double>& animation : animations)
+        if (!animation.frames.empty()) options.seconds_per_frame.push_back(animation.seconds_per_frame);
+    return detail::glb_to_fbx(rig_to_glb(rig, names, looks, animations), options);
+}
+
 std::string rig_to_vrm(const Rig<double>& rig, const std::string& name, const SceneLooks& looks) {
     if (!is_near_t_pose(rig)) refuse("VRM's rest pose is the T-pose; make the rig in that");
     if (name.empty()) refuse("VRM asks for a name of the avatar");
@@ -104,7 +117,7 @@ std::string rig_to_bvh(const Rig<double>& rig, JointNames names) {
 }
 
 std::optional<RigFormat> rig_format_of(const std::filesystem::path& path) {
-    constexpr std::array<std::string_view, 3> extensions{".glb", ".vrm", ".bvh"};
+    constexpr std::array<std::string_view, 4> extensions{".glb", ".vrm", ".bvh", ".fbx"};
     const auto found = detail::find_extension(path, extensions);
     if (!found) return std::nullopt;
     return static_cast<RigFormat>(*found);
@@ -114,6 +127,9 @@ std::vector<std::string> left_out_of(RigFormat format, const SceneLooks& looks) 
     std::vector<std::string> out = looks.left_out;
     if (const std::size_t morphs = morph_target_count(looks); format == RigFormat::bvh && morphs > 0)
         out.push_back(std::to_string(morphs) + " morph targets (BVH has a skeleton alone)");
+    if (format == RigFormat::fbx)
+        if (const std::size_t pictures = detail::pictures_lost_in_fbx(looks.json); pictures > 0)
+            out.push_back(std::to_string(pictures) + " pictures of roughness, metalness or shade (FBX has none; .glb)");
     if (looks.vrm.empty()) return out;
     if (format != RigFormat::vrm) {
         out.emplace_back("expressions, look-at, first person and spring bones (.vrm keeps them)");
@@ -125,7 +141,7 @@ std::vector<std::string> left_out_of(RigFormat format, const SceneLooks& looks) 
 
 void write_rig(const std::filesystem::path& path, const Rig<double>& rig, JointNames names, const SceneLooks& looks) {
     const std::optional<RigFormat> format = rig_format_of(path);
-    if (!format) refuse("its name must end in .glb, .vrm or .bvh");
+    if (!format) refuse("its name must end in .glb, .vrm, .bvh or .fbx");
     switch (*format) {
     case RigFormat::glb:
         return write_file_atomically(path, rig_to_glb(rig, names, looks));
@@ -133,6 +149,8 @@ void write_rig(const std::filesystem::path& path, const Rig<double>& rig, JointN
         return write_file_atomically(path, rig_to_vrm(rig, path.stem().string(), looks));
     case RigFormat::bvh:
         return write_file_atomically(path, rig_to_bvh(rig, names));
+    case RigFormat::fbx:
+        return write_file_atomically(path, rig_to_fbx(rig, names, looks));
     }
 }
 

@@ -83,8 +83,8 @@ private:
 
 } // namespace
 
-void with_imported_scene(std::string_view bytes, const char* extension,
-                         const std::function<void(const aiScene&)>& use) {
+void with_imported_scene(std::string_view bytes, const char* extension, const std::function<void(const aiScene&)>& use,
+                         Pivots pivots) {
     const LoadedLibrary assimp(SKELGEN_ASSIMP_LIBRARY,
                                "is FBX or DAE, for which the library assimp is missing (" SKELGEN_ASSIMP_LIBRARY
                                "); install it (Debian: libassimp5), or export it as GLB");
@@ -98,6 +98,8 @@ void with_imported_scene(std::string_view bytes, const char* extension,
         properties.get(), AI_CONFIG_PP_RVC_FLAGS,
         aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS | aiComponent_TEXCOORDS |
             aiComponent_TEXTURES | aiComponent_LIGHTS | aiComponent_CAMERAS);
+    assimp.function<decltype(aiSetImportPropertyInteger)>("aiSetImportPropertyInteger")(
+        properties.get(), AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, pivots == Pivots::several_nodes ? 1 : 0);
 
     SceneFile file(bytes);
     const std::unique_ptr<const aiScene, decltype(release)> scene(

@@ -11,4 +11,11 @@ template <typename Number>
     return shown <= knee ? shown / slope : std::pow((shown + offset) / (1 + offset), power);
 }
 
+/// The other way: how a channel of light is shown.
+template <typename Number>
+[[nodiscard]] Number shown_light(Number light) {
+    constexpr auto knee = Number(0.0031308), slope = Number(12.92), offset = Number(0.055), power = Number(2.4);
+    return light <= knee ? slope * light : (1 + offset) * std::pow(light, 1 / power) - offset;
+}
+
 } // namespace skelgen::io::detail

@@ -7,6 +7,7 @@
 
 #include <skelgen/io/atomic_file.hpp>
 
+#include "fbx_writer.hpp"
 #include "glb_writer.hpp"
 #include "gzip.hpp"
 #include "little_endian.hpp"
@@ -141,9 +142,10 @@ std::string format_mesh(const TriangleMesh<Scalar>& mesh, MeshFormat format) {
         return format_stl(mesh);
     case MeshFormat::glb:
         return detail::format_glb(mesh.vertices.template cast<double>(), mesh.faces);
+    case MeshFormat::fbx:
+        return detail::glb_to_fbx(detail::format_glb({mesh.vertices.template cast<double>(), mesh.faces}, {}, {}), {});
     case MeshFormat::gltf:
     case MeshFormat::vrm:
-    case MeshFormat::fbx:
     case MeshFormat::dae:
         break;
     }
@@ -160,9 +162,12 @@ void write_mesh(const std::filesystem::path& path, const TriangleMesh<Scalar>& m
 
 void write_mesh(const std::filesystem::path& path, const TriangleMesh<double>& mesh, const SceneLooks& looks,
                 const applications::VertexTurns<double>& turns) {
-    if (mesh_format_of(path) != MeshFormat::glb || looks.parts.empty()) return write_mesh(path, mesh);
+    const std::optional<MeshFormat> format = mesh_format_of(path);
+    const bool is_fbx = format == MeshFormat::fbx;
+    if ((format != MeshFormat::glb && !is_fbx) || looks.parts.empty()) return write_mesh(path, mesh);
     check(mesh);
-    write_bytes(path, detail::format_glb(mesh, looks, turns));
+    const std::string glb = detail::format_glb(mesh, looks, turns);
+    write_bytes(path, is_fbx ? detail::glb_to_fbx(glb, {.copies = looks.copies}) : glb);
 }
 
 template std::string format_mesh<float>(const TriangleMesh<float>&, MeshFormat);

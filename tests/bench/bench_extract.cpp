@@ -1,6 +1,6 @@
 // The time and memory that an extraction takes, stage by stage, beside CGAL's curve skeleton of the same mesh in the
 // same process: on bodies of research sets, and on ever finer ones of our own. Ours finds named joints where CGAL's
-// ends with the curve. Prints the table of the README.
+// ends with the curve. Prints the table of docs/results.md.
 
 #include <algorithm>
 #include <array>

@@ -44,6 +44,23 @@ TEST_CASE("animate: a walk as the animation of a character, and one of its frame
     CHECK(shown.vertices.col(1).maxCoeff() > 1.6);
 }
 
+TEST_CASE("animate: FBX has what GLB has", "[cli][animate]") {
+    const TemporaryFolder folder;
+    for (const char* name : {"walking.glb", "walking.fbx"}) {
+        const CliResult animated = run_cli(folder.path(), {"animate", sample_body, "--bvh", walk, "-o", name});
+        INFO(animated.err);
+        REQUIRE(animated.status == 0);
+    }
+    io::ReadMeshOptions options;
+    options.animation = "walk";
+    options.time = 0.5;
+    const auto glb = read_mesh(folder / "walking.glb", options), fbx = read_mesh(folder / "walking.fbx", options);
+    REQUIRE(fbx.vertices.rows() == glb.vertices.rows());
+    REQUIRE(fbx.faces.rows() == glb.faces.rows());
+    for (Eigen::Index i = 0; i < glb.faces.size(); i += 100)
+        CHECK((fbx.vertices.row(fbx.faces.data()[i]) - 100 * glb.vertices.row(glb.faces.data()[i])).norm() < 1e-3);
+}
+
 TEST_CASE("animate and rig: a body of no person's height is said to have an unknown unit", "[cli][animate][rig]") {
     const TemporaryFolder folder;
     auto giant = read_mesh(sample_body);
@@ -83,12 +100,12 @@ TEST_CASE("animate and pose: what cannot be done is one line and no file", "[cli
     fails({"pose", "capsule.off", "--bvh", walk, "--frame", "30", "-o", "x.off"}, 2, walk + ": has no frame 30");
     fails({"animate", "capsule.off", "--bvh", walk, "-o", "no/x.glb"}, 2, "no/x.glb: cannot be written: its folder");
     fails({"pose", "capsule.off", "--bvh", walk, "-o", "no/x.off"}, 2, "no/x.off: cannot be written: its folder");
-    fails({"animate", sample_body, "-o", "x.glb"}, 2, "animate: --bvh is required");
+    fails({"animate", sample_body, "-o", "x.glb"}, 2, "animate: --clip is required");
     fails({"animate", sample_body, "--bvh", "arm.bvh", "-o", "arm.bvh"}, 2, "arm.bvh: is the input");
     fails({"pose", sample_body, "--bvh", walk, "--frame", "30", "-o", "x.off"}, 2, walk + ": has no frame 30");
     fails({"pose", sample_body, "--bvh", "odd.bvh", "-o", "x.off"}, 3, "odd.bvh: ");
     fails({"pose", sample_body, "--like", "capsule.off", "--frame", "1", "-o", "x.off"}, 2,
-          "pose: --frame requires --bvh");
+          "pose: --frame requires --clip");
     fails({"pose", sample_body, "--bvh", walk, "--frame", "-1", "-o", "x.off"}, 2, "pose: ");
 }
 

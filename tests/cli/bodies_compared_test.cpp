@@ -184,4 +184,106 @@ TEST_CASE("correspond: a vertex of the one body for each of the other", "[cli][c
     CHECK_FALSE(fs::exists(folder / "x.json"));
 }
 
+TEST_CASE("measure, align, segment, correspond: of several bodies one, or each",
+          "[cli][align][correspond][measure][segment]") {
+    const TemporaryFolder folder;
+    const TriangleMesh<double> mesh = read_mesh(sample_body);
+    const auto n = mesh.vertices.rows();
+    TriangleMesh<double> small{0.8 * mesh.vertices, mesh.faces};
+    small.vertices.col(0).array() += 3;
+    const TriangleMesh<double> two = side_by_side(mesh, small);
+    fs::create_directory(folder / "in");
+    write_mesh(folder / "in/two.off", two);
+    fs::copy_file(sample_body, folder / "in/one.off");
+    const auto run = [&](const std::vector<std::string>& arguments) {
+        const CliResult result = run_cli(folder.path(), arguments);
+        INFO(result.err);
+        REQUIRE(result.status == 0);
+        return result.out;
+    };
+
+    SECTION("measure") {
+        const auto bodies_of = [&](const std::string& component, const std::string& mesh_or_folder) {
+            return nlohmann::json::parse(run({"measure", mesh_or_folder, "--component", component})).at("bodies");
+        };
+        const auto all = bodies_of("all", "in");
+        REQUIRE(all.size() == 3);
+        std::vector<std::string> files;
+        for (const auto& body : all) files.push_back(body.at("mesh").at("file"));
+        CHECK(files == std::vector<std::string>{"one.off", "two.off.1", "two.off.2"});
+        const auto height = [](const nlohmann::json& body) { return body.at("height").get<double>(); };
+        CHECK(height(all[1]) == Approx(height(all[0])).epsilon(1e-6));
+        CHECK(height(all[2]) == Approx(0.8 * height(all[0])).epsilon(1e-6));
+        CHECK(height(bodies_of("2", "in/two.off")[0]) == height(all[2]));
+    }
+    SECTION("align: the one body alone, on the floor") {
+        run({"align", "in", "--component", "all", "--origin", "floor", "-o", "out"});
+        CHECK(files_below(folder / "out") == std::vector<std::string>{"one.off", "one.transform.json", "two.1.off",
+                                                                      "two.1.transform.json", "two.2.off",
+                                                                      "two.2.transform.json"});
+        const auto second = read_mesh(folder / "out/two.2.off");
+        CHECK(second.faces == mesh.faces);
+        CHECK((second.vertices - 0.8 * read_mesh(folder / "out/two.1.off").vertices).cwiseAbs().maxCoeff() < 1e-6);
+        CHECK(second.vertices.col(1).minCoeff() == Approx(0).margin(1e-9));
+        run({"align", "in/two.off", "--component", "2", "--origin", "floor", "-o", "second"});
+        CHECK(files_below(folder / "second") == std::vector<std::string>{"two.off", "two.transform.json"});
+        CHECK(test::read_file(folder / "second/two.off") == test::read_file(folder / "out/two.2.off"));
+    }
+    SECTION("segment: for each vertex of the mesh") {
+        run({"segment", "in/two.off", "--component", "all", "-o", "parts"});
+        CHECK(files_below(folder / "parts") ==
+              std::vector<std::string>{"two.1.json", "two.1.ply", "two.2.json", "two.2.ply"});
+        const auto parts_of = [](const std::string& json) {
+            return nlohmann::json::parse(json).at("vertex_part").get<std::vector<int>>();
+        };
+        const auto whole = parts_of(run({"segment", "in/one.off"}));
+        const auto second = parts_of(test::read_file(folder / "parts/two.2.json"));
+        REQUIRE(second.size() == 2 * whole.size());
+        CHECK(std::equal(whole.begin(), whole.end(), second.begin() + n));
+        CHECK(parts_of(run({"segment", "in/two.off", "--component", "2"})) == second);
+        CHECK(run_cli(folder.path(), {"segment", "in/two.off", "--component", "all", "-o", "x.json"}).status == 2);
+    }
+    SECTION("correspond") {
+        run({"correspond", "in/two.off", "in/two.off", "--from-component", "2", "--component", "all", "--places", "-o",
+             "maps/"});
+        CHECK(files_below(folder / "maps") == std::vector<std::string>{"two.1.json", "two.2.json"});
+        for (const int number : {1, 2}) {
+            const auto json =
+                nlohmann::json::parse(test::read_file(folder / ("maps/two." + std::to_string(number) + ".json")));
+            const std::vector<int> map = json.at("vertex_to_vertex");
+            REQUIRE(map.size() == static_cast<std::size_t>(2 * n));
+            double sum = 0;
+            for (Eigen::Index v = 0; v < n; ++v) {
+                const auto to = map[static_cast<std::size_t>(n + v)] - (number - 1) * n;
+                REQUIRE((to >= 0 && to < n));
+                sum += (mesh.vertices.row(v) - mesh.vertices.row(to)).norm();
+            }
+            CHECK(sum / static_cast<double>(n) < 0.002);
+            for (const int face : json.at("vertex_to_face")) REQUIRE(face / mesh.faces.rows() == number - 1);
+            for (const auto& landmark : json.at("landmarks")) {
+                CHECK(landmark.at("from").get<int>() >= n);
+                CHECK(landmark.at("to").get<int>() / n == number - 1);
+            }
+        }
+    }
+    SECTION("what cannot be") {
+        const CliResult none = run_cli(folder.path(), {"measure", "in/two.off", "--component", "3"});
+        CHECK(none.status == 2);
+        CHECK_THAT(none.err, Catch::Matchers::Contains("there is no body number 3, only 2"));
+        CHECK(run_cli(folder.path(), {"measure", "in/two.off"}).status == 4);
+        for (const std::string component : {"0", "both", "1001", "-1"})
+            CHECK(run_cli(folder.path(), {"measure", "in/two.off", "--component", component}).status == 2);
+        for (const std::string command : {"extract", "rig", "animate", "pose"}) {
+            const CliResult refused = run_cli(folder.path(), {command, "in/two.off", "--component", "all"});
+            CHECK(refused.status == 2);
+            CHECK_THAT(refused.err,
+                       Catch::Matchers::Contains("what is written is of one body; take each by its number"));
+        }
+        fs::copy_file(sample_body, folder / "in/two.2.off");
+        const CliResult both = run_cli(folder.path(), {"align", "in", "--component", "all", "-o", "out"});
+        CHECK(both.status == 2);
+        CHECK_THAT(both.err, Catch::Matchers::Contains("would be written there"));
+    }
+}
+
 } // namespace

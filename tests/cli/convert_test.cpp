@@ -77,7 +77,7 @@ TEST_CASE("convert: scenes as they are stored, and as an animation has them", "[
 TEST_CASE("convert: what cannot be read or written", "[cli][convert]") {
     const TemporaryFolder folder;
     write_mesh(folder / "a.off", capsule(0.2, 2));
-    CHECK_THAT(conversion_error(folder.path(), {"a.off", "a.fbx"}, 2), Catch::Matchers::Contains(".glb"));
+    CHECK_THAT(conversion_error(folder.path(), {"a.off", "a.dae"}, 2), Catch::Matchers::Contains(".glb"));
     CHECK_THAT(conversion_error(folder.path(), {"a.off", "a"}, 2), Catch::Matchers::Contains(".glb"));
     CHECK_THAT(conversion_error(folder.path(), {"a.off", "a.off"}, 2), Catch::Matchers::Contains("is the input"));
     CHECK_THAT(conversion_error(folder.path(), {"missing.off", "b.off"}, 3),

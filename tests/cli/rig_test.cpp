@@ -336,7 +336,7 @@ TEST_CASE("rig: what cannot be done is one line and no file", "[cli][rig]") {
     };
     fails({"capsule.off", "-o", "x.glb"}, 4);
     fails({"missing.off", "-o", "x.glb"}, 3);
-    fails({"capsule.off", "-o", "x.fbx"}, 2);
+    fails({"capsule.off", "-o", "x.dae"}, 2);
     fails({"capsule.off"}, 2);
     fails({"capsule.off", "-o", "x.glb", "--names", "maya"}, 2);
     fails({"capsule.off", "-o", "x.vrm", "--rest", "a-pose"}, 2);

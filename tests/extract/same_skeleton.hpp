@@ -14,7 +14,7 @@
 namespace skelgen::test {
 
 /// How far joints may move, relative to the geodesic diameter, when the body is moved, turned, scaled or stored in
-/// another order: what the README promises.
+/// another order: what docs/results.md promises.
 inline constexpr double by_motion = 1e-10;
 
 /// And when it is given in single precision.

@@ -41,6 +41,8 @@ inline void expect_looks_of(const TriangleMesh<double>& mesh, const io::SceneLoo
     rig.skin.weights.setZero(mesh.vertices.rows(), applications::Skin<double>::influences);
     rig.skin.weights.col(0).setOnes();
     static_cast<void>(io::rig_to_vrm(rig, "avatar", looks));
+    static_cast<void>(io::rig_to_fbx(rig, io::JointNames::skelgen, looks));
+    static_cast<void>(io::left_out_of(io::RigFormat::fbx, looks));
     static_cast<void>(io::left_out_of(io::RigFormat::vrm, looks));
 }
 

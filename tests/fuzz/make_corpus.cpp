@@ -192,6 +192,10 @@ void make_corpus(const fs::path& folder) {
     bvh.add(clip_to_bvh(test::standing_clip()));
     bvh.add("HIERARCHY\nROOT a b{\nOFFSET 1 2 3\nCHANNELS 1 Yrotation\nEnd Site\n{ OFFSET 0 0 1 } }\n"
             "MOTION\nFrames: 2\nFrame Time: .1\n0\n90\n");
+    Corpus clip(folder, "clip");
+    clip.add(clip_to_bvh(test::standing_clip()));
+    clip.add(full_scene().glb());
+    clip.add(avatar(vrm_1));
     Corpus(folder, "template_json").add(template_to_json(builtin_template("pinocchio18")));
     Corpus(folder, "skeleton_json").add(skeleton_to_json(small_skeleton()));
 }

@@ -59,7 +59,7 @@ TEST_CASE("mesh formats: the list of extensions is the one that names are judged
         CHECK(mesh_format_of("folder.x/a.b" + upper) == static_cast<MeshFormat>(i));
     }
     CHECK(mesh_extensions_text() == ".off, .obj, .ply, .stl, .glb, .gltf, .vrm, .fbx or .dae");
-    CHECK(written_mesh_extensions_text() == ".off, .obj, .ply, .stl or .glb");
+    CHECK(written_mesh_extensions_text() == ".off, .obj, .ply, .stl, .glb or .fbx");
     CHECK(mesh_format_of("a.off.gz") == MeshFormat::off);
     CHECK(mesh_format_of("a.b.PLY.GZ") == MeshFormat::ply);
     CHECK_FALSE(mesh_format_of("off.gz").has_value());

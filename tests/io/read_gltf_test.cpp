@@ -104,7 +104,7 @@ TEST_CASE("read glTF: what GLB writes reads back", "[io][gltf]") {
     mesh = tetrahedron();
     mesh.faces.resize(0, 3);
     CHECK_THROWS_AS(format_mesh(mesh, MeshFormat::glb), Error);
-    CHECK_THROWS_AS(format_mesh(tetrahedron(), MeshFormat::fbx), Error);
+    CHECK_THROWS_AS(format_mesh(tetrahedron(), MeshFormat::dae), Error);
 }
 
 TEST_CASE("read glTF: strips, fans and triangles without indices", "[io][gltf]") {

@@ -387,7 +387,7 @@ TEST_CASE("BVH: offsets in centimetres, Z, X, Y", "[io][rig]") {
 
 TEST_CASE("rigs that cannot be written", "[io][rig]") {
     Rig<double> rig = small_rig();
-    CHECK_THROWS_AS(io::write_rig("rig.fbx", rig), Error);
+    CHECK_THROWS_AS(io::write_rig("rig.dae", rig), Error);
     rig.mesh.vertices(0, 0) = 1e300;
     CHECK_THROWS_WITH(io::rig_to_glb(rig), Catch::Matchers::Contains("float"));
     rig.mesh.faces.resize(0, 3);

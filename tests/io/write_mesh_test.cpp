@@ -96,7 +96,7 @@ TEST_CASE("write_mesh: the extension chooses, in any case", "[io][write]") {
         CHECK(read_mesh(folder / name).faces.rows() == 4);
         CHECK(fs::file_size(folder / name) == format_mesh(tetrahedron(), mesh_format_of(name).value()).size());
     }
-    CHECK_THAT(writing_error(folder / "a.fbx", tetrahedron()), Contains("must end in .off"));
+    CHECK_THAT(writing_error(folder / "a.dae", tetrahedron()), Contains("must end in .off"));
     CHECK_THAT(writing_error(folder / "off", tetrahedron()), Contains("must end in .off"));
     CHECK_FALSE(mesh_format_of("a.json").has_value());
     CHECK_FALSE(mesh_format_of(".off").has_value()); // a hidden file without extension

@@ -113,7 +113,7 @@ endif()
 if(count EQUAL 0 OR count GREATER most_public)
   fault("${count} headers are public: it has to be ${most_public} at most")
 endif()
-# What users are shown; README quotes the examples.
+# What users are shown; the documentation quotes the examples.
 files_of(shown "examples/*.cpp" "tests/package/consumers/*.cpp")
 foreach(file IN LISTS shown)
   includes_of("${file}" headers)

@@ -109,6 +109,8 @@ class Extraction(Skeleton):
     def align(self, origin: str = "crotch", *, scale: bool = False) -> Aligned:
         """Turn the body so that +y is up and it faces +z.
 
+        Where `component` chose one of several bodies, that one alone comes back.
+
         Args:
             origin: "crotch" (in the joint) or "floor" (below it, as low as the lowest vertex).
             scale: whether it becomes 1 high when it stands upright.
@@ -119,8 +121,7 @@ class Extraction(Skeleton):
         >>> skelgen.extract("body.off").align(origin="floor").matrix.shape
         (4, 4)
         """
-        matrix, vertices = _core.align(self._body, origin, scale)
-        return Aligned(self._mesh, vertices, matrix)
+        return Aligned(self._mesh, *_core.align(self._body, origin, scale))
 
     def rig(self, rest: str = "as-is", *, fingers: str = "auto") -> Rig:
         """Bind the mesh to its skeleton: a character that moves.
@@ -334,10 +335,14 @@ class Aligned(Mesh):
 
     Attributes:
         matrix: (4, 4) from the mesh's coordinates to these, for columns (x, y, z, 1).
+        source_vertices: (n,) which of the mesh's vertices each one is: all, but where one of several bodies was chosen.
     """
 
-    def __init__(self, mesh: Mesh, vertices: FloatArray, matrix: FloatArray) -> None:
-        super().__init__(vertices, mesh.faces, mesh.name)
+    def __init__(
+        self, mesh: Mesh, matrix: FloatArray, vertices: FloatArray, sources: tuple[IntArray, IntArray]
+    ) -> None:
+        self.source_vertices, faces = _own(mesh, sources)
+        super().__init__(vertices, faces, mesh.name)
         self.matrix = matrix
 
     def to_dict(self) -> dict[str, Any]:
@@ -430,7 +435,7 @@ class Rig:
         return Rig(self.extraction, self.rest, "off", (*self._clips, file))
 
     def save(self, path: PathLike, names: str = "skelgen") -> None:
-        """Write .glb, .vrm or .bvh, wholly or not at all; what moves only as .glb.
+        """Write .glb, .fbx, .vrm or .bvh, wholly or not at all; what moves only as .glb or .fbx.
 
         Args:
             path: the file.
@@ -552,7 +557,7 @@ def extract(  # noqa: PLR0913
 
     >>> body = skelgen.extract("body.off")
     >>> body
-    Extraction('body.off', human21: 21 joints, sides_confidence 0.92)
+    Extraction('body.off', human21: 21 joints, sides_confidence 0.98)
     >>> body.positions.shape, body.names[:2]
     ((21, 3), ('crotch', 'waist'))
     """

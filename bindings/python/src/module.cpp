@@ -214,30 +214,18 @@ std::string measure(const Found& found) {
     });
 }
 
-std::pair<Eigen::Matrix4d, Points<double>> align(const Found& found, const std::string& origin, bool scale) {
-    applications::AlignmentOptions options;
-    if (origin == "floor")
-        options.origin = applications::AlignedOrigin::floor;
-    else if (origin != "crotch")
-        throw Error(ErrorCode::usage, "origin: '" + origin + "' is none of crotch, floor");
-    return interruptible([=]() mutable {
-        const LentMesh mesh(found->vertices(), found->faces());
-        if (scale) options.scale = 1 / applications::standing_height(found->body(), found->skeleton());
-        const Eigen::Matrix4d transform =
-            applications::alignment(found->body(), found->skeleton(), (*mesh).vertices, options);
-        return std::pair(transform, applications::transformed((*mesh).vertices, transform));
-    });
-}
-
 std::string correspond(const Found& from, const Found& to) {
     return interruptible([=] {
         const LentMesh from_mesh(from->vertices(), from->faces()), to_mesh(to->vertices(), to->faces());
-        const auto side = [](const FoundBody& found, const TriangleMesh<double>& mesh) {
-            return cli::ComparedBody{found.source(), found.skeleton().quality, mesh, found.body(), found.comparable()};
+        const auto from_own = from->own_part(), to_own = to->own_part();
+        const auto side = [](const FoundBody& found, const TriangleMesh<double>& mesh,
+                             const std::optional<cli::FittedFile>& own) {
+            return cli::ComparedBody{found.source(), found.skeleton().quality, mesh,
+                                     found.body(),   found.comparable(),       own ? &*own : nullptr};
         };
         const cli::CorrespondenceExtras all{true, true};
         return io::correspondence_to_json(
-            cli::correspondence_of(side(*from, *from_mesh), side(*to, *to_mesh), all).file);
+            cli::correspondence_of(side(*from, *from_mesh, from_own), side(*to, *to_mesh, to_own), all).file);
     });
 }
 
@@ -253,6 +241,24 @@ struct Written {
     const Extraction<double>& body;
     applications::OwnPart part;
 };
+
+/// The transform, the vertices moved by it, and what they are of the mesh.
+using AlignedArrays = std::tuple<Eigen::Matrix4d, Points<double>, Sources>;
+
+AlignedArrays align(const Found& found, const std::string& origin, bool scale) {
+    applications::AlignmentOptions options;
+    if (origin == "floor")
+        options.origin = applications::AlignedOrigin::floor;
+    else if (origin != "crotch")
+        throw Error(ErrorCode::usage, "origin: '" + origin + "' is none of crotch, floor");
+    return interruptible([=]() mutable {
+        const Written own(*found);
+        const Points<double>& vertices = own.mesh.vertices;
+        if (scale) options.scale = 1 / applications::standing_height(own.body.body, found->skeleton());
+        const Eigen::Matrix4d transform = applications::alignment(own.body.body, found->skeleton(), vertices, options);
+        return AlignedArrays{transform, applications::transformed(vertices, transform), sources_of(own.part)};
+    });
+}
 
 /// Vertices, what each was turned by, what they are of the mesh, and the skeleton's file of a body held as a model.
 using PosedArrays = std::tuple<Points<double>, Turns, Sources, std::string>;
@@ -343,10 +349,12 @@ bool write_character(const std::shared_ptr<Character>& character, const fs::path
     return interruptible([=] {
         return in_file(file, [&] {
             if (!character->animations.empty()) {
-                if (io::rig_format_of(file) != io::RigFormat::glb)
-                    throw Error(ErrorCode::usage, "a moving character's name must end in .glb");
-                io::write_file_atomically(
-                    file, rig_to_glb(character->rig, *convention, character->looks, character->animations));
+                const auto format = io::rig_format_of(file);
+                if (format != io::RigFormat::glb && format != io::RigFormat::fbx)
+                    throw Error(ErrorCode::usage, "a moving character's name must end in .glb or .fbx");
+                const auto write = format == io::RigFormat::fbx ? io::rig_to_fbx : io::rig_to_glb;
+                io::write_file_atomically(file,
+                                          write(character->rig, *convention, character->looks, character->animations));
             } else {
                 write_rig(file, character->rig, *convention, character->looks);
             }

@@ -116,8 +116,8 @@ def test_one_of_two_bodies(body: skelgen.Extraction, workplace: Path, component:
     vertices = np.concatenate([body.vertices, 0.8 * body.vertices + [3, 0, 0]])
     skelgen.convert((vertices, np.concatenate([body.faces, body.faces + count])), "two.off")
     chosen = skelgen.extract("two.off", component=component)
-    rig, posed = chosen.rig(), chosen.pose(like="body.json")
-    for result in (rig, posed):
+    rig, posed, aligned = chosen.rig(), chosen.pose(like="body.json"), chosen.align(origin="floor")
+    for result in (rig, posed, aligned):
         assert (result.source_vertices == np.arange(count) + (component - 1) * count).all()
         assert (result.faces == body.faces).all()
     assert (body.rig().source_vertices == np.arange(count)).all()
@@ -127,6 +127,17 @@ def test_one_of_two_bodies(body: skelgen.Extraction, workplace: Path, component:
     program("pose", "-q", "two.off", "--component", component, "--pose", "body.json", "-o", "theirs.off")
     assert (workplace / "rig.glb").read_bytes() == (workplace / "theirs.glb").read_bytes()
     assert (workplace / "posed.off").read_bytes() == (workplace / "theirs.off").read_bytes()
+    aligned.save("aligned.off")
+    program("align", "-q", "two.off", "--component", component, "--origin", "floor", "-o", "theirs")
+    assert (workplace / "aligned.off").read_bytes() == (workplace / "theirs" / "two.off").read_bytes()
+    assert chosen.measure().to_dict() == program_json("measure", "-q", "two.off", "--component", component)
+    maps = chosen.correspond(chosen)
+    assert maps.to_dict() == program_json(
+        *("correspond", "-q", "two.off", "two.off", "--confidence", "--places"),
+        *("--from-component", component, "--component", component),
+    )
+    assert (maps.vertex_to_vertex // count == component - 1).all()
+    assert chosen.segment().to_dict() == program_json("segment", "-q", "two.off", "--component", component)
 
 
 def test_materials_are_kept(body: skelgen.Extraction, workplace: Path) -> None:

@@ -3,13 +3,11 @@
 #include <skelgen/extract.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <skelgen/anatomy/confidence.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
@@ -18,6 +16,7 @@
 #include <skelgen/search/trust.hpp>
 #include <skelgen/surface/canonical_form.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
+#include <skelgen/symmetry/exact_mirror.hpp>
 
 namespace skelgen {
 namespace detail {
@@ -49,43 +48,6 @@ Scalar diagonal_along(const Similarity<Scalar>& similarity, const Points<Scalar>
     return similarity.scale * core::bounding_diagonal(turned);
 }
 
-inline std::string noise_smoothed(double noise) {
-    const auto tenths = static_cast<int>(std::lround(1000 * noise)); // of a per cent
-    return "noise smoothed away: " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " % of the size";
-}
-
-/// What is to be known of a skeleton beside its numbers.
-template <typename Scalar>
-std::vector<std::string> warnings_of(const search::Found<Scalar>& found, const SkeletonTemplate& wanted) {
-    using search::Witness;
-    const search::Evidence& evidence = found.candidate.evidence;
-    const KinematicSkeleton<Scalar>& skeleton = found.candidate.skeleton;
-    std::vector<std::string> out;
-    for (std::size_t j = 0; j < skeleton.joints.size(); ++j)
-        if (skeleton.joints[j].is_present && found.candidate.doubt[j] > anatomy::misplaced_from)
-            out.push_back("joint " + skeleton.joints[j].name + " may be misplaced: its bones have unlikely lengths");
-    if (evidence[Witness::lacks_head] > 0) out.push_back("the body seems to lack its head");
-    if (evidence[Witness::lacks_limbs] > 0) {
-        for (std::size_t j = 0; j < skeleton.joints.size(); ++j)
-            if (!skeleton.joints[j].is_present && ends_limb(wanted.joints[j].role))
-                out.push_back(std::string("the body seems to lack ") + (part_of(wanted.joints[j].role) == BodyPart::arm
-                                                                            ? "an arm or part of it"
-                                                                            : "a leg or part of it"));
-    }
-    if (evidence[Witness::adapted] > 0) out.push_back("unusual proportions: it may be none of a human body");
-    const auto contacts = static_cast<int>(evidence[Witness::contacts]) + found.hypothesis.cuts;
-    if (contacts > 0)
-        out.push_back("the body touches itself in " + std::to_string(contacts) +
-                      (contacts == 1 ? " place" : " places") +
-                      (found.hypothesis.cuts > 0 ? ": it was cut there" : ": limbs may be mistaken"));
-    out.insert(out.end(), found.body->repairs.begin(), found.body->repairs.end());
-    if (found.body->dropped_pieces > 0)
-        out.push_back(std::to_string(found.body->dropped_pieces) + " pieces not connected to the body were left out");
-    if (evidence[Witness::noisy] > 0) out.push_back(noise_smoothed(found.noise));
-    if (!found.curve->converged) out.push_back("the curve skeleton's contraction did not converge");
-    return out;
-}
-
 /// Why the likeliest skeleton is no answer, or why there is none.
 template <typename Scalar>
 Failure failure_of(const search::Climb<Scalar>& climb) {
@@ -109,11 +71,14 @@ Extraction<Scalar> extract_in(const TriangleMesh<Scalar>& mesh, const ExtractOpt
     if (climb.found.empty() || climb.found.front().candidate.probability < search::least_probability)
         throw NoSkeleton(detail::failure_of(climb), std::move(climb.trail));
     search::Found<Scalar>& found = climb.found.front();
-    std::vector<std::string> warnings = detail::warnings_of(found, out.skeleton_template);
+    std::vector<std::string> warnings = search::warnings_of(found, out.skeleton_template);
     KinematicSkeleton<Scalar> skeleton = search::with_confidence(std::move(found.candidate.skeleton),
                                                                  found.candidate.probability, found.candidate.doubt);
     skeleton.quality.warnings.insert(skeleton.quality.warnings.end(), warnings.begin(), warnings.end());
     out.skeleton = surface::to_input(*found.body, skeleton);
+    if (const auto mirror = symmetry::exact_mirror(mesh))
+        out.skeleton = symmetry::mirrored_evenly(std::move(out.skeleton), out.skeleton_template, *mirror,
+                                                 core::bounding_diagonal(mesh.vertices));
     out.geodesic_diameter = found.body->similarity.scale * found.candidate.geodesic_diameter;
     out.timings = climb.timings;
     if (options.with_curve) {

@@ -11,7 +11,7 @@ namespace skelgen::io {
 /// The mesh formats that are read; `is_written` says which are written, too.
 enum class MeshFormat { off, obj, ply, stl, glb, gltf, vrm, fbx, dae };
 
-/// Whether meshes can be written in this format: OFF, OBJ, PLY, STL and GLB.
+/// Whether meshes can be written in this format: OFF, OBJ, PLY, STL, GLB and FBX.
 [[nodiscard]] bool is_written(MeshFormat format);
 
 /// The formats' extensions in the order of `MeshFormat`: ".off", ".obj", ...

@@ -45,12 +45,20 @@ enum class JointNames { skelgen, smpl, mixamo, vrm, smplx, unity, godot, unreal,
 [[nodiscard]] std::string rig_to_vrm(const applications::Rig<double>& rig, const std::string& name,
                                      const SceneLooks& looks = {});
 
+/// The same as `rig_to_glb` in FBX (binary, 7.4): centimetres where the unit is known, else the rig's own; +Y up,
+/// facing +Z; joints as bones (LimbNode) with a bind pose. Morph targets, pictures, custom properties ("extras") and
+/// animations are in it; of materials colours, opacity, normal map and emission, and numbers for roughness and
+/// metalness. \throws Error as `rig_to_glb`, and usage when the file would be 4 GiB or larger.
+[[nodiscard]] std::string rig_to_fbx(const applications::Rig<double>& rig, JointNames names = JointNames::skelgen,
+                                     const SceneLooks& looks = {},
+                                     const std::vector<applications::Animation<double>>& animations = {});
+
 /// The skeleton as BVH: offsets in the rest pose, centimetres (where the unit is known, else the rig's own), +Y up;
 /// channels in the order Z, X, Y; one frame that moves nothing. O(joints).
 [[nodiscard]] std::string rig_to_bvh(const applications::Rig<double>& rig, JointNames names = JointNames::skelgen);
 
 /// The formats that rigs are written in.
-enum class RigFormat { glb, vrm, bvh };
+enum class RigFormat { glb, vrm, bvh, fbx };
 
 /// The format that the extension of `path` stands for, whatever its case; none if it is no rig's.
 [[nodiscard]] std::optional<RigFormat> rig_format_of(const std::filesystem::path& path);
@@ -58,7 +66,7 @@ enum class RigFormat { glb, vrm, bvh };
 /// What of a scene's looks is lost when a rig of it is written in a format, a phrase each ("2 animations").
 [[nodiscard]] std::vector<std::string> left_out_of(RigFormat format, const SceneLooks& looks);
 
-/// Writes one of the above by the extension of `path`, whatever its case: .glb, .vrm (named as the file) or .bvh.
+/// Writes one of the above by the extension of `path`, whatever its case: .glb, .vrm (named as the file), .bvh or .fbx.
 /// Whole or not at all (see `write_file_atomically`). \throws Error usage also when the extension is none of these; as
 /// `write_file_atomically` when the file cannot be written.
 void write_rig(const std::filesystem::path& path, const applications::Rig<double>& rig,

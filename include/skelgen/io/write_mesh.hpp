@@ -11,14 +11,14 @@
 namespace skelgen::io {
 
 /// The bytes of a file with this mesh: OFF and OBJ as text with the shortest numbers that read back the same, PLY
-/// binary little-endian with properties of type `Scalar`, STL and GLB binary. STL and GLB lose something: they have
-/// single precision, and STL no indices. `Scalar` is float or double. Linear. \throws Error usage when the format is
-/// one that is only read, a face names no vertex, a coordinate is not finite, or is too large for a float where the
-/// format has floats.
+/// binary little-endian with properties of type `Scalar`, STL, GLB and FBX (7.4, whose unit is said to be the metre, as
+/// glTF's is) binary. These three lose something: they have single precision, and STL no indices. `Scalar` is float or
+/// double. Linear. \throws Error usage when the format is one that is only read, a face names no vertex, a coordinate
+/// is not finite, or is too large for a float where the format has floats.
 template <typename Scalar>
 [[nodiscard]] std::string format_mesh(const TriangleMesh<Scalar>& mesh, MeshFormat format);
 
-/// Writes `mesh` in the format of the extension: .off, .obj, .ply, .stl or .glb; compressed where `.gz`
+/// Writes `mesh` in the format of the extension: .off, .obj, .ply, .stl, .glb or .fbx; compressed where `.gz`
 /// follows. The file appears whole or not at all
 /// (see `write_file_atomically`). \throws Error usage when the extension is none of these or as `format_mesh`; as
 /// `write_file_atomically` when the file
@@ -26,9 +26,9 @@ template <typename Scalar>
 template <typename Scalar>
 void write_mesh(const std::filesystem::path& path, const TriangleMesh<Scalar>& mesh);
 
-/// The same with the looks of the scene whose vertices and faces these are, however they have moved: kept by GLB, by no
-/// other format. `turns`: how each vertex has been turned since, as `PosedBody::turns`; then the looks' own normals are
-/// written, else smooth ones. \throws Error usage also when looks or turns are those of another mesh.
+/// The same with the looks of the scene whose vertices and faces these are, however they have moved: kept by GLB and
+/// FBX, by no other format. `turns`: how each vertex has been turned since, as `PosedBody::turns`; then the looks' own
+/// normals are written, else smooth ones. \throws Error usage also when looks or turns are those of another mesh.
 void write_mesh(const std::filesystem::path& path, const TriangleMesh<double>& mesh, const SceneLooks& looks,
                 const applications::VertexTurns<double>& turns = {});
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <skelgen/core/outcome.hpp>
@@ -23,6 +24,10 @@ struct Found {
     Hypothesis hypothesis;
     double noise = 0; ///< smoothed away before: the root mean square, part of the body's size
 };
+
+/// What is to be known of a skeleton beside its numbers: doubtful joints, what it lacks, contacts, repairs, noise.
+template <typename Scalar>
+[[nodiscard]] std::vector<std::string> warnings_of(const Found<Scalar>& found, const SkeletonTemplate& wanted);
 
 /// What a climb has led to.
 template <typename Scalar = double>

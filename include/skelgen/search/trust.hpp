@@ -9,9 +9,9 @@
 namespace skelgen::search {
 
 /// The probability that a skeleton is right: limbs where they are, sides not exchanged, joints near their places
-/// (README says how it was measured). Its log odds are linear in the evidence, plus small trees boosted on that; the
-/// numbers are of trust_table.hpp, fitted by `./dev calibrate`. It orders candidates, refuses what is less likely than
-/// `least_probability`, and is the confidence.
+/// (docs/results.md says how it was measured). Its log odds are linear in the evidence, plus small trees boosted on
+/// that; the numbers are of trust_table.hpp, fitted by `./dev calibrate`. It orders candidates, refuses what is less
+/// likely than `least_probability`, and is the confidence.
 [[nodiscard]] double probability_right(const Evidence& evidence);
 
 /// Less likely skeletons are no answer. Between this and one half an answer is a guess and says so.

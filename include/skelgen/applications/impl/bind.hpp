@@ -26,6 +26,7 @@
 #include <skelgen/core/nearest_share.hpp>
 #include <skelgen/core/precision.hpp>
 #include <skelgen/surface/weld.hpp>
+#include <skelgen/symmetry/exact_mirror.hpp>
 
 namespace skelgen::applications {
 namespace detail {
@@ -172,6 +173,24 @@ JointWeights fitted_to_edges(JointWeights weights, const TriangleMesh<Scalar>& m
     return weights;
 }
 
+/// The weights in the middle between those of each vertex and of its mirror image, where mesh and skeleton mirror
+/// themselves.
+template <typename Scalar>
+JointWeights mirrored_evenly(JointWeights weights, const TriangleMesh<Scalar>& mesh,
+                             const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template) {
+    const auto mirror = symmetry::exact_mirror(mesh);
+    const Scalar tolerance = static_cast<Scalar>(symmetry::mirror_tolerance) * core::bounding_diagonal(mesh.vertices);
+    if (!mirror || !symmetry::is_mirrored(skeleton, skeleton_template, *mirror, tolerance)) return weights;
+    JointWeights out = weights;
+    for (Eigen::Index v = 0; v < weights.rows(); ++v)
+        if (const int partner = mirror->partner[static_cast<std::size_t>(v)]; partner >= 0)
+            for (int j = 0; j < weights.cols(); ++j) {
+                const int other = counterpart(skeleton_template, j);
+                out(v, j) = (weights(v, j) + weights(partner, other >= 0 ? other : j)) / 2;
+            }
+    return out;
+}
+
 } // namespace detail
 
 template <typename Scalar>
@@ -218,6 +237,7 @@ Skin<Scalar> bind(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body, co
     carried = with_loose_pieces(std::move(carried), mesh, body, gaps, of_body, skeleton_template);
     carried = following_one_limb(std::move(carried), skeleton_template);
     carried = detail::fitted_to_edges(std::move(carried), mesh, skeleton, skeleton_template, regions);
+    carried = detail::mirrored_evenly(std::move(carried), mesh, skeleton, skeleton_template);
     return strongest_influences<Scalar>(carried.cast<Scalar>());
 }
 

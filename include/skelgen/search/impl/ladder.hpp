@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include <skelgen/anatomy/confidence.hpp>
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/precision.hpp>
@@ -394,7 +395,42 @@ private:
     Climb<Scalar> out_;
 };
 
+inline std::string noise_smoothed(double noise) {
+    const auto tenths = static_cast<int>(std::lround(1000 * noise)); // of a per cent
+    return "noise smoothed away: " + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " % of the size";
+}
+
 } // namespace detail
+
+template <typename Scalar>
+std::vector<std::string> warnings_of(const Found<Scalar>& found, const SkeletonTemplate& wanted) {
+    const Evidence& evidence = found.candidate.evidence;
+    const KinematicSkeleton<Scalar>& skeleton = found.candidate.skeleton;
+    std::vector<std::string> out;
+    for (std::size_t j = 0; j < skeleton.joints.size(); ++j)
+        if (skeleton.joints[j].is_present && found.candidate.doubt[j] > anatomy::misplaced_from)
+            out.push_back("joint " + skeleton.joints[j].name + " may be misplaced: its bones have unlikely lengths");
+    if (evidence[Witness::lacks_head] > 0) out.push_back("the body seems to lack its head");
+    if (evidence[Witness::lacks_limbs] > 0) {
+        for (std::size_t j = 0; j < skeleton.joints.size(); ++j)
+            if (!skeleton.joints[j].is_present && ends_limb(wanted.joints[j].role))
+                out.push_back(std::string("the body seems to lack ") + (part_of(wanted.joints[j].role) == BodyPart::arm
+                                                                            ? "an arm or part of it"
+                                                                            : "a leg or part of it"));
+    }
+    if (evidence[Witness::adapted] > 0) out.push_back("unusual proportions: it may be none of a human body");
+    const auto contacts = static_cast<int>(evidence[Witness::contacts]) + found.hypothesis.cuts;
+    if (contacts > 0)
+        out.push_back("the body touches itself in " + std::to_string(contacts) +
+                      (contacts == 1 ? " place" : " places") +
+                      (found.hypothesis.cuts > 0 ? ": it was cut there" : ": limbs may be mistaken"));
+    out.insert(out.end(), found.body->repairs.begin(), found.body->repairs.end());
+    if (found.body->dropped_pieces > 0)
+        out.push_back(std::to_string(found.body->dropped_pieces) + " pieces not connected to the body were left out");
+    if (evidence[Witness::noisy] > 0) out.push_back(detail::noise_smoothed(found.noise));
+    if (!found.curve->converged) out.push_back("the curve skeleton's contraction did not converge");
+    return out;
+}
 
 template <typename Scalar>
 Climb<Scalar> climb(const TriangleMesh<Scalar>& mesh, const SkeletonTemplate& wanted, const ExtractOptions& options,

@@ -1,0 +1,196 @@
+#pragma once
+
+#include <skelgen/extract_hinted.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+#include <skelgen/core/error.hpp>
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/core/parallel.hpp>
+#include <skelgen/core/stopwatch.hpp>
+#include <skelgen/search/trust.hpp>
+
+namespace skelgen {
+namespace detail {
+
+/// Per joint of the template the number of its hint; -1: none. \throws Error usage.
+inline std::vector<int> hints_by_joint(const SkeletonTemplate& skeleton_template, const std::vector<Hint>& hints) {
+    std::vector<int> out(skeleton_template.joints.size(), -1);
+    for (std::size_t h = 0; h < hints.size(); ++h) {
+        std::size_t j = 0;
+        while (j < out.size() && skeleton_template.joints[j].name != hints[h].joint) ++j;
+        if (j == out.size()) throw Error(ErrorCode::usage, "hint " + hints[h].joint + ": there is no such joint");
+        if (out[j] >= 0) throw Error(ErrorCode::usage, "hint " + hints[h].joint + ": there are two");
+        if (!hints[h].position.allFinite())
+            throw Error(ErrorCode::usage, "hint " + hints[h].joint + ": its place is no point");
+        out[j] = static_cast<int>(h);
+    }
+    return out;
+}
+
+/// Is a joint one of the trunk's?
+inline bool is_of_trunk(const TemplateJoint& joint) {
+    const BodyPart part = part_of(joint.role);
+    return joint.role == JointRole::shoulder || joint.role == JointRole::hip ||
+           (part != BodyPart::arm && part != BodyPart::leg && joint.role != JointRole::neck &&
+            joint.role != JointRole::head);
+}
+
+/// With left and right exchanged: joints, end points, and the frame's left and forward.
+template <typename Scalar>
+KinematicSkeleton<Scalar> with_exchanged_sides(KinematicSkeleton<Scalar> skeleton,
+                                               const SkeletonTemplate& skeleton_template) {
+    const auto by_name = [](auto& ends, const std::string& name) {
+        return std::find_if(ends.begin(), ends.end(), [&](const auto& end) { return end.first == name; });
+    };
+    for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+        const TemplateJoint& joint = skeleton_template.joints[j];
+        if (joint.side != Side::left) continue;
+        const auto other = static_cast<std::size_t>(counterpart(skeleton_template, static_cast<int>(j)));
+        Joint<Scalar>&left = skeleton.joints[j], &right = skeleton.joints[other];
+        std::swap(left.position, right.position);
+        std::swap(left.radius, right.radius);
+        std::swap(left.confidence, right.confidence);
+        std::swap(left.is_present, right.is_present);
+        if (!ends_limb(joint.role)) continue;
+        const auto left_end = by_name(skeleton.end_points, end_point_name(joint));
+        const auto right_end = by_name(skeleton.end_points, end_point_name(skeleton_template.joints[other]));
+        if (left_end != skeleton.end_points.end() && right_end != skeleton.end_points.end())
+            std::swap(left_end->second, right_end->second);
+    }
+    skeleton.frame.left = -skeleton.frame.left;
+    skeleton.frame.forward = -skeleton.frame.forward;
+    return skeleton;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+KinematicSkeleton<Scalar> bent_to(KinematicSkeleton<Scalar> skeleton, const SkeletonTemplate& skeleton_template,
+                                  const std::vector<Hint>& hints, Scalar size) {
+    constexpr double trunk_holds = 20; // times 1/size: as much as bones of a twentieth of the body
+    constexpr double shortest = 0.01;  // of the size: shorter bones are no stiffer
+    constexpr double exactly = 1e9;    // as much stiffer than anything else hints are
+    const std::vector<int> hint_of = detail::hints_by_joint(skeleton_template, hints);
+    const auto count = static_cast<Eigen::Index>(skeleton.joints.size());
+    // The displacements that cost bones and trunk the least, all of them springs.
+    Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(count, count);
+    Eigen::MatrixX3d pull = Eigen::MatrixX3d::Zero(count, 3);
+    const auto relative = [&](const Vector3<Scalar>& v) -> Eigen::Vector3d {
+        return v.template cast<double>() / static_cast<double>(size);
+    };
+    // Limbs that a hint shows to be longer than they were found have all joints up to it.
+    for (std::size_t h = 0; h < hint_of.size(); ++h)
+        for (int j = hint_of[h] >= 0 ? static_cast<int>(h) : -1; j >= 0;
+             j = skeleton.joints[static_cast<std::size_t>(j)].parent)
+            skeleton.joints[static_cast<std::size_t>(j)].is_present = true;
+    const double template_size = [&] {
+        Points<double> points(count, 3);
+        for (Eigen::Index j = 0; j < count; ++j)
+            core::set_point<double>(points, j, skeleton_template.joint(static_cast<int>(j)).position);
+        return core::bounding_diagonal(points);
+    }();
+    for (Eigen::Index j = 0; j < count; ++j) {
+        const Joint<Scalar>& joint = skeleton.joints[static_cast<std::size_t>(j)];
+        if (joint.parent >= 0) {
+            const Joint<Scalar>& parent = skeleton.joints[static_cast<std::size_t>(joint.parent)];
+            double length = relative(joint.position - parent.position).norm();
+            if (length < shortest) // joints that lie where a limb ends before them
+                length = std::max(shortest, (skeleton_template.joint(static_cast<int>(j)).position -
+                                             skeleton_template.joint(joint.parent).position)
+                                                    .norm() /
+                                                template_size);
+            const double spring = 1 / length;
+            stiffness(j, j) += spring;
+            stiffness(joint.parent, joint.parent) += spring;
+            stiffness(j, joint.parent) -= spring;
+            stiffness(joint.parent, j) -= spring;
+        }
+        const int hint = hint_of[static_cast<std::size_t>(j)];
+        if (hint >= 0) {
+            stiffness(j, j) += exactly;
+            pull.row(j) += exactly * relative(hints[static_cast<std::size_t>(hint)].position.template cast<Scalar>() -
+                                              joint.position)
+                                         .transpose();
+        } else if (detail::is_of_trunk(skeleton_template.joints[static_cast<std::size_t>(j)])) {
+            stiffness(j, j) += trunk_holds;
+        }
+    }
+    const Eigen::MatrixX3d moved = stiffness.ldlt().solve(pull) * static_cast<double>(size);
+    for (Eigen::Index j = 0; j < count; ++j) {
+        Joint<Scalar>& joint = skeleton.joints[static_cast<std::size_t>(j)];
+        const TemplateJoint& known = skeleton_template.joints[static_cast<std::size_t>(j)];
+        const Vector3<Scalar> move = moved.row(j).transpose().template cast<Scalar>();
+        joint.position += move;
+        if (ends_limb(known.role))
+            for (auto& [name, place] : skeleton.end_points)
+                if (name == end_point_name(known)) place += move;
+        const int hint = hint_of[static_cast<std::size_t>(j)];
+        if (hint < 0) continue;
+        joint.position = hints[static_cast<std::size_t>(hint)].position.template cast<Scalar>();
+        joint.confidence = 1;
+    }
+    skeleton.frame.origin = skeleton.joints.front().position;
+    return skeleton;
+}
+
+template <typename Scalar>
+Extraction<Scalar> extract_hinted(TriangleMesh<Scalar> mesh, const std::vector<Hint>& hints,
+                                  const ExtractOptions& options) {
+    constexpr double near = 0.05;   // of the size: as far off hints are from what a search finds of right limbs
+    constexpr double lacks_it = 18; // as much as a hint that is 30 % of the size off
+    core::Stopwatch total;
+    validate(options);
+    const core::ThreadScope threads(options.threads);
+    Extraction<Scalar> out;
+    out.skeleton_template =
+        options.skeleton_template.joints.empty() ? builtin_template("human21") : options.skeleton_template;
+    const std::vector<int> hint_of = detail::hints_by_joint(out.skeleton_template, hints);
+    search::Climb<Scalar> climb = search::climb(mesh, out.skeleton_template, options, search::Thoroughness::exhaustive);
+    if (climb.found.empty()) throw NoSkeleton(climb.failure, std::move(climb.trail));
+
+    const Scalar size = core::bounding_diagonal(mesh.vertices);
+    search::Found<Scalar>* best = nullptr;
+    double most = -std::numeric_limits<double>::infinity();
+    for (search::Found<Scalar>& found : climb.found) {
+        KinematicSkeleton<Scalar> skeleton =
+            surface::to_input(*found.body, search::with_confidence(found.candidate.skeleton,
+                                                                   found.candidate.probability, found.candidate.doubt));
+        for (const bool exchanged : {false, true}) {
+            if (exchanged) skeleton = detail::with_exchanged_sides(std::move(skeleton), out.skeleton_template);
+            double worth = std::log(std::max(found.candidate.probability, std::numeric_limits<double>::min()));
+            for (std::size_t j = 0; j < hint_of.size(); ++j)
+                if (hint_of[j] >= 0 && !skeleton.joints[j].is_present)
+                    worth -= lacks_it;
+                else if (hint_of[j] >= 0)
+                    worth -= (skeleton.joints[j].position.template cast<double>() -
+                              hints[static_cast<std::size_t>(hint_of[j])].position)
+                                 .squaredNorm() /
+                             (2 * std::pow(near * static_cast<double>(size), 2));
+            // The sides as they were found win where hints do not tell.
+            if (!(worth > most)) continue;
+            most = worth;
+            best = &found;
+            out.skeleton = skeleton;
+        }
+    }
+    std::vector<std::string> warnings = search::warnings_of(*best, out.skeleton_template);
+    out.skeleton = bent_to(std::move(out.skeleton), out.skeleton_template, hints, size);
+    out.skeleton.quality.warnings.insert(out.skeleton.quality.warnings.end(), warnings.begin(), warnings.end());
+    out.geodesic_diameter = best->body->similarity.scale * best->candidate.geodesic_diameter;
+    out.timings = climb.timings;
+    if (options.with_curve)
+        out.curve = surface::to_input(*best->body, curve::finished(*best->curve, *best->body).curve);
+    out.body = *best->whole;
+    out.trail = std::move(climb.trail);
+    out.mesh = std::move(mesh);
+    out.timings.total = total.lap();
+    return out;
+}
+
+} // namespace skelgen

@@ -1,0 +1,181 @@
+"""blender --background --factory-startup --python blender_fbx.py -- NAME...: fails where Blender does not import NAME.fbx as
+it imports NAME.glb, both with one animation: objects, triangles, weights, texture coordinates, colours, materials, pictures,
+morph targets, bones; or where its triangles are not those of NAME-FRAME.off, one file for each pose that is looked at."""
+
+import glob
+import json
+import re
+import struct
+import sys
+
+import bpy
+import numpy as np
+
+# Debian 12's importers ask numpy for a name that numpy has dropped since.
+if "bool" not in vars(np):
+    np.bool = bool
+
+
+def read_off(path):
+    """Where its triangles have their corners, in Blender's axes."""
+    with open(path, encoding="ascii") as file:
+        words = file.read().split()
+    vertices, faces = int(words[1]), int(words[2])
+    points = np.array(words[4 : 4 + 3 * vertices], float).reshape(-1, 3)
+    corners = np.array(words[4 + 3 * vertices :], int).reshape(faces, 4)[:, 1:]
+    points = points[corners.ravel()]
+    return np.stack([points[:, 0], -points[:, 2], points[:, 1]], 1)  # Blender's z is up
+
+
+def numbers(collection, name, columns):
+    out = np.empty(columns * len(collection), np.float32)
+    collection.foreach_get(name, out)
+    return out.reshape(-1, columns)
+
+
+def corner_vertices(mesh):
+    out = np.empty(len(mesh.loops), np.int32)
+    mesh.loops.foreach_get("vertex_index", out)
+    return out
+
+
+def world(points, matrix):
+    m = np.array(matrix)
+    return points @ m[:3, :3].T + m[:3, 3]
+
+
+def places_now(body):
+    shown = body.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    mesh = shown.to_mesh()
+    places = world(numbers(mesh.vertices, "co", 3), shown.matrix_world)[corner_vertices(mesh)]
+    shown.to_mesh_clear()
+    return places
+
+
+def without_dropped(wanted, found):
+    """The triangles that are found, too, in their order: Blender drops those that are there twice."""
+    size = np.ptp(wanted, axis=0).max()
+    wanted, kept = wanted.reshape(-1, 3, 3), []
+    for triangle in wanted:
+        place = len(kept)
+        if 3 * place < len(found) and np.abs(triangle - found[3 * place : 3 * place + 3]).max() < 1e-3 * size:
+            kept.append(triangle)
+    return np.concatenate(kept) if kept else wanted[:0]
+
+
+def objects_in(path):
+    """The names of a GLB file's meshes, in their order."""
+    with open(path, "rb") as file:
+        glb = file.read()
+    (length,) = struct.unpack_from("<I", glb, 12)
+    return [node["name"] for node in json.loads(glb[20 : 20 + length])["nodes"] if "mesh" in node]
+
+
+class Imported:
+    """What Blender has of a file; all by corners of triangles, in their order. `names`: of its meshes."""
+
+    def __init__(self, path, names):
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+        if path.endswith(".glb"):
+            bpy.ops.import_scene.gltf(filepath=path)
+        else:
+            bpy.ops.import_scene.fbx(filepath=path)
+        left = sorted((one for one in bpy.data.objects if one.type == "MESH" and one.vertex_groups), key=lambda one: one.name)
+        self.bodies = []
+        for name in names:  # those that share one are told apart by a number behind it
+            found = next((one for one in left if re.fullmatch(re.escape(name[:59]) + r".{0,4}(\.\d+)?", one.name)), None)
+            if found is None:
+                sys.exit(f"{path}: no object {name} in {[one.name for one in left]}")
+            left.remove(found)
+            self.bodies.append(found)
+        armature = next(one.object for one in self.bodies[0].modifiers if one.type == "ARMATURE")
+        bones = armature.data.bones
+        self.parents = {bone.name: bone.parent.name if bone.parent else None for bone in bones}
+        self.heads = {bone.name: np.array(armature.matrix_world @ bone.head_local) for bone in bones}
+        self.objects = [describe(body) for body in self.bodies]
+        self.pictures = {image.packed_file.size for image in bpy.data.images if image.packed_file}
+
+
+def describe(body):
+    mesh = body.data
+    corners = corner_vertices(mesh)
+    bones = sorted(group.name for group in body.vertex_groups)
+    weights = np.zeros((len(mesh.vertices), len(bones)))
+    columns = {group.index: bones.index(group.name) for group in body.vertex_groups}
+    for vertex in mesh.vertices:
+        for group in vertex.groups:
+            weights[vertex.index, columns[group.group]] = group.weight
+    out = {f"weights of {bone}": weights[corners, i] for i, bone in enumerate(bones) if weights[:, i].any()}
+    for i, layer in enumerate(mesh.uv_layers):
+        out[f"texture coordinates {i}"] = numbers(layer.data, "uv", 2)
+    for layer in mesh.color_attributes:
+        colours = numbers(layer.data, "color", 4)
+        out["colours"] = colours[corners] if layer.domain == "POINT" else colours
+    material = np.empty(len(mesh.polygons), np.int32)
+    mesh.polygons.foreach_get("material_index", material)
+    slots = [slot.material.name if slot.material else None for slot in body.material_slots] or [None]
+    out["materials"] = [slots[i] for i in material]
+    for key in mesh.shape_keys.key_blocks[1:] if mesh.shape_keys else []:
+        moved = numbers(key.data, "co", 3) - numbers(mesh.shape_keys.key_blocks[0].data, "co", 3)
+        turned = world(moved, body.matrix_world) - np.array(body.matrix_world.translation)
+        out[f"morph target {key.name}"] = turned[corners]
+        out[f"weight of {key.name}"] = np.array([key.value])
+    return out
+
+
+def differences(one, other):
+    """Of two objects' descriptions."""
+    if set(one) != set(other):
+        yield f"has {sorted(set(other) - set(one))} more, {sorted(set(one) - set(other))} less"
+    for key in set(one) & set(other):
+        if key == "materials":
+            if one[key] != other[key]:
+                yield f"materials differ: {set(zip(one[key], other[key]))}"
+        elif one[key].shape != other[key].shape:
+            yield f"{key}: {one[key].shape}, {other[key].shape}"
+        # Blender holds colours in 16 bits or, of a byte's precision, in 8.
+        elif one[key].size and (worst := np.abs(one[key] - other[key]).max()) > (5e-3 if key == "colours" else 1e-5):
+            yield f"{key} differ by {worst}"
+
+
+def faults_of(name):
+    names = objects_in(f"{name}.glb")
+    glb, fbx = (Imported(f"{name}.{extension}", names) for extension in ("glb", "fbx"))
+    faults = []
+    if glb.parents != fbx.parents:
+        faults.append(f"bones are {fbx.parents}, not {glb.parents}")
+    files = glob.glob(f"{glob.escape(name)}-*.off")
+    size = np.ptp(read_off(files[0]), axis=0).max()
+    for bone in set(glb.heads) & set(fbx.heads):
+        if np.linalg.norm(glb.heads[bone] - fbx.heads[bone]) > 1e-5 * size:
+            faults.append(f"{bone} lies at {fbx.heads[bone]}, not at {glb.heads[bone]}")
+    for body, one, other in zip(names, glb.objects, fbx.objects):
+        faults += [f"{body}: {text}" for text in differences(one, other)]
+    if not fbx.pictures <= glb.pictures or (glb.pictures and not fbx.pictures):
+        faults.append(f"pictures of {fbx.pictures} bytes, not {glb.pictures}")
+    worst = 0.0
+    for file in files:
+        frame = int(re.fullmatch(r".*-(\d+)\.off", file)[1])
+        bpy.context.scene.frame_set(1 + frame)
+        wanted, found = read_off(file), np.concatenate([places_now(body) for body in fbx.bodies])
+        if len(found) < len(wanted):
+            wanted = without_dropped(wanted, found)
+        if found.shape == wanted.shape:
+            worst = max(worst, np.abs(found - wanted).max() / size)
+        else:
+            faults.append(f"frame {frame}: {len(found) // 3} triangles, not {len(wanted) // 3}")
+    if not worst < 1e-4:
+        faults.append(f"triangles differ by {worst:.2g} of the extent")
+    print(f"{name}: {len(files)} poses, triangles within {worst:.2g} of the extent")
+    return faults
+
+
+names = sys.argv[sys.argv.index("--") + 1 :]
+failed = 0
+for name in names:
+    faults = faults_of(name)
+    failed += bool(faults)
+    for fault in faults:
+        print(f"{name}: {fault}")
+print(f"Blender {bpy.app.version_string}: {len(names)} FBX files, {failed} failed")
+sys.exit(0 if names and failed == 0 else 1)
