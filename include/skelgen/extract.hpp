@@ -52,6 +52,17 @@ private:
     Trail trail_;
 };
 
+namespace detail {
+
+/// A search with the candidate that was chosen and its skeleton, in the input's coordinates. The mesh, and the time in
+/// all, are the caller's to add; the candidate's warnings go behind the skeleton's.
+template <typename Scalar>
+[[nodiscard]] Extraction<Scalar> extraction_of(search::Climb<Scalar> climb, const search::Found<Scalar>& found,
+                                               KinematicSkeleton<Scalar> skeleton, SkeletonTemplate skeleton_template,
+                                               const ExtractOptions& options);
+
+} // namespace detail
+
 /// Finds the kinematic skeleton of one human body: any pose, orientation and unit. Surface, curve, template, joints,
 /// sides: `search::climb` tries these stages with what may be true of the mesh until a skeleton is sure enough, and the
 /// likeliest is taken. The skeleton of a mesh that mirrors itself vertex by vertex does so, too

@@ -6,6 +6,9 @@
 namespace skelgen {
 
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
+    template Extraction<Scalar> detail::extraction_of(search::Climb<Scalar>, const search::Found<Scalar>&,             \
+                                                      KinematicSkeleton<Scalar>, SkeletonTemplate,                     \
+                                                      const ExtractOptions&);                                          \
     template Extraction<Scalar> extract_in(const TriangleMesh<Scalar>&, const ExtractOptions&);                        \
     template Extraction<Scalar> extract(TriangleMesh<Scalar>, const ExtractOptions&);                                  \
     template Extraction<Scalar> fit_skeleton(TriangleMesh<Scalar>, KinematicSkeleton<Scalar>, const ExtractOptions&);  \

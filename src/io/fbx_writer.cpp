@@ -95,7 +95,7 @@ struct Surface {
     std::array<double, 3> emission{0, 0, 0};
     double metalness = 1, roughness = 1;
     bool is_transparent = false;
-    std::map<const char*, Json> textures; ///< by the property of FBX that has it
+    std::map<std::string, Json> textures; ///< by the property of FBX that has it
 };
 
 Surface surface_of(const Json& material) {
@@ -186,7 +186,9 @@ private:
         return FbxNode(kind, id, name + "\0\1"s + type, subtype);
     }
     void connect(Id child, Id parent) { connections_.child("C", "OO", child, parent); }
-    void connect(Id child, Id parent, const char* property) { connections_.child("C", "OP", child, parent, property); }
+    void connect(Id child, Id parent, const std::string& property) {
+        connections_.child("C", "OP", child, parent, property);
+    }
 
     template <typename... Values>
     static void set(FbxNode& properties, const std::string& name, const char* type, const char* label,
@@ -270,7 +272,7 @@ private:
                 add_texture(materials_.back(), property, *picture, index_of(texture, "texCoord").value_or(0));
     }
 
-    void add_texture(Id material, const char* property, std::size_t picture, std::size_t set_number) {
+    void add_texture(Id material, const std::string& property, std::size_t picture, std::size_t set_number) {
         const Json& image = scene_["images"][picture];
         std::string name = text_of(image, "name", "");
         if (name.empty()) name = "picture" + std::to_string(picture);

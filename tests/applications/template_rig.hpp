@@ -7,6 +7,19 @@
 
 namespace skelgen::test {
 
+/// human21's joints as the template has them.
+inline decltype(applications::Rig<double>::joints) template_joints() {
+    const SkeletonTemplate& human = builtin_template("human21");
+    const auto axes = applications::rest_axes<double>(human);
+    decltype(applications::Rig<double>::joints) out;
+    for (std::size_t j = 0; j < human.joints.size(); ++j) {
+        const TemplateJoint& joint = human.joints[j];
+        out.push_back({joint.name, joint.parent, joint.role, joint.side, joint.position,
+                       joint.tip ? *joint.tip : joint.position, axes[j]});
+    }
+    return out;
+}
+
 /// A rig of human21's joints in a rest pose: one triangle for each joint, from it to its bone's end and to its parent.
 inline applications::Rig<double> template_rig(applications::RestPose rest) {
     const SkeletonTemplate& human = builtin_template("human21");

@@ -17,6 +17,7 @@
 #include <skelgen/io/scene_looks.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
+#include "applications/template_rig.hpp"
 #include "catch.hpp"
 #include "io/gltf_builder.hpp"
 #include "shapes.hpp"
@@ -157,13 +158,7 @@ Rig<double> rig_of(const TriangleMesh<double>& mesh) {
     Rig<double> rig;
     rig.mesh = mesh;
     rig.unit_is_known = true;
-    const SkeletonTemplate& human = builtin_template("human21");
-    const auto axes = applications::rest_axes<double>(human);
-    for (std::size_t j = 0; j < human.joints.size(); ++j) {
-        const TemplateJoint& joint = human.joints[j];
-        rig.joints.push_back({joint.name, joint.parent, joint.role, joint.side, joint.position,
-                              joint.tip ? *joint.tip : joint.position, axes[j]});
-    }
+    rig.joints = test::template_joints();
     Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(mesh.vertices.rows(), 21);
     weights.col(0).setConstant(0.25);
     weights.col(2).setConstant(0.75);

@@ -8,6 +8,7 @@
 #include <skelgen/io/read_clip.hpp>
 #include <skelgen/io/rig_formats.hpp>
 
+#include "applications/template_rig.hpp"
 #include "catch.hpp"
 #include "io/gltf_builder.hpp"
 #include "shapes.hpp"
@@ -25,13 +26,7 @@ Rig<double> boxed_rig() {
     Rig<double> rig;
     rig.mesh = test::box({0.2, 1.7, 0.3}, 2);
     rig.unit_is_known = true;
-    const SkeletonTemplate& human = builtin_template("human21");
-    const auto axes = applications::rest_axes<double>(human);
-    for (std::size_t j = 0; j < human.joints.size(); ++j) {
-        const TemplateJoint& joint = human.joints[j];
-        rig.joints.push_back({joint.name, joint.parent, joint.role, joint.side, joint.position,
-                              joint.tip ? *joint.tip : joint.position, axes[j]});
-    }
+    rig.joints = test::template_joints();
     rig.skin =
         applications::strongest_influences<double>(Eigen::MatrixXd::Constant(rig.mesh.vertices.rows(), 21, 1.0 / 21));
     return rig;

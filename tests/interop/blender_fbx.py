@@ -4,6 +4,7 @@ morph targets, bones; or where its triangles are not those of NAME-FRAME.off, on
 
 import glob
 import json
+import os
 import re
 import struct
 import sys
@@ -11,9 +12,8 @@ import sys
 import bpy
 import numpy as np
 
-# Debian 12's importers ask numpy for a name that numpy has dropped since.
-if "bool" not in vars(np):
-    np.bool = bool
+sys.path.append(os.path.dirname(os.path.abspath(__file__)))
+from blender_checks import run  # noqa: E402
 
 
 def read_off(path):
@@ -170,12 +170,4 @@ def faults_of(name):
     return faults
 
 
-names = sys.argv[sys.argv.index("--") + 1 :]
-failed = 0
-for name in names:
-    faults = faults_of(name)
-    failed += bool(faults)
-    for fault in faults:
-        print(f"{name}: {fault}")
-print(f"Blender {bpy.app.version_string}: {len(names)} FBX files, {failed} failed")
-sys.exit(0 if names and failed == 0 else 1)
+run(faults_of, "FBX files")

@@ -2,6 +2,7 @@
 with its 21 bones, named, parented and as long as in the file, and with the file's weights."""
 
 import json
+import os
 import struct
 import sys
 
@@ -9,9 +10,8 @@ import bpy
 import numpy as np
 from mathutils import Matrix, Quaternion, Vector
 
-# Debian 12's importer asks numpy for a name that numpy has dropped since.
-if "bool" not in vars(np):
-    np.bool = bool
+sys.path.append(os.path.dirname(os.path.abspath(__file__)))
+from blender_checks import run  # noqa: E402
 
 
 class File:
@@ -91,12 +91,4 @@ def faults_of(path):
     return faults
 
 
-paths = sys.argv[sys.argv.index("--") + 1 :]
-failed = 0
-for path in paths:
-    faults = faults_of(path)
-    failed += bool(faults)
-    for fault in faults:
-        print(f"{path}: {fault}")
-print(f"Blender {bpy.app.version_string}: {len(paths)} rigs, {failed} failed")
-sys.exit(0 if paths and failed == 0 else 1)
+run(faults_of, "rigs")

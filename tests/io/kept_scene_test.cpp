@@ -15,6 +15,7 @@
 #include <skelgen/io/scene_looks.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
+#include "applications/template_rig.hpp"
 #include "catch.hpp"
 #include "gltf_builder.hpp"
 #include "temporary_folder.hpp"
@@ -41,15 +42,9 @@ applications::Rig<double> rig_of(const TriangleMesh<double>& mesh) {
         rig.turns.emplace_back(Eigen::AngleAxisd(0.3 * static_cast<double>(v), Eigen::Vector3d(1, 2, 3).normalized()));
         rig.mesh.vertices.row(v) = 2 * (rig.turns.back() * mesh.vertices.row(v).transpose()).transpose();
     }
-    const SkeletonTemplate& human = builtin_template("human21");
-    const auto axes = applications::rest_axes<double>(human);
     const Eigen::Quaterniond quarter(Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitY()));
-    for (std::size_t j = 0; j < human.joints.size(); ++j) {
-        const TemplateJoint& joint = human.joints[j];
-        rig.joints.push_back({joint.name, joint.parent, joint.role, joint.side, joint.position,
-                              joint.tip ? *joint.tip : joint.position, axes[j]});
-        rig.motions.push_back({quarter, Eigen::Vector3d(0, 1, 0)});
-    }
+    rig.joints = test::template_joints();
+    rig.motions.assign(rig.joints.size(), {quarter, Eigen::Vector3d(0, 1, 0)});
     rig.skin.joints.setZero(mesh.vertices.rows(), 4);
     rig.skin.weights.setZero(mesh.vertices.rows(), 4);
     rig.skin.weights.col(0).setOnes();

@@ -15,6 +15,7 @@
 #include <skelgen/io/scene_looks.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
+#include "applications/template_rig.hpp"
 #include "catch.hpp"
 #include "gltf_builder.hpp"
 #include "io/base64.hpp"
@@ -33,13 +34,7 @@ Rig<double> small_rig() {
     rig.mesh = test::box({0.2, 1.7, 0.3}, 2);
     rig.rest = applications::RestPose::t_pose;
     rig.unit_is_known = true;
-    const SkeletonTemplate& human = builtin_template("human21");
-    const auto axes = applications::rest_axes<double>(human);
-    for (std::size_t j = 0; j < human.joints.size(); ++j) {
-        const TemplateJoint& joint = human.joints[j];
-        rig.joints.push_back({joint.name, joint.parent, joint.role, joint.side, joint.position,
-                              joint.tip ? *joint.tip : joint.position, axes[j]});
-    }
+    rig.joints = test::template_joints();
     Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(rig.mesh.vertices.rows(), 21);
     weights.col(0).setConstant(1.0 / 3);
     weights.col(3).setConstant(2.0 / 3);

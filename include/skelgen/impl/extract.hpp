@@ -56,29 +56,15 @@ Failure failure_of(const search::Climb<Scalar>& climb) {
             std::string("no human body: ") + search::strongest_doubt(climb.found.front().candidate.evidence)};
 }
 
-} // namespace detail
-
 template <typename Scalar>
-Extraction<Scalar> extract_in(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options) {
-    core::Stopwatch total;
-    validate(options);
-    const core::ThreadScope threads(options.threads);
+Extraction<Scalar> extraction_of(search::Climb<Scalar> climb, const search::Found<Scalar>& found,
+                                 KinematicSkeleton<Scalar> skeleton, SkeletonTemplate skeleton_template,
+                                 const ExtractOptions& options) {
     Extraction<Scalar> out;
-    out.skeleton_template =
-        options.skeleton_template.joints.empty() ? builtin_template("human21") : options.skeleton_template;
-
-    search::Climb<Scalar> climb = search::climb(mesh, out.skeleton_template, options);
-    if (climb.found.empty() || climb.found.front().candidate.probability < search::least_probability)
-        throw NoSkeleton(detail::failure_of(climb), std::move(climb.trail));
-    search::Found<Scalar>& found = climb.found.front();
-    std::vector<std::string> warnings = search::warnings_of(found, out.skeleton_template);
-    KinematicSkeleton<Scalar> skeleton = search::with_confidence(std::move(found.candidate.skeleton),
-                                                                 found.candidate.probability, found.candidate.doubt);
+    std::vector<std::string> warnings = search::warnings_of(found, skeleton_template);
     skeleton.quality.warnings.insert(skeleton.quality.warnings.end(), warnings.begin(), warnings.end());
-    out.skeleton = surface::to_input(*found.body, skeleton);
-    if (const auto mirror = symmetry::exact_mirror(mesh))
-        out.skeleton = symmetry::mirrored_evenly(std::move(out.skeleton), out.skeleton_template, *mirror,
-                                                 core::bounding_diagonal(mesh.vertices));
+    out.skeleton = std::move(skeleton);
+    out.skeleton_template = std::move(skeleton_template);
     out.geodesic_diameter = found.body->similarity.scale * found.candidate.geodesic_diameter;
     out.timings = climb.timings;
     if (options.with_curve) {
@@ -88,6 +74,27 @@ Extraction<Scalar> extract_in(const TriangleMesh<Scalar>& mesh, const ExtractOpt
     }
     out.body = *found.whole;
     out.trail = std::move(climb.trail);
+    return out;
+}
+
+} // namespace detail
+
+template <typename Scalar>
+Extraction<Scalar> extract_in(const TriangleMesh<Scalar>& mesh, const ExtractOptions& options) {
+    core::Stopwatch total;
+    validate(options);
+    const core::ThreadScope threads(options.threads);
+    SkeletonTemplate wanted = search::wanted_template(options);
+    search::Climb<Scalar> climb = search::climb(mesh, wanted, options);
+    if (climb.found.empty() || climb.found.front().candidate.probability < search::least_probability)
+        throw NoSkeleton(detail::failure_of(climb), std::move(climb.trail));
+    const search::Found<Scalar>& found = climb.found.front();
+    KinematicSkeleton<Scalar> skeleton = search::skeleton_in_input(found);
+    if (const auto mirror = symmetry::exact_mirror(mesh))
+        skeleton =
+            symmetry::mirrored_evenly(std::move(skeleton), wanted, *mirror, core::bounding_diagonal(mesh.vertices));
+    Extraction<Scalar> out =
+        detail::extraction_of(std::move(climb), found, std::move(skeleton), std::move(wanted), options);
     out.timings.total = total.lap();
     return out;
 }

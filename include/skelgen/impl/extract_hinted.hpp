@@ -13,7 +13,6 @@
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/parallel.hpp>
 #include <skelgen/core/stopwatch.hpp>
-#include <skelgen/search/trust.hpp>
 
 namespace skelgen {
 namespace detail {
@@ -147,22 +146,19 @@ Extraction<Scalar> extract_hinted(TriangleMesh<Scalar> mesh, const std::vector<H
     core::Stopwatch total;
     validate(options);
     const core::ThreadScope threads(options.threads);
-    Extraction<Scalar> out;
-    out.skeleton_template =
-        options.skeleton_template.joints.empty() ? builtin_template("human21") : options.skeleton_template;
-    const std::vector<int> hint_of = detail::hints_by_joint(out.skeleton_template, hints);
-    search::Climb<Scalar> climb = search::climb(mesh, out.skeleton_template, options, search::Thoroughness::exhaustive);
+    SkeletonTemplate wanted = search::wanted_template(options);
+    const std::vector<int> hint_of = detail::hints_by_joint(wanted, hints);
+    search::Climb<Scalar> climb = search::climb(mesh, wanted, options, search::Thoroughness::exhaustive);
     if (climb.found.empty()) throw NoSkeleton(climb.failure, std::move(climb.trail));
 
     const Scalar size = core::bounding_diagonal(mesh.vertices);
-    search::Found<Scalar>* best = nullptr;
+    const search::Found<Scalar>* best = nullptr;
+    KinematicSkeleton<Scalar> nearest;
     double most = -std::numeric_limits<double>::infinity();
-    for (search::Found<Scalar>& found : climb.found) {
-        KinematicSkeleton<Scalar> skeleton =
-            surface::to_input(*found.body, search::with_confidence(found.candidate.skeleton,
-                                                                   found.candidate.probability, found.candidate.doubt));
+    for (const search::Found<Scalar>& found : climb.found) {
+        KinematicSkeleton<Scalar> skeleton = search::skeleton_in_input(found);
         for (const bool exchanged : {false, true}) {
-            if (exchanged) skeleton = detail::with_exchanged_sides(std::move(skeleton), out.skeleton_template);
+            if (exchanged) skeleton = detail::with_exchanged_sides(std::move(skeleton), wanted);
             double worth = std::log(std::max(found.candidate.probability, std::numeric_limits<double>::min()));
             for (std::size_t j = 0; j < hint_of.size(); ++j)
                 if (hint_of[j] >= 0 && !skeleton.joints[j].is_present)
@@ -176,18 +172,12 @@ Extraction<Scalar> extract_hinted(TriangleMesh<Scalar> mesh, const std::vector<H
             if (!(worth > most)) continue;
             most = worth;
             best = &found;
-            out.skeleton = skeleton;
+            nearest = skeleton;
         }
     }
-    std::vector<std::string> warnings = search::warnings_of(*best, out.skeleton_template);
-    out.skeleton = bent_to(std::move(out.skeleton), out.skeleton_template, hints, size);
-    out.skeleton.quality.warnings.insert(out.skeleton.quality.warnings.end(), warnings.begin(), warnings.end());
-    out.geodesic_diameter = best->body->similarity.scale * best->candidate.geodesic_diameter;
-    out.timings = climb.timings;
-    if (options.with_curve)
-        out.curve = surface::to_input(*best->body, curve::finished(*best->curve, *best->body).curve);
-    out.body = *best->whole;
-    out.trail = std::move(climb.trail);
+    nearest = bent_to(std::move(nearest), wanted, hints, size);
+    Extraction<Scalar> out =
+        detail::extraction_of(std::move(climb), *best, std::move(nearest), std::move(wanted), options);
     out.mesh = std::move(mesh);
     out.timings.total = total.lap();
     return out;

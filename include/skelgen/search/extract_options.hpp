@@ -26,6 +26,9 @@ struct ExtractOptions {
 /// (core/template_rules.hpp).
 void validate(const ExtractOptions& options);
 
+/// The template that they ask for.
+[[nodiscard]] SkeletonTemplate wanted_template(const ExtractOptions& options);
+
 } // namespace skelgen::search
 
 #ifdef SKELGEN_HEADER_ONLY

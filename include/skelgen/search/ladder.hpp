@@ -25,6 +25,10 @@ struct Found {
     double noise = 0; ///< smoothed away before: the root mean square, part of the body's size
 };
 
+/// The skeleton that was found with its confidences, in the input's coordinates.
+template <typename Scalar>
+[[nodiscard]] KinematicSkeleton<Scalar> skeleton_in_input(const Found<Scalar>& found);
+
 /// What is to be known of a skeleton beside its numbers: doubtful joints, what it lacks, contacts, repairs, noise.
 template <typename Scalar>
 [[nodiscard]] std::vector<std::string> warnings_of(const Found<Scalar>& found, const SkeletonTemplate& wanted);

@@ -403,6 +403,12 @@ inline std::string noise_smoothed(double noise) {
 } // namespace detail
 
 template <typename Scalar>
+KinematicSkeleton<Scalar> skeleton_in_input(const Found<Scalar>& found) {
+    return surface::to_input(
+        *found.body, with_confidence(found.candidate.skeleton, found.candidate.probability, found.candidate.doubt));
+}
+
+template <typename Scalar>
 std::vector<std::string> warnings_of(const Found<Scalar>& found, const SkeletonTemplate& wanted) {
     const Evidence& evidence = found.candidate.evidence;
     const KinematicSkeleton<Scalar>& skeleton = found.candidate.skeleton;

@@ -66,9 +66,16 @@ std::optional<ExactMirror<Scalar>> exact_mirror(const TriangleMesh<Scalar>& mesh
                                                                                      from_middle);
     const core::Accumulator tolerance =
         mirror_tolerance * (places.colwise().maxCoeff() - places.colwise().minCoeff()).norm();
-    const nanoflann::KDTreeEigenMatrixAdaptor<MirrorPlaces, 3, nanoflann::metric_L2_Simple> tree(3, places);
+    // Nearly all meshes reach farther to one side than to the other: no tree for these.
+    std::vector<Vector3<core::Accumulator>> normals;
     for (int k = 2; k >= 0; --k) {
         const Vector3<core::Accumulator> normal = axes.eigenvectors().col(k);
+        const auto along = (from_middle * normal).eval();
+        if (std::abs(along.maxCoeff() + along.minCoeff()) <= tolerance) normals.push_back(normal);
+    }
+    if (normals.empty()) return std::nullopt;
+    const nanoflann::KDTreeEigenMatrixAdaptor<MirrorPlaces, 3, nanoflann::metric_L2_Simple> tree(3, places);
+    for (const Vector3<core::Accumulator>& normal : normals) {
         const auto partners = detail::mirror_partners(places, tree, {normal, normal.dot(middle), {}}, tolerance);
         if (!partners) continue;
         std::vector<int> first(partners->size(), -1);
