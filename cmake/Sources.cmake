@@ -96,6 +96,7 @@ set(skelgen_core_headers
     include/skelgen/applications/surface_labels.hpp
     include/skelgen/applications/surface_laplacian.hpp
     include/skelgen/core/adjacency.hpp
+    include/skelgen/core/boosted_trees.hpp
     include/skelgen/core/builtin_templates.hpp
     include/skelgen/core/curve_graph.hpp
     include/skelgen/core/curve_skeleton.hpp
@@ -157,6 +158,10 @@ set(skelgen_core_headers
     include/skelgen/hands/find_hands.hpp
     include/skelgen/hands/hand_surface.hpp
     include/skelgen/hands/phalanges.hpp
+    include/skelgen/quadruped/joint_table.hpp
+    include/skelgen/quadruped/limbs.hpp
+    include/skelgen/quadruped/place_joints.hpp
+    include/skelgen/quadruped/trust_table.hpp
     include/skelgen/refinement/bare_joints.hpp
     include/skelgen/refinement/bend.hpp
     include/skelgen/refinement/bone_line.hpp
@@ -308,6 +313,8 @@ set(skelgen_core_definitions
     include/skelgen/hands/impl/find_hands.hpp
     include/skelgen/hands/impl/hand_surface.hpp
     include/skelgen/hands/impl/phalanges.hpp
+    include/skelgen/quadruped/impl/limbs.hpp
+    include/skelgen/quadruped/impl/place_joints.hpp
     include/skelgen/impl/extract.hpp
     include/skelgen/impl/extract_hinted.hpp
     include/skelgen/impl/fit_skeleton.hpp
@@ -451,6 +458,7 @@ set(skelgen_instantiations
     src/instantiate/extract_hinted.cpp
     src/instantiate/finger_bones.cpp
     src/instantiate/hands.cpp
+    src/instantiate/quadruped.cpp
     src/instantiate/refinement.cpp
     src/instantiate/rigging.cpp
     src/instantiate/search.cpp

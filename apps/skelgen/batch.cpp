@@ -6,7 +6,6 @@
 #include <thread>
 
 #include <skelgen/io/atomic_file.hpp>
-#include <skelgen/io/template_json.hpp>
 
 #include "batch_folder.hpp"
 #include "batch_inputs.hpp"
@@ -94,7 +93,8 @@ struct Background {
 /// Of all that a mesh's results depend on.
 std::string fingerprint_of(const BatchItem& item, const Background& background) {
     const std::string input = input_fingerprint(item.mesh, background.options.skeleton_template);
-    return input.empty() || background.template_body.empty() ? input : fingerprint(input + background.template_body);
+    const std::string beside = background.template_body + (background.options.or_quadruped ? "auto" : "");
+    return input.empty() || beside.empty() ? input : fingerprint(input + beside);
 }
 
 /// Writes the further results; what fails costs itself alone. The reasons, empty where there is none, and what else is
@@ -299,7 +299,7 @@ std::vector<fs::path> own_files(const BatchCommand& command, const BatchSummary&
 /// What the meshes are worked on with. \throws Error as `load_template`, `fit_file` and `compared`.
 Background background_of(const BatchCommand& command) {
     Background out;
-    out.options.skeleton_template = in_file("--template", [&] { return load_template(command.skeleton_template); });
+    want_template(out.options, command.skeleton_template);
     out.parts.skeleton_template = out.options.skeleton_template;
     out.mebibytes = command.memory;
     const std::vector<std::string> parts = parse_batch_parts(command.also);
@@ -402,7 +402,10 @@ void add_batch_command(CLI::App& app) {
     sub->add_option("--memory", command->memory, "Mebibytes of memory that each worker may take; 0: no limit")
         ->check(CLI::Range(std::size_t{0}, std::size_t{1} << 40U))
         ->capture_default_str();
-    sub->add_option("--template", command->skeleton_template, "Built-in template, or a template's file (JSON)")
+    sub->add_option(
+           "--template", command->skeleton_template,
+           "Built-in template (human21, pinocchio18, quadruped), auto for a person or a four-legged animal, or a "
+           "template's file (JSON)")
         ->capture_default_str();
     sub->add_flag("-q,--quiet", command->quiet, "No progress bar and no closing line");
     sub->footer("Examples:\n"

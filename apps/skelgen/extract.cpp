@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <skelgen/io/curve_formats.hpp>
-#include <skelgen/io/template_json.hpp>
 #include <skelgen/io/trail_json.hpp>
 
 #include "commands.hpp"
@@ -78,7 +77,7 @@ void run(const ExtractCommand& command) {
     for (const std::string& text : command.hints) hints.push_back(hint_of(text));
     ExtractOptions options;
     const auto named = template_and_fingers(command.skeleton_template, command.fingers);
-    options.skeleton_template = in_file("--template", [&] { return load_template(named.first); });
+    want_template(options, named.first);
     options.prepare.component = command.component;
     options.threads = command.threads;
     options.with_curve = !command.curve.empty();
@@ -111,8 +110,10 @@ void add_extract_command(CLI::App& app) {
     CLI::App* sub = app.add_subcommand("extract", "Find the skeleton in the mesh of a body");
     add_mesh_input(*sub, command->mesh, "Mesh of one body");
     sub->add_option("-o,--output", command->output, "Skeleton file to write (JSON); - for standard output");
-    sub->add_option("--template", command->skeleton_template,
-                    "Built-in template, or a template's file (JSON); human51: human21 with fingers")
+    sub->add_option(
+           "--template", command->skeleton_template,
+           "Built-in template (human21, pinocchio18, quadruped), auto for a person or a four-legged animal, or a "
+           "template's file (JSON); human51: human21 with fingers")
         ->capture_default_str();
     sub->add_option("--fingers", command->fingers, "Joints of the fingers: none, all, or where the surface shows some")
         ->check(CLI::IsMember({"auto", "off", "on"}))

@@ -7,7 +7,6 @@
 
 #include <skelgen/io/curve_formats.hpp>
 #include <skelgen/io/mesh_format.hpp>
-#include <skelgen/io/template_json.hpp>
 #include <skelgen/render/contact_sheet.hpp>
 #include <skelgen/render/png.hpp>
 #include <skelgen/render/render_scene.hpp>
@@ -15,6 +14,7 @@
 #include "batch_inputs.hpp"
 #include "commands.hpp"
 #include "console.hpp"
+#include "extract_file.hpp"
 #include "load_scene.hpp"
 #include "progress_bar.hpp"
 #include "waiting_line.hpp"
@@ -97,7 +97,7 @@ fs::path curve_companion(const std::string& named, const BatchItem& item) {
 
 ExtractOptions extract_options(const RenderCommand& command) {
     ExtractOptions options;
-    options.skeleton_template = in_file("--template", [&] { return load_template(command.skeleton_template); });
+    want_template(options, command.skeleton_template);
     return options;
 }
 
@@ -209,7 +209,10 @@ void add_source_options(CLI::App& sub, RenderCommand& command) {
     sub.add_option("--parts", command.parts,
                    "Instead of a skeleton show the parts of the body, each in its colour: bones or body, as `segment`")
         ->check(CLI::IsMember({"bones", "body"}));
-    sub.add_option("--template", command.skeleton_template, "Built-in template, or a template's file (JSON)")
+    sub.add_option(
+           "--template", command.skeleton_template,
+           "Built-in template (human21, pinocchio18, quadruped), auto for a person or a four-legged animal, or a "
+           "template's file (JSON)")
         ->capture_default_str();
 }
 

@@ -63,9 +63,9 @@ Enum read_enum(const Json& object, const char* key, const std::string& what, con
 
 JointRole read_role(const Json& object, const std::string& what) {
     using enum JointRole;
-    return read_enum(
-        object, "role", what,
-        std::array{pelvis, waist, chest, neck, head, shoulder, elbow, wrist, hand, hip, knee, ankle, foot});
+    return read_enum(object, "role", what,
+                     std::array{pelvis, waist, chest, neck, head, shoulder, elbow, wrist, hand, hip, knee, ankle, foot,
+                                shoulder_girdle, hip_girdle, tail, ear});
 }
 
 Vector3<double> read_point(const Json& object, const std::string& key, const std::string& what) {
@@ -175,13 +175,15 @@ std::string joint_text(const SkeletonTemplate& skeleton_template, const Template
 SkeletonTemplate parse_template(std::string_view json) {
     const Json document = detail::parse_json(json);
     const std::string what = "the template";
-    check_keys(document, what, {"format", "version", "name", "joints"}, {"description"});
+    check_keys(document, what, {"format", "version", "name", "joints"}, {"description", "plan"});
     if (document["format"] != format_name) refuse(what + "'s \"format\" must be " + json_text(format_name));
     const int version = read_version(document, what);
     if (!document["joints"].is_array()) refuse(what + "'s \"joints\" must be a list");
 
     SkeletonTemplate result;
     result.name = read_string(document, "name", what);
+    if (document.contains("plan"))
+        result.plan = read_enum(document, "plan", what, std::array{BodyPlan::human, BodyPlan::quadruped});
     for (std::size_t i = 0; i < document["joints"].size(); ++i)
         result.joints.push_back(read_joint(document["joints"], i, result.joints));
     if (version == left_handed_version) turn_right_handed(result);
@@ -209,7 +211,10 @@ std::string template_to_json(const SkeletonTemplate& skeleton_template) {
     validate_template(skeleton_template);
     std::string text = "{\n  \"format\": " + json_text(format_name) +
                        ",\n  \"version\": " + std::to_string(current_version) +
-                       ",\n  \"name\": " + json_text(skeleton_template.name) + ",\n  \"joints\": [";
+                       ",\n  \"name\": " + json_text(skeleton_template.name);
+    if (skeleton_template.plan != BodyPlan::human)
+        text += ",\n  \"plan\": " + json_text(to_string(skeleton_template.plan));
+    text += ",\n  \"joints\": [";
     const char* separator = "\n    ";
     for (const TemplateJoint& joint : skeleton_template.joints) {
         text += separator + joint_text(skeleton_template, joint);

@@ -104,12 +104,13 @@ def weights_of_rows(used):
     return np.concatenate([np.full(len(m.rows), (OF_A_MAKER if kind_of(m) == "makers" else 1) / len(m.rows)) for m in used])
 
 
-def fit(meshes, penalty, trees=TREES):
-    """Weights, means and offset of a logistic regression by Newton's method, and the trees that are boosted on it."""
+def fit(meshes, penalty, trees=TREES, curved=len(CURVED), weights=None):
+    """Weights, means and offset of a logistic regression by Newton's method, and the trees that are boosted on it. The last
+    `curved` numbers of the evidence are squares, which trees need not hear of."""
     used = [m for m in meshes if len(m.rows)]
     x = np.concatenate([m.evidence for m in used])
     y = np.concatenate([m.right for m in used]).astype(float)
-    w = weights_of_rows(used)
+    w = (weights or weights_of_rows)(used)
     mean = np.average(x, axis=0, weights=w)
     deviation = np.sqrt(np.average((x - mean) ** 2, axis=0, weights=w))
     deviation[deviation < 1e-9] = 1
@@ -126,7 +127,7 @@ def fit(meshes, penalty, trees=TREES):
         if np.abs(step).max() < 1e-9:
             break
     table = {"weights": beta[:-1] / deviation, "means": mean, "offset": beta[-1]}
-    table["trees"] = boost(x[:, : -len(CURVED)], y, w, z @ beta, trees)
+    table["trees"] = boost(x[:, : x.shape[1] - curved], y, w, z @ beta, trees)
     return table
 
 
@@ -276,15 +277,20 @@ def fit_joints(meshes, chosen, near=0.03):
     return beta
 
 
+def trees_text(trees):
+    """As the rows of an array of core::QuestionTree."""
+    in_row = lambda values, form: ", ".join(form.format(v) for v in values)
+    return ",\n    ".join(
+        f"{{{{{in_row(t['witness'], '{}')}}}, {{{in_row(t['bound'], '{:.9g}')}}}, {{{in_row(t['voice'], '{:.4g}')}}}}}" for t in trees
+    )
+
+
 def write_table(path, table, joint, witnesses, meshes):
     makers = len({m.group for m in meshes})
     rows = sum(len(m.rows) for m in meshes)
     straight = len(witnesses) - len(CURVED)
     numbers = lambda values: ",\n    ".join(f"{v:.5g}" for v in values)
-    in_row = lambda values, form: ", ".join(form.format(v) for v in values)
-    trees = ",\n    ".join(
-        f"{{{{{in_row(t['witness'], '{}')}}}, {{{in_row(t['bound'], '{:.9g}')}}}, {{{in_row(t['voice'], '{:.4g}')}}}}}" for t in table["trees"]
-    )
+    trees = trees_text(table["trees"])
     with open(path, "w") as f:
         f.write(f"""// Written by `./dev calibrate`: what the probability that a skeleton is right is made of. No unit. Fitted on {rows} candidates of
 // {len(meshes)} meshes by {makers} makers; tests/calibration/calibrate.py says how, and how well on makers left out.
@@ -292,6 +298,7 @@ def write_table(path, table, joint, witnesses, meshes):
 
 #include <array>
 
+#include <skelgen/core/boosted_trees.hpp>
 #include <skelgen/search/evidence.hpp>
 
 namespace skelgen::search {{
@@ -307,14 +314,7 @@ inline constexpr std::array<double, curved_witnesses.size()> trust_square_weight
     {numbers(table["weights"][straight:])}}};
 inline constexpr std::array<double, curved_witnesses.size()> trust_square_means{{
     {numbers(table["means"][straight:])}}};
-/// A tree of questions: is the evidence of a witness (its number) above a bound? From place i on to 2 i + 1 where it is not, to
-/// 2 i + 2 where it is. The last answers add their voice to the log odds.
-struct TrustTree {{
-    std::array<unsigned char, {2**QUESTIONS - 1}> witness;
-    std::array<double, {2**QUESTIONS - 1}> bound;
-    std::array<double, {2**QUESTIONS}> voice;
-}};
-inline constexpr std::array<TrustTree, {len(table["trees"])}> trust_trees{{{{
+inline constexpr std::array<core::QuestionTree, {len(table["trees"])}> trust_trees{{{{
     {trees}}}}};
 inline constexpr double joint_trust_offset = {joint[2]:.4g}, joint_trust_of_whole = {joint[0]:.4g}, joint_trust_of_doubt = {joint[1]:.4g};
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Find all candidates of the meshes in folders: FOLDER/truth/NAME.json names the mesh in FOLDER/files or FOLDER/meshes.
 
-usage: find_candidates.py SKELGEN_CANDIDATES OUT FOLDER... [--jobs N]
+usage: find_candidates.py SKELGEN_CANDIDATES OUT FOLDER... [--jobs N] [--template NAME]
 
 Writes OUT/<folder's name>/candidates/NAME.jsonl, and a link to the truths beside it: what calibrate.py reads. Meshes
 that are done are not done again. A mesh is given two minutes.
@@ -13,13 +13,13 @@ import subprocess
 from multiprocessing.pool import ThreadPool
 
 
-def mesh_of(folder, name, truth):
+def mesh_of(folder, name, truth, template):
     """The mesh that a truth is of, with the animation to pose it by; none where it is not there."""
     for meshes in ("files", "meshes"):
         for file in (truth.get("file"), truth.get("mesh"), name + ".off"):
             if isinstance(file, str) and os.path.exists(f"{folder}/{meshes}/{file}"):
                 animation = truth.get("animation") or {}
-                return [f"{folder}/{meshes}/{file}", "exhaustive"] + ([str(animation["name"]), str(animation["time"])] if animation else [])
+                return [f"{folder}/{meshes}/{file}", "exhaustive", template] + ([str(animation["name"]), str(animation["time"])] if animation else [])
     return None
 
 
@@ -29,6 +29,7 @@ def main():
     parser.add_argument("out")
     parser.add_argument("folders", nargs="+")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--template", default="human21")
     a = parser.parse_args()
     work = []
     for folder in map(os.path.abspath, a.folders):
@@ -42,7 +43,7 @@ def main():
                 os.symlink(truths, out + "/truth")
             for file in sorted(os.listdir(truths)):
                 name, truth = file[:-5], json.load(open(f"{truths}/{file}"))
-                arguments = mesh_of(folder, os.path.join(one, name), truth)
+                arguments = mesh_of(folder, os.path.join(one, name), truth, a.template)
                 target = f"{out}/candidates/{name}.jsonl"
                 if arguments and not os.path.exists(target):
                     work.append((arguments, target))

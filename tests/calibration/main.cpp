@@ -1,14 +1,19 @@
 // Writes what the search finds in a mesh, all of it: of each candidate the evidence, the probability and the joints, as
 // one line of JSON. `./dev calibrate` judges them by the true joints and fits the trust table.
 
+#include <array>
 #include <cstdlib>
 #include <iostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 #include <skelgen/extract.hpp>
 #include <skelgen/io/read_mesh.hpp>
+#include <skelgen/quadruped/impl/place_joints.hpp>
+#include <skelgen/quadruped/limbs.hpp>
 #include <skelgen/search/ladder.hpp>
 #include <skelgen/surface/body.hpp>
 
@@ -40,27 +45,66 @@ Json described(const search::Found<double>& found, const SkeletonTemplate& wante
     return out;
 }
 
+/// A way along an animal's curve, in equal steps, in the input's coordinates.
+Json steps_along(const Body<double>& body, const CurveSkeleton<double>& curve, const std::vector<int>& way) {
+    constexpr int steps = 20;
+    Json out = Json::array();
+    for (int i = 0; i <= steps && !way.empty(); ++i)
+        out.push_back(numbers(
+            body.similarity.to_input(quadruped::detail::along(curve, way, static_cast<double>(i) / steps).first)));
+    return out;
+}
+
+/// All ways to see an animal in the curve of what was found.
+void describe_animals(const search::Found<double>& found) {
+    const Body<double>& body = *found.body;
+    const CurveSkeleton<double>& curve = found.curve->curve;
+    for (const quadruped::Limbs<double>& limbs : quadruped::find_limbs(curve, 150)) {
+        Json out;
+        out["effort"] = std::string(search::to_string(found.hypothesis.effort));
+        for (std::size_t w = 0; w < quadruped::witness_count; ++w)
+            out["evidence"][std::string(to_string(static_cast<quadruped::Witness>(w)))] = limbs.evidence.values[w];
+        out["probability"] = limbs.probability;
+        out["size"] = body.similarity.scale * limbs.size;
+        const Vector3<double> zero = body.similarity.to_input(Vector3<double>::Zero());
+        for (const auto& [name, direction] : {std::pair("left", limbs.frame.left), std::pair("up", limbs.frame.up),
+                                              std::pair("forward", limbs.frame.forward)})
+            out["frame"][name] = numbers((body.similarity.to_input(direction) - zero).normalized());
+        const std::array legs{"left_fore_leg", "right_fore_leg", "left_hind_leg", "right_hind_leg"};
+        for (std::size_t leg = 0; leg < legs.size(); ++leg)
+            out["ways"][legs[leg]] = steps_along(body, curve, limbs.legs[leg]);
+        out["ways"]["trunk"] = steps_along(body, curve, limbs.trunk);
+        out["ways"]["neck"] = steps_along(body, curve, limbs.neck);
+        out["ways"]["tail"] = steps_along(body, curve, limbs.tail);
+        std::cout << out.dump() << '\n';
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv) try {
-    if (argc < 2 || argc > 5) {
-        std::cerr << "usage: skelgen-candidates MESH [until_sure|exhaustive [ANIMATION TIME]]\n";
+    if (argc < 2 || argc > 6) {
+        std::cerr << "usage: skelgen-candidates MESH [until_sure|exhaustive [TEMPLATE [ANIMATION TIME]]]\n";
         return 2;
     }
     const bool is_exhaustive = argc > 2 && std::string(argv[2]) == "exhaustive";
     io::ReadMeshOptions options;
-    if (argc == 5) {
-        options.animation = argv[3];
-        options.time = std::strtod(argv[4], nullptr);
+    if (argc == 6) {
+        options.animation = argv[4];
+        options.time = std::strtod(argv[5], nullptr);
     }
     const TriangleMesh<double> mesh = io::read_mesh<double>(argv[1], options);
-    const SkeletonTemplate& wanted = builtin_template("human21");
+    const SkeletonTemplate& wanted = builtin_template(argc > 3 ? argv[3] : "human21");
     ExtractOptions search_options;
     search_options.budget = is_exhaustive ? 12 : search_options.budget;
     const search::Climb<double> climb =
         search::climb(mesh, wanted, search_options,
                       is_exhaustive ? search::Thoroughness::exhaustive : search::Thoroughness::until_sure);
-    for (const search::Found<double>& found : climb.found) std::cout << described(found, wanted).dump() << '\n';
+    for (const search::Found<double>& found : climb.found)
+        if (wanted.plan == BodyPlan::quadruped)
+            describe_animals(found);
+        else
+            std::cout << described(found, wanted).dump() << '\n';
     return 0;
 } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';

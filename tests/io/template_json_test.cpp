@@ -86,7 +86,7 @@ TEST_CASE("JSON that is nested deeply or has countless keys is refused at once",
 
 TEST_CASE("the built-in templates are those in the data folder, byte for byte") {
     const std::vector<std::string> names = builtin_template_names();
-    CHECK(names == std::vector<std::string>{"human21", "pinocchio18"});
+    CHECK(names == std::vector<std::string>{"human21", "pinocchio18", "quadruped"});
     for (const std::string& name : names) {
         INFO(name);
         const Path file = data_folder / "templates" / (name + ".json");
@@ -229,9 +229,11 @@ TEST_CASE("joints that are written wrongly are refused by name") {
     CHECK(refusal(t) == "joint number 4 has no \"name\"");
 
     t = human21();
-    joint(t, "neck")["role"] = "tail";
-    CHECK(refusal(t).find("joint 'neck' has the unknown role 'tail': use one of pelvis, waist,") == 0);
+    joint(t, "neck")["role"] = "fin";
+    CHECK(refusal(t).find("joint 'neck' has the unknown role 'fin': use one of pelvis, waist,") == 0);
     CHECK_FALSE(matches_schema(t));
+    joint(t, "neck")["role"] = "tail"; // an animal's
+    CHECK(refusal(t).find("only a template of the plan quadruped has one") != std::string::npos);
 
     t = human21();
     joint(t, "left_knee")["side"] = "links";

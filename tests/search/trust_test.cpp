@@ -35,15 +35,15 @@ Evidence with_voice(std::size_t witness, double way) {
 }
 
 /// What the trees answer, by their description: below place i are 2 i + 1 and, above the bound, 2 i + 2.
-double answer(const TrustTree& tree, const Evidence& evidence, std::size_t place) {
-    if (place >= tree.witness.size()) return tree.voice[place - tree.witness.size()];
-    const bool is_above = static_cast<float>(evidence.values[tree.witness[place]]) > tree.bound[place];
+double answer(const core::QuestionTree& tree, const Evidence& evidence, std::size_t place) {
+    if (place >= tree.number.size()) return tree.voice[place - tree.number.size()];
+    const bool is_above = static_cast<float>(evidence.values[tree.number[place]]) > tree.bound[place];
     return answer(tree, evidence, 2 * place + (is_above ? 2 : 1));
 }
 
 double log_odds_of_trees(const Evidence& evidence) {
     double sum = 0;
-    for (const TrustTree& tree : trust_trees) sum += answer(tree, evidence, 0);
+    for (const core::QuestionTree& tree : trust_trees) sum += answer(tree, evidence, 0);
     return sum;
 }
 
@@ -80,8 +80,8 @@ TEST_CASE("usual evidence is as likely as the table's offset, squares and trees 
 
 TEST_CASE("trees ask of witnesses that there are, and each says little") {
     bool is_heard = false;
-    for (const TrustTree& tree : trust_trees) {
-        for (const int witness : tree.witness) CHECK(witness < static_cast<int>(witness_count));
+    for (const core::QuestionTree& tree : trust_trees) {
+        for (const int witness : tree.number) CHECK(witness < static_cast<int>(witness_count));
         for (const double voice : tree.voice) CHECK(std::abs(voice) <= 1);
         is_heard = is_heard || tree.voice.front() != tree.voice.back();
     }

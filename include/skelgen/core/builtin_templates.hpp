@@ -11,7 +11,8 @@ namespace skelgen {
 /// Names of the templates that are part of skelgen, in alphabetical order.
 [[nodiscard]] std::vector<std::string> builtin_template_names();
 
-/// A template that is part of skelgen: `human21`, or `pinocchio18` (BP07). The reference stays valid until the program
+/// A template that is part of skelgen: `human21`, `pinocchio18` (BP07), or `quadruped`, a
+/// four-legged animal. The reference stays valid until the program
 /// ends. The same templates are the files data/templates/, for those who write their own.
 /// \throws Error usage when there is none of that name; the message lists those there are.
 [[nodiscard]] const SkeletonTemplate& builtin_template(std::string_view name);

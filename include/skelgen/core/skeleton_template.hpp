@@ -10,8 +10,29 @@
 namespace skelgen {
 
 /// The anatomical meaning of a template joint: what the refinement's prior knowledge (LF20 section 3.2.2) is addressed
-/// to.
-enum class JointRole { pelvis, waist, chest, neck, head, shoulder, elbow, wrist, hand, hip, knee, ankle, foot };
+/// to. On four legs, fore legs have the roles of arms; those from shoulder_girdle on are animals' alone.
+enum class JointRole {
+    pelvis,
+    waist,
+    chest,
+    neck,
+    head,
+    shoulder,
+    elbow,
+    wrist,
+    hand,
+    hip,
+    knee,
+    ankle,
+    foot,
+    shoulder_girdle,
+    hip_girdle,
+    tail,
+    ear
+};
+
+/// How a body is made: what is looked for, and how.
+enum class BodyPlan { human, quadruped };
 
 enum class Side { none, left, right };
 
@@ -46,6 +67,7 @@ struct SidedName {
 enum class BodyPart { trunk, arm, leg };
 
 [[nodiscard]] constexpr BodyPart part_of(JointRole role) {
+    if (role >= JointRole::shoulder_girdle) return BodyPart::trunk;
     if (role >= JointRole::hip) return BodyPart::leg;
     return role >= JointRole::shoulder ? BodyPart::arm : BodyPart::trunk;
 }
@@ -73,6 +95,7 @@ struct SkeletonTemplate {
     std::string name;
     std::vector<TemplateJoint> joints;
     bool is_adapted = false; ///< head and limbs have lengths that were read off a curve, and are known as well as it is
+    BodyPlan plan = BodyPlan::human;
 
     [[nodiscard]] const TemplateJoint& joint(int j) const { return joints[static_cast<std::size_t>(j)]; }
 };

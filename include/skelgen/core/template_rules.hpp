@@ -9,10 +9,14 @@ namespace skelgen {
 /// The spelling in files: "pelvis", "waist", ..., "foot".
 [[nodiscard]] std::string_view to_string(JointRole role);
 
+/// The spelling in files: "human", "quadruped".
+[[nodiscard]] std::string_view to_string(BodyPlan plan);
+
 /// The spelling in files: "none", "left", "right".
 [[nodiscard]] std::string_view to_string(Side side);
 
-/// Checks that `skeleton_template` is a human skeleton that the stages can look for:
+/// Checks that `skeleton_template` is a skeleton that the stages can look for, of a person unless its plan says
+/// otherwise:
 /// - joint names are unique and not empty, positions finite, no bone has length zero;
 /// - it is one tree, parents before children, rooted in the pelvis;
 /// - it has one pelvis, one chest and one head, any number of waists and necks, and limb joints once on each side,
@@ -25,6 +29,9 @@ namespace skelgen {
 /// - left and right have the same joints, left at larger x; the trunk's upper end (the first neck, or else the chest)
 /// is
 ///   higher (at larger y) than the hips.
+///
+/// A template of the plan quadruped need not follow the third to fifth of these; it has two waists, two necks and four
+/// joints of the tail at most, and fore legs have the roles of arms.
 /// \throws Error bad_input naming the joint and the rule that it breaks. O(joints^2).
 void validate_template(const SkeletonTemplate& skeleton_template);
 

@@ -12,6 +12,7 @@ namespace skelgen::search {
 /// What `extract` looks for and how; the defaults of each stage are documented with it.
 struct ExtractOptions {
     SkeletonTemplate skeleton_template; ///< empty: the built-in `human21`
+    bool or_quadruped = false; ///< whether a four-legged animal is looked for, too: the likelier of the two is taken
     surface::PrepareOptions prepare;
     curve::CurveOptions curve;
     embedding::MatchingOptions matching;

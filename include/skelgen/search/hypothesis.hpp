@@ -21,6 +21,7 @@ enum class Effort {
     whole,        ///< as the options have it
     finer,        ///< a proxy half as fine again
     finest,       ///< and once more
+    detailed,     ///< the whole one with finer branches: what a thin tail leaves
     less_centred, ///< the whole one's branches after few rounds of centring
     rest_fit      ///< none: a body at rest is laid into the surface (rest_fit.hpp)
 };

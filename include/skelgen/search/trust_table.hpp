@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include <skelgen/core/boosted_trees.hpp>
 #include <skelgen/search/evidence.hpp>
 
 namespace skelgen::search {
@@ -25,14 +26,7 @@ inline constexpr std::array<double, curved_witnesses.size()> trust_square_weight
     0.10274, -1.6499, -1.2006, -1.0809, -0.092394, -0.14245, -0.18813, -1.3724, 0.30735, -0.21077};
 inline constexpr std::array<double, curved_witnesses.size()> trust_square_means{
     0.29627, 0.21725, 0.2581, 0.377, 0.27591, 0.44934, 0.87285, 0.13704, 0.045993, 0.62016};
-/// A tree of questions: is the evidence of a witness (its number) above a bound? From place i on to 2 i + 1 where it is
-/// not, to 2 i + 2 where it is. The last answers add their voice to the log odds.
-struct TrustTree {
-    std::array<unsigned char, 7> witness;
-    std::array<double, 7> bound;
-    std::array<double, 8> voice;
-};
-inline constexpr std::array<TrustTree, 100> trust_trees{
+inline constexpr std::array<core::QuestionTree, 100> trust_trees{
     {{{13, 26, 14, 40, 33, 29, 26},
       {1.5, 0.034542419, -0.0578978434, 0.99048388, -0.1754774, 0.04763842, 0.0889751911},
       {-0.008412, 0.07519, -0.07366, 0.0009153, -0.1098, 0.1448, 0.1589, 0.1181}},

@@ -14,11 +14,17 @@ namespace skelgen {
 namespace core::detail {
 
 /// Roles in the order of JointRole, which is also the order in which they follow each other along a trunk or a limb.
-constexpr std::array<std::string_view, 13> role_names{"pelvis", "waist", "chest", "neck", "head",  "shoulder", "elbow",
-                                                      "wrist",  "hand",  "hip",   "knee", "ankle", "foot"};
+constexpr std::array<std::string_view, 17> role_names{
+    "pelvis", "waist", "chest",           "neck",       "head", "shoulder", "elbow", "wrist", "hand", "hip", "knee",
+    "ankle",  "foot",  "shoulder_girdle", "hip_girdle", "tail", "ear"};
+
+/// Roles that animals alone have.
+constexpr bool is_animals(JointRole role) { return role >= JointRole::shoulder_girdle; }
 
 /// May several joints have the role?
-constexpr bool repeats(JointRole role) { return role == JointRole::waist || role == JointRole::neck; }
+constexpr bool repeats(JointRole role) {
+    return role == JointRole::waist || role == JointRole::neck || role == JointRole::tail;
+}
 
 inline std::string quoted(const TemplateJoint& joint) { return "joint '" + joint.name + "'"; }
 
@@ -45,7 +51,8 @@ inline void check_values(const SkeletonTemplate& t) {
         if (!joint.position.allFinite()) refuse(quoted(joint) + " has a position that is not finite");
         check_tip(joint);
         const bool on_a_side = joint.side != Side::none;
-        const bool in_the_trunk = part_of(joint.role) == BodyPart::trunk;
+        const bool in_the_trunk =
+            part_of(joint.role) == BodyPart::trunk && (!is_animals(joint.role) || joint.role == JointRole::tail);
         if (on_a_side && in_the_trunk)
             refuse(quoted(joint) + " is a " + std::string(to_string(joint.role)) + ": its side must be none");
         if (!on_a_side && !in_the_trunk)
@@ -114,6 +121,27 @@ inline void check_bone(const TemplateJoint& parent, const TemplateJoint& child) 
         refuse(quoted(child) + " lies where its parent '" + parent.name + "' lies: a bone needs a length");
 }
 
+inline void check_human_roles(const SkeletonTemplate& t) {
+    for (const TemplateJoint& joint : t.joints)
+        if (is_animals(joint.role))
+            refuse(quoted(joint) + " is a " + std::string(to_string(joint.role)) +
+                   ": only a template of the plan quadruped has one");
+}
+
+/// How many joints of a role are placed in an animal.
+constexpr int most_of(JointRole role) { return role == JointRole::tail ? 4 : repeats(role) ? 2 : 1; }
+
+inline void check_counts(const SkeletonTemplate& t) {
+    for (const TemplateJoint& joint : t.joints) {
+        const auto is_alike = [&](const TemplateJoint& other) {
+            return other.role == joint.role && other.side == joint.side;
+        };
+        if (std::count_if(t.joints.begin(), t.joints.end(), is_alike) > most_of(joint.role))
+            refuse("there are more than " + std::to_string(most_of(joint.role)) + " joints of the role " +
+                   std::string(to_string(joint.role)) + ": leave some out");
+    }
+}
+
 inline void check_tree(const SkeletonTemplate& t) {
     if (t.joints.front().role != JointRole::pelvis)
         refuse(quoted(t.joints.front()) + " comes first: the root, which is the pelvis, must");
@@ -126,9 +154,10 @@ inline void check_tree(const SkeletonTemplate& t) {
         if (i == 0) continue;
         const auto parent = static_cast<std::size_t>(joint.parent);
         if (parent >= i) refuse(quoted(joint) + " comes before its parent: list parents before children");
-        check_bone(t.joints[parent], joint);
+        if (t.plan == BodyPlan::human) check_bone(t.joints[parent], joint);
         has_child[parent] = true;
     }
+    if (t.plan == BodyPlan::quadruped) return;
     for (std::size_t i = 0; i < t.joints.size(); ++i)
         if (has_child[i] == ends_limb(t.joints[i].role))
             refuse(quoted(t.joints[i]) + (has_child[i] ? " must end its branch, and has a child"
@@ -143,6 +172,8 @@ SKELGEN_INLINE std::string_view to_string(JointRole role) {
         throw Error(ErrorCode::usage, "JointRole holds a value that is none of its enumerators");
     return core::detail::role_names[i];
 }
+
+SKELGEN_INLINE std::string_view to_string(BodyPlan plan) { return plan == BodyPlan::human ? "human" : "quadruped"; }
 
 SKELGEN_INLINE std::string_view to_string(Side side) {
     switch (side) {
@@ -161,8 +192,10 @@ SKELGEN_INLINE void validate_template(const SkeletonTemplate& skeleton_template)
     core::detail::check_uniqueness(skeleton_template);
     core::detail::check_completeness(skeleton_template);
     core::detail::check_symmetry(skeleton_template);
-    core::detail::check_trunk(skeleton_template);
     core::detail::check_tree(skeleton_template);
+    if (skeleton_template.plan == BodyPlan::quadruped) return core::detail::check_counts(skeleton_template);
+    core::detail::check_human_roles(skeleton_template);
+    core::detail::check_trunk(skeleton_template);
 }
 
 } // namespace skelgen

@@ -21,6 +21,7 @@ SKELGEN_INLINE curve::CurveOptions curve_options(Effort effort, curve::CurveOpti
     if (effort == Effort::finer || effort == Effort::finest) vertices = half_as_fine_again(vertices);
     if (effort == Effort::finest) vertices = half_as_fine_again(vertices);
     wanted.is_draft = effort == Effort::draft;
+    if (effort == Effort::detailed) wanted.detail = curve::Detail::digits;
     return wanted;
 }
 
@@ -33,6 +34,7 @@ SKELGEN_INLINE int cost_of(Effort effort) {
     case Effort::quick:
         return 2;
     case Effort::whole:
+    case Effort::detailed:
         return 3;
     case Effort::finer:
         return 5;
@@ -76,6 +78,8 @@ SKELGEN_INLINE std::string_view to_string(Effort effort) {
         return "finer";
     case Effort::finest:
         return "finest";
+    case Effort::detailed:
+        return "detailed";
     case Effort::less_centred:
         return "less_centred";
     case Effort::rest_fit:

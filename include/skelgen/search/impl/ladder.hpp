@@ -13,11 +13,14 @@
 
 #include <skelgen/anatomy/confidence.hpp>
 #include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/geodesics.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/precision.hpp>
 #include <skelgen/core/stopwatch.hpp>
 #include <skelgen/embedding/loop_cuts.hpp>
 #include <skelgen/embedding/proportions.hpp>
+#include <skelgen/quadruped/limbs.hpp>
+#include <skelgen/quadruped/place_joints.hpp>
 #include <skelgen/search/contacts.hpp>
 #include <skelgen/search/held_things.hpp>
 #include <skelgen/search/trust.hpp>
@@ -166,8 +169,9 @@ private:
         const auto curve = curve_of(lead, *lead.body);
         out_.timings.curve += stage.lap();
 
-        const double likeliest = lead.what.effort == Effort::rest_fit ? try_at_rest(lead, *surface, curve, entry)
-                                                                      : try_templates(lead, *surface, curve, entry);
+        const double likeliest = wanted_.plan == BodyPlan::quadruped    ? try_quadruped(lead, *surface, curve, entry)
+                                 : lead.what.effort == Effort::rest_fit ? try_at_rest(lead, *surface, curve, entry)
+                                                                        : try_templates(lead, *surface, curve, entry);
         if (likeliest < sure_enough || thoroughness_ == Thoroughness::exhaustive) follow(lead, *surface, curve);
         finish(entry, {}, whole.lap());
     }
@@ -224,6 +228,24 @@ private:
                           [&](const ExtractOptions& options) { return place_joints(*lead.body, *fit, options); });
     }
 
+    double try_quadruped(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
+                         const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
+        core::Stopwatch stage;
+        const auto limbs = quadruped::find_limbs(curve->curve, 1);
+        out_.timings.embed += stage.lap();
+        if (limbs.empty()) {
+            refuse(entry, {Refusal::too_few_ends, "no four-legged animal: its curve skeleton has no ends for four legs "
+                                                  "and a head, in one piece; check that these stand free"});
+            return 0;
+        }
+        Candidate<Scalar> candidate;
+        candidate.skeleton = quadruped::place_joints(curve->curve, limbs.front(), wanted_);
+        candidate.doubt.assign(candidate.skeleton.joints.size(), 0);
+        candidate.geodesic_diameter = core::geodesic_diameter(lead.body->graph);
+        candidate.probability = limbs.front().probability;
+        return keep(lead, surface, curve, std::move(candidate), entry);
+    }
+
     double try_laid(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
                     const std::shared_ptr<const curve::CurveResult<Scalar>>& curve,
                     const embedding::FittingTemplate& laid, Tried& entry) {
@@ -252,7 +274,11 @@ private:
         out_.timings.refine += stage.lap();
         Outcome<Candidate<Scalar>> candidate = skeleton_of(*lead.body, *curve, placed);
         last_cut_limbs_ = candidate ? candidate->evidence[Witness::cut_limbs] : 0;
-        if (candidate) return keep(lead, surface, curve, *std::move(candidate), entry);
+        if (candidate) {
+            candidate->evidence = with_history(candidate->evidence, lead.what, surface);
+            candidate->probability = probability_right(candidate->evidence);
+            return keep(lead, surface, curve, *std::move(candidate), entry);
+        }
         refuse(entry, candidate.failure());
         return 0;
     }
@@ -263,8 +289,6 @@ private:
                 Tried& entry) {
         out_.timings = out_.timings + candidate.timings;
         ++entry.candidates;
-        candidate.evidence = with_history(candidate.evidence, lead.what, surface);
-        candidate.probability = probability_right(candidate.evidence);
         const double probability = candidate.probability;
         if (probability > entry.probability) {
             entry.probability = probability;
@@ -309,6 +333,14 @@ private:
         };
         Hypothesis what = lead.what;
         if (effort == Effort::rest_fit || curve->is_point) return;
+        if (wanted_.plan == BodyPlan::quadruped) {
+            for (const auto& [finer, up] :
+                 {std::pair(Effort::whole, for_whole), std::pair(Effort::detailed, for_finer)}) {
+                what.effort = finer;
+                if (effort == Effort::draft) lead_to(what, up, lead.body);
+            }
+            return;
+        }
         if (effort == Effort::draft && lead.what.opening == Opening::opened) {
             what.effort = Effort::rest_fit;
             add({what, rung + for_rest_fit, lead.body, curve});

@@ -451,8 +451,9 @@ inline Vec3d place_of(const RestModel& model, const SkeletonTemplate& wanted, in
         return between(model.hip, model.ankle, ankle_at);
     case foot:
         return model.toe;
+    default: // no person has it
+        return model.crotch;
     }
-    return model.crotch;
 }
 
 /// The axes of a model that was laid into a body as a curve, and the template in it. `place`: per joint, `tip`: per end

@@ -7,26 +7,17 @@
 #include <cmath>
 #include <cstddef>
 
+#include <skelgen/core/boosted_trees.hpp>
 #include <skelgen/search/trust_table.hpp>
 
 namespace skelgen::search {
 namespace detail {
-
-inline double logistic(double x) { return 1 / (1 + std::exp(-x)); }
 
 /// What the square of a proportion adds to the logarithm of the odds; no more than for one 4.5 times an adult's.
 inline double voice_of_square(const Evidence& evidence, std::size_t curved) {
     constexpr double most = 1.5;
     const double value = std::clamp(evidence[curved_witnesses[curved]], -most, most);
     return trust_square_weights[curved] * (value * value - trust_square_means[curved]);
-}
-
-/// What the answers to a tree's questions add to the logarithm of the odds.
-inline double voice_of_tree(const TrustTree& tree, const Evidence& evidence) {
-    std::size_t place = 0;
-    while (place < tree.witness.size())
-        place = 2 * place + 1 + (static_cast<float>(evidence.values[tree.witness[place]]) > tree.bound[place] ? 1 : 0);
-    return tree.voice[place - tree.witness.size()];
 }
 
 /// What each witness by itself adds to the logarithm of the odds.
@@ -43,8 +34,7 @@ inline std::array<double, witness_count> voices(const Evidence& evidence) {
 SKELGEN_INLINE double probability_right(const Evidence& evidence) {
     double log_odds = trust_offset;
     for (const double voice : detail::voices(evidence)) log_odds += voice;
-    for (const TrustTree& tree : trust_trees) log_odds += detail::voice_of_tree(tree, evidence);
-    return detail::logistic(log_odds);
+    return core::logistic(log_odds + core::voices_of(trust_trees, evidence.values));
 }
 
 template <typename Scalar>
@@ -54,8 +44,8 @@ KinematicSkeleton<Scalar> with_confidence(KinematicSkeleton<Scalar> skeleton, do
     const double log_odds = std::log(std::max(probability, 1e-9) / std::max(1 - probability, 1e-9));
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
         Joint<Scalar>& joint = skeleton.joints[j];
-        joint.confidence = joint.is_present ? detail::logistic(joint_trust_offset + joint_trust_of_whole * log_odds -
-                                                               joint_trust_of_doubt * std::log1p(doubt[j]))
+        joint.confidence = joint.is_present ? core::logistic(joint_trust_offset + joint_trust_of_whole * log_odds -
+                                                             joint_trust_of_doubt * std::log1p(doubt[j]))
                                             : 0;
     }
     return skeleton;
