@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Names every sentence of more than 35 words that a reader meets: in the manual, messages, help, and public documentation.
 
-check_sentences.py SOURCES [--most N] [FILE...]: of all files that readers meet, or of those. A piece of code counts as one word. Cells of
-tables and items of lists are sentences of their own. Ends with 1 where there is such a sentence.
+check_sentences.py SOURCES [--most N] [FILE...]: of all files that readers meet, or of those. A piece of code counts as one
+word. Cells of tables and items of lists are sentences of their own. Ends with 1 where there is such a sentence.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ def of_comments(text: str) -> Iterator[Piece]:
         trailing = bool(comment and line[: comment.start()].strip())
         bare = comment[1].strip() if comment else ""
         # One beside code goes on below it only as another one that is indented as deep.
-        if block and (not bare or trailing or (beside and comment.start() != beside)):
+        if block and (not bare or trailing or bare.startswith("- ") or (beside and comment.start() != beside)):
             yield from pieces(start, " ".join(block))
             block = []
         if bare:
