@@ -48,7 +48,7 @@ def main() -> int:
                 continue
             if parts.scheme or link == "#":
                 continue
-            if parts.path.startswith("/"): # of the page for what is not found alone, which may be shown anywhere
+            if parts.path.startswith("/"):  # of the page for what is not found alone, which may be shown anywhere
                 if path.name == "404.html":
                     continue
                 dead.append(f"{path.relative_to(site)}: {link} is not relative")

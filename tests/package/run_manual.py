@@ -110,11 +110,19 @@ RUN: list[str] = []
 def main() -> int:
     program, root = (Path(argument).resolve() for argument in sys.argv[1:3])
     help_text = subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
-    parts = set(re.findall(r"^  ([a-z]+) ", help_text[help_text.index("Subcommands:") : help_text.index("Example:")], re.MULTILINE))
+    parts = set(
+        re.findall(
+            r"^  ([a-z]+) ", help_text[help_text.index("Subcommands:") : help_text.index("Example:")], re.MULTILINE
+        )
+    )
     pages = [root / "README.md", *sorted((root / "docs").rglob("*.md"))]
     left_out: list[str] = []
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        faults = [line for found in pool.map(lambda page: check(page, program, root, parts, left_out), pages) for line in found]
+        faults = [
+            line
+            for found in pool.map(lambda page: check(page, program, root, parts, left_out), pages)
+            for line in found
+        ]
     shown = {page.stem for page in (root / "docs/commands").glob("*.md")}
     used = {line.split()[1] for line in RUN}
     faults += [f"no page shows an example of {name}" for name in sorted(parts - used)]
