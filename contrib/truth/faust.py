@@ -2,7 +2,7 @@
 """Truth files of FAUST's registrations, by the joint regressor of SMPL: of your own copies of both.
 
 faust.py REGISTRATIONS MODEL -o TRUTH: a folder of tr_reg_NNN.ply or .off (6890 vertices each), and SMPL's model or its regressor
-alone (.npz, .npy, .pkl). Needs numpy and scipy, for PLY trimesh, too.
+alone (.npz, .npy, .pkl). Needs numpy, for PLY trimesh, and for a .pkl scipy, too.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
 
 landmarks.py MESHES LANDMARKS -o TRUTH [--names FILE]: LANDMARKS holds for each mesh a text file of its name with a line for each
 landmark: a vertex (counted from 0), or x y z, with the landmark's name before it or in the order of NAMES (--names has others, a
-line each). A joint is the middle between two landmarks on opposite sides of it. Needs numpy and scipy, for PLY trimesh, too.
+line each). A joint is the middle between two landmarks on opposite sides of it. Needs numpy, for PLY trimesh, too.
 """
 
 from __future__ import annotations

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+import heapq
 import json
+import math
 from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import dijkstra
 
 Array = npt.NDArray[np.float64]
 MARKERS = [f"{side}_{joint}" for joint in ("hand", "foot", "elbow", "knee", "shoulder") for side in ("left", "right")]
@@ -32,17 +32,38 @@ def read_mesh(path: Path) -> tuple[Array, npt.NDArray[np.int64]]:
     return places, corners[:, 1:]
 
 
+def distances_from(start: int, neighbours: list[list[tuple[int, float]]]) -> list[float]:
+    """Along edges; infinite where there is no way."""
+    found = [math.inf] * len(neighbours)
+    found[start] = 0.0
+    waiting = [(0.0, start)]
+    while waiting:
+        distance, vertex = heapq.heappop(waiting)
+        if distance > found[vertex]:
+            continue
+        for other, length in neighbours[vertex]:
+            if distance + length < found[other]:
+                found[other] = distance + length
+                heapq.heappush(waiting, (found[other], other))
+    return found
+
+
 def largest_distance(vertices: Array, faces: npt.NDArray[np.int64]) -> float:
     """The largest distance along edges, from ends that are farthest from each other."""
-    edges = np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    edges = np.unique(np.sort(np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1), axis=0)
     lengths = np.linalg.norm(vertices[edges[:, 0]] - vertices[edges[:, 1]], axis=1)
-    graph = coo_matrix((lengths, (edges[:, 0], edges[:, 1])), shape=(len(vertices),) * 2).tocsr()
-    graph = graph.maximum(graph.T)
+    neighbours: list[list[tuple[int, float]]] = [[] for _ in vertices]
+    for (one, other), length in zip(edges.tolist(), lengths.tolist()):
+        neighbours[one].append((other, length))
+        neighbours[other].append((one, length))
     start, largest = 0, 0.0
     for _ in range(4):
-        distances = dijkstra(graph, indices=start)
-        distances[~np.isfinite(distances)] = 0
-        start, largest = int(distances.argmax()), float(distances.max())
+        reached = [
+            (distance, vertex)
+            for vertex, distance in enumerate(distances_from(start, neighbours))
+            if distance < math.inf
+        ]
+        largest, start = max(reached)
     return largest
 
 

@@ -66,7 +66,9 @@ def commands(page: Path) -> list[tuple[str, list[str]]]:
             elif line.startswith("skelgen ") and "shards/" not in line:  # those are run where their shards are written
                 found.append((line, ["..."]))
     # Within a line, as the text of tables has them.
-    found += [(" ".join(line.split()), ["..."]) for line in re.findall(r"`(skelgen \w+ [^`]+\.(?:glb|fbx|vrm|json))`", text)]
+    found += [
+        (" ".join(line.split()), ["..."]) for line in re.findall(r"`(skelgen \w+ [^`]+\.(?:glb|fbx|vrm|json))`", text)
+    ]
     return found
 
 
