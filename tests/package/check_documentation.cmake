@@ -1,7 +1,7 @@
 # cmake -D SOURCE_DIR=<root> -P check_documentation.cmake
 # Fails unless README.md and the pages of docs/ name in the first line of each block of C++ and CMake the file that they quote to
 # the letter, all their links to files lead somewhere, every page is in the manual's navigation, the page on refusals explains
-# each code of the source and no other, README.md leads to the manual, and is short.
+# each code and doubt of the source, README.md leads to the manual, and is short.
 cmake_minimum_required(VERSION 3.25)
 set(most_lines 130)
 file(GLOB_RECURSE pages RELATIVE "${SOURCE_DIR}" "${SOURCE_DIR}/docs/*.md")
@@ -76,6 +76,32 @@ list(SORT explained)
 if(NOT codes STREQUAL explained OR codes STREQUAL "")
   message(FATAL_ERROR "docs/confidence.md explains the codes ${explained}; the source has ${codes}")
 endif()
+
+# What `unlikely` says, up to the remedy, and the bounds of what is refused and what is a guess.
+file(READ "${SOURCE_DIR}/include/skelgen/search/impl/trust.hpp" source)
+string(FIND "${source}" "strongest_doubt" place)
+string(SUBSTRING "${source}" ${place} -1 source)
+string(REGEX MATCHALL "return \"[^\";]+" doubts "${source}")
+if(NOT doubts)
+  message(FATAL_ERROR "search/impl/trust.hpp tells no doubts")
+endif()
+foreach(doubt IN LISTS doubts)
+  string(REPLACE "return \"" "" doubt "${doubt}")
+  string(FIND "${text}" "\n| ${doubt} |" place)
+  if(place EQUAL -1)
+    message(FATAL_ERROR "docs/confidence.md does not explain: ${doubt}")
+  endif()
+endforeach()
+file(READ "${SOURCE_DIR}/include/skelgen/search/trust.hpp" source)
+foreach(bound IN ITEMS least_probability likely_enough)
+  if(NOT source MATCHES "${bound} = ([0-9.]+)")
+    message(FATAL_ERROR "search/trust.hpp does not define ${bound}")
+  endif()
+  string(FIND "${text}" "${CMAKE_MATCH_1}" place)
+  if(place EQUAL -1)
+    message(FATAL_ERROR "docs/confidence.md does not name the bound ${bound}, ${CMAKE_MATCH_1}")
+  endif()
+endforeach()
 
 file(READ "${SOURCE_DIR}/README.md" readme)
 string(REGEX MATCHALL "\n" ends "${readme}")
