@@ -36,6 +36,7 @@ if [[ -n $static ]]; then
 fi
 
 echo "== the program"
+quietly inside apt-get autoremove --purge -y -qq # of an earlier trial
 before=$(files)
 quietly inside sh -c 'apt-get install -y -qq --no-install-recommends /tmp/try/skelgen_*.deb'
 inside sh -ec 'cd /tmp/try && skelgen --version && skelgen extract sample/body.off -o body.json && skelgen rig sample/body.off -o body.glb && head -c 4 body.glb | grep -q glTF'
