@@ -62,10 +62,25 @@ def output(*command: str) -> str:
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 
+def objects_of(build: Path, target: str) -> set[str]:
+    return {name for name in output("ninja", "-C", str(build), "-t", "inputs", target).split() if name.endswith(".o")}
+
+
+def bundled(root: Path) -> list[tuple[str, str, str]]:
+    """Name, version and licence of each npm package that the page of `skelgen view` has in it."""
+    view = root / "apps/view"
+    named = json.loads((view / "package.json").read_text(encoding="utf-8")).get("dependencies", {})
+    found = []
+    for name in sorted(named):
+        package = json.loads((view / "node_modules" / name / "package.json").read_text(encoding="utf-8"))
+        found.append((name, package["version"], package.get("license", "NOASSERTION")))
+    return found
+
+
 def files_of(build: Path, target: str) -> set[str]:
     """Headers that the target's objects include, and libraries that it is linked from, outside of the project."""
     ninja = ["ninja", "-C", str(build), "-t"]
-    objects = {name for name in output(*ninja, "inputs", target).split() if name.endswith(".o")}
+    objects = objects_of(build, target)
     files: set[str] = set()
     at = ""
     for line in output(*ninja, "deps").splitlines():
@@ -170,6 +185,29 @@ def main() -> int:
             }
         )
         relations.append(("SPDXRef-skelgen", "DEPENDS_ON", identifier))
+    if any("view_objects" in name for name in objects_of(options.build.resolve(), options.target)):
+        for name, number, licence in bundled(root):
+            identifier = "SPDXRef-npm-" + re.sub(r"[^A-Za-z0-9.-]", "-", name)
+            parts.append(
+                {
+                    "SPDXID": identifier,
+                    "name": name,
+                    "versionInfo": number,
+                    "downloadLocation": "NOASSERTION",
+                    "filesAnalyzed": False,
+                    "licenseConcluded": "NOASSERTION",
+                    "licenseDeclared": licence,
+                    "copyrightText": "NOASSERTION",
+                    "externalRefs": [
+                        {
+                            "referenceCategory": "PACKAGE-MANAGER",
+                            "referenceType": "purl",
+                            "referenceLocator": f"pkg:npm/{name.replace('@', '%40')}@{number}",
+                        }
+                    ],
+                }
+            )
+            relations.append(("SPDXRef-skelgen", "DEPENDS_ON", identifier))
     text = json.dumps(parts, sort_keys=True).encode()
     moment = datetime.fromtimestamp(
         int(os.environ.get("SOURCE_DATE_EPOCH", datetime.now(timezone.utc).timestamp())), timezone.utc
