@@ -4,6 +4,10 @@
 # The targets must be known wherever skelgen is linked, also outside this folder when it is part of another project.
 set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
 
+if(SKELGEN_STATIC_PROGRAM)
+  set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
+endif()
+
 # The core's: headers all of them, and the system's threads.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(nanoflann 1.4 REQUIRED CONFIG)

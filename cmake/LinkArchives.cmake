@@ -2,7 +2,10 @@
 # beside them are linked in their place, and the compiler's own libraries too: each shared one costs a program half a
 # millisecond whenever it starts, whether it is used or not. Where there is no archive, all stays as it is.
 function(skelgen_link_archives program)
-  if(NOT CMAKE_SYSTEM_NAME STREQUAL "Linux" OR BUILD_SHARED_LIBS)
+  if(SKELGEN_STATIC_PROGRAM)
+    target_link_options(${program} PRIVATE -static)
+  endif()
+  if(NOT SKELGEN_LINK_ARCHIVES OR NOT CMAKE_SYSTEM_NAME STREQUAL "Linux" OR BUILD_SHARED_LIBS)
     return()
   endif()
   foreach(library IN LISTS ARGN)

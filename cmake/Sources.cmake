@@ -632,6 +632,7 @@ set(skelgen_cli_sources
     fitted_file.cpp
     fitted_inputs.cpp
     manual_page.cpp
+    markdown_page.cpp
     measure.cpp
     merge.cpp
     merge_shards.cpp

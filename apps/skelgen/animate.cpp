@@ -52,9 +52,9 @@ void add_animate_command(CLI::App& app) {
     add_mesh_input(*sub, command->mesh, "Mesh of one body");
     sub->add_option(
            "--clip,--bvh", command->clip,
-           "Motion to follow, a BVH file or the first animation of an FBX, GLB, glTF, VRMA or DAE: any skeleton\n"
-           "whose joints are named as is common (Mixamo,\n"
-           "MotionBuilder, VRM, SMPL, Biovision, Poser, Biped, Unreal, ...), in any rest pose and unit")
+           "Motion to follow: a BVH file, or the first animation of an FBX, GLB, glTF, VRMA or DAE. Any skeleton\n"
+           "whose joints have common names (Mixamo, MotionBuilder, VRM, SMPL, Biovision, Poser, Biped, Unreal,\n"
+           "...), in any rest pose and unit")
         ->required();
     sub->add_option("-o,--output", command->output,
                     "Character to write, with the motion as its animation: .glb or .fbx")

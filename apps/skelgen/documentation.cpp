@@ -7,6 +7,7 @@
 #include "completions.hpp"
 #include "console.hpp"
 #include "manual_page.hpp"
+#include "markdown_page.hpp"
 
 namespace skelgen::cli {
 namespace {
@@ -24,6 +25,9 @@ void write_documentation(const CommandOutline& program, const fs::path& folder) 
     write(pages / (program.name + ".1"), manual_page(program, program));
     for (const CommandOutline& command : program.commands)
         write(pages / (manual_page_name(program, command) + ".1"), manual_page(program, command));
+    // For the manual, which has them in its own pages; they are not installed.
+    for (const CommandOutline& command : program.commands)
+        write(folder / "commands" / (command.name + ".md"), markdown_page(program, command));
     write(folder / "bash-completion/completions" / program.name, bash_completion(program));
     write(folder / "zsh/site-functions" / ("_" + program.name), zsh_completion(program));
     write(folder / "fish/vendor_completions.d" / (program.name + ".fish"), fish_completion(program));

@@ -244,8 +244,8 @@ void add_merge_command(CLI::App& app) {
         "Examples:\n"
         "  skelgen batch scans/ -o shards/2 --shard 2/4\n"
         "  skelgen merge shards/* --meshes scans/ -o skeletons/ --report report.html\n\n"
-        "Meshes that no shard tells of, or whose skeleton is not there as it was written, are missing; those\n"
-        "that several lines tell of are named, and where their skeletons differ they are left out. Meshes are\n"
+        "Meshes that no shard tells of, or whose skeleton is not there as it was written, are missing. Those\n"
+        "that several lines tell of are named; where their skeletons differ they are left out. Meshes are\n"
         "not read: `skelgen batch INPUT -o DIR --resume` does what is missing, and again what has changed since.\n\n"
         "Exit status: 0 all done; 5 some meshes failed, are missing or contradictory.");
     sub->callback([command] {

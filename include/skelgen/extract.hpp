@@ -82,11 +82,11 @@ template <typename Scalar>
     return extract(std::move(mesh), options);
 }
 
-/// The curve skeletons alone, of bodies or anything else: one for each connected piece of the surface that has a
-/// thousandth of the largest one's area or more, the largest first, in the input's coordinates; regions index the
-/// input's vertices. Nodes are spaced relative to the bounding box of all. Of `options`, `prepare` and `curve` count.
-/// \returns one result or more. \throws Error usage when an option is out of its range, bad_input when `mesh` is no
-/// usable surface or all of its pieces have fewer than four faces.
+/// The curve skeletons alone, of bodies or anything else, in the input's coordinates; regions index the input's
+/// vertices. There is one for each connected piece of the surface that has a thousandth of the largest one's area or
+/// more, the largest first. Nodes are spaced relative to the bounding box of all. Of `options`, `prepare` and `curve`
+/// count. \returns one result or more. \throws Error usage when an option is out of its range, bad_input when `mesh` is
+/// no usable surface or all of its pieces have fewer than four faces.
 template <typename Scalar>
 [[nodiscard]] std::vector<curve::CurveResult<Scalar>> find_curves(const TriangleMesh<Scalar>& mesh,
                                                                   const ExtractOptions& options = {});

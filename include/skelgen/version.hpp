@@ -4,7 +4,7 @@
 
 // The one place that holds the version: the build system and the installed package read it from these three lines.
 #define SKELGEN_VERSION_MAJOR 0
-#define SKELGEN_VERSION_MINOR 1
+#define SKELGEN_VERSION_MINOR 2
 #define SKELGEN_VERSION_PATCH 0
 
 #define SKELGEN_DETAIL_TEXT_OF(number) #number

@@ -51,7 +51,8 @@ std::string printed_by(const fs::path& folder, const std::string& line) {
     return result.out;
 }
 
-TEST_CASE("manual pages: one for each command, with every option of its help", "[cli][documentation]") {
+TEST_CASE("manual pages: one for each command, and one in Markdown, with every option of its help",
+          "[cli][documentation]") {
     const Documentation documentation;
     const fs::path folder = documentation.folder.path(), pages = folder / "share/man/man1";
     const std::set<std::string> all = commands(folder);
@@ -66,7 +67,10 @@ TEST_CASE("manual pages: one for each command, with every option of its help", "
         CHECK(page.find("\n.SH EXAMPLES\n") != std::string::npos);
         const auto options = found_in(help, "\n  (?:-[a-zA-Z],)?--([a-z-]+)");
         CHECK(options.size() >= 2);
+        const std::string manual = read_file(folder / "share/commands" / (command + ".md"));
+        CHECK(manual.rfind("```text\nskelgen " + command, 0) == 0);
         for (std::string option : options) {
+            CHECK(manual.find("`--" + option + "`") != std::string::npos);
             option = std::regex_replace("--" + option, std::regex("-"), "\\-");
             INFO(option);
             CHECK(page.find("\\fB" + option + "\\fR") != std::string::npos);

@@ -6,7 +6,7 @@ Any pose, any orientation, any unit, no learning, no hints::
     body.positions                           # (21, 3), in the mesh's own coordinates
     body.rig(rest="t-pose").save("body.glb")
 
-The package is under the MIT licence, and so is all that is in it: the generator of bodies (`skelgen synth`), which is
+The package is under the MIT licence, and so is all that is in it. The generator of bodies (`skelgen synth`), which is
 under the GPL, is left out, also from the program `skelgen` that comes with it.
 """
 

@@ -20,7 +20,7 @@ import skelgen
 from conftest import ROOT, SAMPLE
 
 EXAMPLES = ROOT / "bindings" / "python" / "examples"
-PAGES = ["README.md", "docs/python.md"]
+PAGES = ["README.md", "docs/python.md", "docs/start/researcher.md"]
 MODULES = [m.name for m in pkgutil.iter_modules(skelgen.__path__) if m.name != "_core"]
 
 

@@ -44,8 +44,8 @@ struct AlignmentOptions {
 /// \throws Error usage when the scale is out of its range.
 void validate(const AlignmentOptions& options);
 
-/// The transform, 4 x 4, that brings a body into common directions (LF20 section 5.1): its pelvis's up becomes +y
-/// exactly and its left as nearly +x as that allows, so that it faces +z (Khr21). A uniform scale, a proper rotation
+/// The transform, 4 x 4, that brings a body into common directions (LF20 section 5.1). Its pelvis's up becomes +y
+/// exactly, and its left as nearly +x as that allows, so that it faces +z (Khr21). A uniform scale, a proper rotation
 /// and a translation, to be applied to columns (x, y, z, 1). `vertices` (n x 3) in the skeleton's coordinates. \throws
 /// Error usage when a joint of human21 is missing, there is no vertex or an option is out of its range. O(n).
 template <typename Scalar>

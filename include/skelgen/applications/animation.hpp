@@ -35,8 +35,8 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] TriangleMesh<Scalar> posed(const Rig<Scalar>& rig, const RigPose<Scalar>& pose);
 
-/// Moves an animation up or down to where its lowest frames are on the floor, y = 0: of the heights of the lowest place
-/// of the mesh over all frames, that which a twentieth of the frames lies below. So neither a jump nor a single odd
+/// Moves an animation up or down so that its lowest frames are on the floor, y = 0. Of each frame the lowest place of
+/// the mesh counts; a twentieth of the frames lies below the height that is taken. So neither a jump nor a single odd
 /// frame, as the T-pose that many clips begin with, lifts or sinks the rest. The height of a frame is looked for among
 /// those vertices of each joint that lie farthest out in 26 directions. O(n + frames joints).
 template <typename Scalar>

@@ -9,9 +9,9 @@
 
 namespace skelgen::applications {
 
-/// For each vertex of the input (n x 3, in its own coordinates) the vertex of the body that stands for it: that at the
-/// same place, else the one that the body names, else the nearest. \throws Error usage when the body was made of
-/// another number of vertices. O(n log n).
+/// For each vertex of the input (n x 3, in its own coordinates) the vertex of the body that stands for it. It is the
+/// one at the same place, else the one that the body names, else the nearest. \throws Error usage when the body was
+/// made of another number of vertices. O(n log n).
 template <typename Scalar>
 [[nodiscard]] std::vector<int> standing_for(const Body<Scalar>& body, const Points<Scalar>& input);
 

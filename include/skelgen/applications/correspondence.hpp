@@ -63,9 +63,9 @@ template <typename Scalar>
 [[nodiscard]] ComparableBody<Scalar> comparable(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
                                                 const CorrespondenceOptions& options = {});
 
-/// For each vertex of one body (`from`) the vertex of the other one in the same place: first by places in the common
-/// pose, then by functional maps (OBS12) that grow from coarse to fine (MRR19), together with a smooth bending of the
-/// one body in the common pose to the other (ELC20). Sides and fronts are those of the skeletons, whatever way the
+/// For each vertex of one body (`from`) the vertex of the other one in the same place. Places in the common pose come
+/// first, then functional maps (OBS12) that grow from coarse to fine (MRR19). Together with these the one body is bent
+/// smoothly to the other in the common pose (ELC20). Sides and fronts are those of the skeletons, whatever way the
 /// bodies stand. O(n m functions). \throws Error usage when an option is out of its range or a body was made comparable
 /// with fewer functions.
 template <typename Scalar>
@@ -73,8 +73,9 @@ template <typename Scalar>
                                         const CorrespondenceOptions& options = {});
 
 /// For each vertex of the body that was corresponded (`from`) its place on the other one's mesh (`to`), between
-/// vertices, too: of the triangles at the vertex that it corresponds to, or else of all, the place that is nearest in
-/// the common pose. `to_body` was made of that mesh. \throws Error usage as `standing_for`. O((n + m) log m).
+/// vertices, too. It is the place that is nearest in the common pose, of the triangles at the vertex that it
+/// corresponds to, or else of all. `to_body` was made of that mesh. \throws Error usage as `standing_for`. O((n + m)
+/// log m).
 template <typename Scalar>
 [[nodiscard]] std::vector<TrianglePlace> triangle_places(const TriangleMesh<Scalar>& to, const Body<Scalar>& to_body,
                                                          const ComparableBody<Scalar>& to_comparable,

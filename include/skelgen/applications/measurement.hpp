@@ -42,12 +42,12 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] Scalar tape_length(const std::vector<Vector3<Scalar>>& points, const Vector3<Scalar>& normal);
 
-/// Lengths of bones, height, arm span, area, volume, and girths at the places that ISO17 names, across the bone
-/// there: head, neck, chest, waist, hip, and on each side upper_arm (in its middle), elbow, forearm, wrist, thigh (the
-/// most below the buttocks), mid_thigh, knee, calf, ankle. Of chest, hip, head, forearm, thigh and calf it is the
-/// largest one nearby, of neck, waist, wrist and ankle the smallest. A section that runs through another part (an arm
-/// beside the chest) does not count. `parts` are the body's own, of the set `bones`. \throws Error usage when a joint
-/// of human21 is missing or `parts` are another body's. O(log n) for each face that is cut.
+/// Lengths of bones, height, arm span, area, volume, and girths at the places that ISO17 names, across the bone there.
+/// These are head, neck, chest, waist and hip. On each side they are upper_arm (in its middle), elbow, forearm, wrist,
+/// thigh (the most below the buttocks), mid_thigh, knee, calf and ankle. Of chest, hip, head, forearm, thigh and calf
+/// it is the largest one nearby, of neck, waist, wrist and ankle the smallest. A section that runs through another part
+/// (an arm beside the chest) does not count. `parts` are the body's own, of the set `bones`. \throws Error usage when a
+/// joint of human21 is missing or `parts` are another body's. O(log n) for each face that is cut.
 template <typename Scalar>
 [[nodiscard]] Measurements measure(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
                                    const Segmentation& parts);

@@ -17,9 +17,9 @@ struct PosedBody {
     VertexTurns<Scalar> turns = {};     ///< from the input's pose to this one
 };
 
-/// Holds a body as a model holds itself, whatever the shape, proportions and unit of both: each bone is turned as the
-/// model's, in the model's coordinates, and the joints come as near to the model's as the geometric median of their
-/// ways there brings them: each of them, the root too, may have been found off. The mesh follows by dual quaternions
+/// Holds a body as a model holds itself, whatever the shape, proportions and unit of both. Each bone is turned as the
+/// model's, in the model's coordinates. The joints come as near to the model's as the geometric median of their ways
+/// there brings them: each of them, the root too, may have been found off. The mesh follows by dual quaternions
 /// (`skinned`), so that limbs keep their volume. Both skeletons are of the same template, each in its own coordinates;
 /// `mesh` and `body` as `bind` has them. \throws Error as that.
 template <typename Scalar>

@@ -9,9 +9,9 @@
 namespace skelgen::applications {
 
 /// Has a rig move as the skeleton of a clip does, whatever the proportions, units and rest poses of both. Joints
-/// correspond by their names (`find_body`). Upper arms, forearms, thighs and calves point where the clip's do; how they
+/// correspond by their names (`find_body`). Upper arms, forearms, thighs and calves point where the clip's do. How they
 /// are turned about themselves, and how trunk, head, hands and feet are turned, is what has changed since the clip's
-/// rest pose: there a body that stands symmetric is taken to stand upright, with its hands straight and its feet flat.
+/// rest pose. There a body that stands symmetric is taken to stand upright, with its hands straight and its feet flat.
 /// A rest pose that is no such pose counts as the body that it shows, and where it shows none (bones folded into a
 /// line), the first frame does. The root moves as the middle of the clip's hips, scaled by the legs' lengths; it starts
 /// above the origin, and the feet come to the floor (`on_floor`). The axis of the clip's coordinates in which its

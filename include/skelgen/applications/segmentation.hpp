@@ -20,7 +20,7 @@ struct SegmentationOptions {
     /// adult. Calibrated: borders keep their place, necks stay, and small unevenness goes.
     double smoothing = 0.025;
     /// Where an upper arm begins, as a share of it, 0 to 1, from the shoulder's joint, across a plane that leans
-    /// towards the collarbone: where the deltoid muscle ends and raising the arm moves the skin little. Calibrated on
+    /// towards the collarbone. There the deltoid muscle ends, and raising the arm moves the skin little. Calibrated on
     /// registered bodies of six people, as the next two.
     double upper_arm = 0.3;
     /// Where a shoulder begins on the way from between chest and neck to its joint, 0 to 2, 1 in the joint.
@@ -43,15 +43,15 @@ struct Segmentation {
 /// The names of the parts, in the order in which they are counted.
 [[nodiscard]] std::vector<std::string> part_names(PartSet set);
 
-/// The body's parts (LF20 section 5.3): each vertex belongs to the nearest bone of those that it can belong to, so that
-/// borders are where the joints' bisecting planes cut the surface; those of a limb have the vertices alone that are
-/// nearest to the limb's end along the surface, so that a hand at the thigh stays a hand, and where a knee or an elbow
-/// is bent so far that the bones come near each other, those alone that are as far from the end as the bone is. Arms
-/// begin below the shoulder, which is where the trunk ends beyond its joint; thighs where the legs fork, across the
-/// direction between the thigh's and the pelvis's own. Borders are then smoothed by random walks that start at these
-/// labels (Gra05) and laid where they are shortest (KT03), and each part is in one piece. `skeleton` has the joints of
-/// human21 and is in the input's coordinates. \returns the parts of the body's own vertices and faces. \throws Error
-/// usage when a joint is missing or an option is out of its range. O(n log n + n^1.5).
+/// The body's parts (LF20 section 5.3). Each vertex belongs to the nearest bone of those that it can belong to, so that
+/// borders are where the joints' bisecting planes cut the surface. A limb's bones have the vertices alone that are
+/// nearest to the limb's end along the surface, so that a hand at the thigh stays a hand. Where a knee or an elbow is
+/// bent so far that the bones come near each other, they have those alone that are as far from the end as the bone is.
+/// Arms begin below the shoulder, which is where the trunk ends beyond its joint; thighs where the legs fork, across
+/// the direction between the thigh's and the pelvis's own. Borders are then smoothed by random walks that start at
+/// these labels (Gra05) and laid where they are shortest (KT03), and each part is in one piece. `skeleton` has the
+/// joints of human21 and is in the input's coordinates. \returns the parts of the body's own vertices and faces.
+/// \throws Error usage when a joint is missing or an option is out of its range. O(n log n + n^1.5).
 template <typename Scalar>
 [[nodiscard]] Segmentation segment(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
                                    PartSet set = PartSet::bones, const SegmentationOptions& options = {});

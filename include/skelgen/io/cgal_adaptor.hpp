@@ -30,9 +30,9 @@ template <typename Scalar = double, typename Point>
     return triangulate<Scalar>(collector.polygons());
 }
 
-/// A CGAL::Surface_mesh with the same vertex and face indices. Linear.
-/// \throws Error bad_input when a half-edge mesh cannot hold a face: where three faces meet at an edge, neighbours are
-///         turned against each other, or fans of faces touch in one vertex in an order that CGAL cannot link.
+/// A CGAL::Surface_mesh with the same vertex and face indices. Linear. \throws Error bad_input when a half-edge mesh
+/// cannot hold a face. That is so where three faces meet at an edge, neighbours are turned against each other, or fans
+/// of faces touch in one vertex in an order that CGAL cannot link.
 template <typename Point, typename Scalar>
 [[nodiscard]] CGAL::Surface_mesh<Point> to_cgal(const TriangleMesh<Scalar>& mesh) {
     using Mesh = CGAL::Surface_mesh<Point>;

@@ -13,9 +13,9 @@ namespace skelgen::io {
 /// the same, bit by bit; `Scalar` is float or double. `radii` and `regions` may be empty. Edges are read as pairs of
 /// ascending indices in ascending order, whatever the file's. Time is linear, but for the edges, which are sorted.
 ///
-/// Every `curve_to_...` throws Error usage when there are no nodes, a coordinate or radius is not finite, a radius is
-/// negative, an edge names no node, is there twice or goes from a node to itself, or `radii` or `regions` are neither
-/// empty nor one for each node.
+/// Every `curve_to_...` throws Error usage when there are no nodes, a coordinate or radius is not finite, or a radius
+/// is negative. It throws it, too, when an edge names no node, is there twice or goes from a node to itself, or when
+/// `radii` or `regions` are neither empty nor one for each node.
 ///
 /// Every `curve_from_...` throws Error bad_input when the text is not of its format or is no such curve skeleton. The
 /// message names the line (of binary data the byte, of JSON the member) and what is wrong with it. None allocates more
@@ -58,10 +58,11 @@ template <typename Scalar = double>
 /// Nodes keep their order (id = index + 1) where every node but the first of its component has a neighbour of lower
 /// index. Else they are numbered anew, by rising number of edges to the root, one component after the other.
 ///
-/// What a tree cannot hold is told in comments, one line each, from which `curve_from_swc` reads it back:
+/// What a tree cannot hold is told in comments, one line each. `curve_from_swc` reads it back from them.
 /// - `# left out, as it closes a cycle: the edge between I J`, with two ids, as the parents hold no cycles;
 /// - `# radii unknown, a placeholder in their column`, as each radius has to be positive;
 /// - `# radius 0, a placeholder in its column: node I`, likewise.
+///
 /// The placeholder is a thousandth of the curve's largest extent, or 1 where that is 0.
 template <typename Scalar>
 [[nodiscard]] std::string curve_to_swc(const CurveSkeleton<Scalar>& curve);

@@ -16,8 +16,8 @@ struct MeasuredBody {
     applications::Measurements measures;
 };
 
-/// The measures of some bodies as the text of a file (data/schema/measurements.schema.json): JSON in UTF-8; with
-/// the unit in which the body is as high as people are, and where girths were taken; what is not known is null. \throws
+/// The measures of some bodies as the text of a file (data/schema/measurements.schema.json), JSON in UTF-8. It has the
+/// unit in which the body is as high as people are, and where girths were taken; what is not known is null. \throws
 /// Error internal when a number is not finite.
 [[nodiscard]] std::string measurements_to_json(const std::vector<MeasuredBody>& bodies);
 

@@ -32,9 +32,9 @@ template <typename Scalar = double, typename Kernel>
     return triangulate<Scalar>(collector.polygons());
 }
 
-/// An OpenMesh mesh (`Mesh` is a TriMesh or PolyMesh type) with the same vertex and face indices. Linear.
-/// \throws Error bad_input when a half-edge mesh cannot hold a face: where three faces meet at an edge, neighbours are
-///         turned against each other, or fans of faces touch in one vertex in an order that OpenMesh cannot link.
+/// An OpenMesh mesh (`Mesh` is a TriMesh or PolyMesh type) with the same vertex and face indices. Linear. \throws Error
+/// bad_input when a half-edge mesh cannot hold a face. That is so where three faces meet at an edge, neighbours are
+/// turned against each other, or fans of faces touch in one vertex in an order that OpenMesh cannot link.
 template <typename Mesh, typename Scalar>
 [[nodiscard]] Mesh to_openmesh(const TriangleMesh<Scalar>& mesh) {
     using Point = typename Mesh::Point;

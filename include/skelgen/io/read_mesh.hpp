@@ -28,8 +28,8 @@ struct ReadMeshOptions {
 /// binary), GLB, glTF or VRM (2.0; also quantised, sparse, compressed by meshopt or Draco), FBX or DAE. What the file
 /// holds decides which it is; its extension only where that says nothing. Each may be compressed by gzip.
 ///
-/// - Vertices and faces keep the file's order and indices; normals, colours and texture coordinates are dropped.
-///   STL, FBX and DAE: corners at exactly the same position become one vertex.
+/// - Vertices and faces keep the file's order and indices; normals, colours and texture coordinates are dropped. STL,
+///   FBX and DAE: corners at exactly the same position become one vertex.
 /// - Polygons are cut into triangles (see `triangulate`). Triangles that name a vertex twice are left out.
 /// - Scenes give the triangles that a viewer shows, in the scene's unit: all meshes, moved by their nodes, morphed by
 ///   their weights, posed by their skins; as stored, or as an animation has them. Files that a glTF refers to must be
@@ -39,10 +39,10 @@ struct ReadMeshOptions {
 /// `Scalar` is float or double. Linear in the file's size, which is 2 GiB at most, also decompressed; memory stays
 /// below a small multiple of it even if the file's counts lie, but for FBX and DAE (see `isolated`). Pipes can be read
 /// too. Compressed files, FBX and DAE need libraries that a build may lack: the message then says so. \throws Error
-/// bad_input, naming the line, the byte or the place, when there is no such file or it is none of these
-///         formats, is too large, is cut short, holds more or less than it says, has a coordinate that is no finite
-///         number, a face with less than 3 corners or with a vertex that does not exist, or no vertices or faces at
-///         all. Error usage when there is no such animation.
+/// bad_input, naming the line, the byte or the place, when there is no such file, or it is none of these formats, too
+/// large, cut short, or longer than it says. It is thrown, too, for a coordinate that is no finite number, a face with
+/// less than 3 corners or with a vertex that does not exist, or no vertices or faces at all. Error usage when there is
+/// no such animation.
 template <typename Scalar = double>
 [[nodiscard]] TriangleMesh<Scalar> read_mesh(const std::filesystem::path& path, const ReadMeshOptions& options = {});
 

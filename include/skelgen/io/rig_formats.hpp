@@ -30,11 +30,12 @@ enum class JointNames { skelgen, smpl, mixamo, vrm, smplx, unity, godot, unreal,
                                                 JointNames names);
 
 /// A GLB file (Khr21) with the rig: one skinned mesh, its vertices in the rig's order, behind them the looks' copies of
-/// them; the looks' normals, turned as the rig's vertices are, or smooth ones but for edges sharper than 60 degrees
-/// between vertices at equal places; the joints as nodes with their axes and, in "extras", their confidence, inverse
-/// bind matrices, four influences a vertex; with the looks of the scene that it was made of, and animations: those
-/// without frames are left out. Linear. \throws Error usage when there are no faces, a coordinate is too large for a
-/// float, the looks are those of another mesh, or an animation is that of another rig.
+/// them. Normals are the looks' ones, turned as the rig's vertices are. Else they are smooth but for edges sharper than
+/// 60 degrees between vertices at equal places. The joints are nodes with their axes and, in "extras", their
+/// confidence; there are inverse bind matrices and four influences a vertex. The file has the looks of the scene that
+/// the rig was made of, and the animations; those without frames are left out. Linear. \throws Error usage when there
+/// are no faces, a coordinate is too large for a float, the looks are those of another mesh, or an animation is that of
+/// another rig.
 [[nodiscard]] std::string rig_to_glb(const applications::Rig<double>& rig, JointNames names = JointNames::skelgen,
                                      const SceneLooks& looks = {},
                                      const std::vector<applications::Animation<double>>& animations = {});

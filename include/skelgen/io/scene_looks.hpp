@@ -53,9 +53,9 @@ struct SceneObject {
 struct SceneLooks {
     /// All faces, in their order. Several may have the same vertices.
     std::vector<ScenePart> parts;
-    /// Where corners at one vertex look different (an OBJ's at a seam or a hard edge): further vertices, behind the
-    /// mesh's own, each by the number of the mesh's vertex that it is a copy of. Then each part has all of the
-    /// vertices.
+    /// Where corners at one vertex look different (an OBJ's at a seam or a hard edge) there are further vertices,
+    /// behind the mesh's own. Each is the number of the mesh's vertex that it is a copy of. Then each part has all of
+    /// the vertices.
     std::vector<int> copies = {};
     /// Faces of the mesh, by its vertices and their copies; no rows: as they are in the mesh.
     Triangles faces = {};

@@ -10,9 +10,9 @@
 
 namespace skelgen::io {
 
-/// The bytes of a file with this mesh: OFF and OBJ as text with the shortest numbers that read back the same, PLY
-/// binary little-endian with properties of type `Scalar`, STL, GLB and FBX (7.4, whose unit is said to be the metre, as
-/// glTF's is) binary. These three lose something: they have single precision, and STL no indices. `Scalar` is float or
+/// The bytes of a file with this mesh. OFF and OBJ are text with the shortest numbers that read back the same, PLY is
+/// binary little-endian with properties of type `Scalar`. STL, GLB and FBX are binary (FBX 7.4, whose unit is said to
+/// be the metre, as glTF's is). STL, GLB and FBX have single precision, and STL no indices. `Scalar` is float or
 /// double. Linear. \throws Error usage when the format is one that is only read, a face names no vertex, a coordinate
 /// is not finite, or is too large for a float where the format has floats.
 template <typename Scalar>

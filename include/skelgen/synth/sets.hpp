@@ -9,14 +9,21 @@
 
 namespace skelgen::synth {
 
-/// The sets that `body_set` knows: scape (one person, 71 poses), faust (10 people, 10 poses), proportions (children,
-/// very heavy, long and short limbs), partial (feet, hands or an arm missing), joined (arms, hands and thighs grown
-/// together), scan (noise, holes, floating pieces, flipped patches, pinched vertices), dressed (skirt, coat, trousers,
-/// boots, hat, long hair, rucksack), pieces (limbs that are closed or open by themselves, seams, eyes and teeth,
-/// clothes as shells), cartoon (heads, hands, feet and limbs of all sizes, paws, boots, horns, a tail), curled
-/// (squatting, kneeling, knees to the chest, hands in the lap, behind the back and on knees and shoulders: a few
-/// millimetres apart, and grown together), mouths (open, with a cavity behind the lips), armed (staff, sword or axe in
-/// the right hand of people and figures, and a stout figure without).
+/// The sets that `body_set` knows.
+///
+/// - scape: one person, 71 poses
+/// - faust: 10 people, 10 poses
+/// - proportions: children, very heavy, long and short limbs
+/// - partial: feet, hands or an arm missing
+/// - joined: arms, hands and thighs grown together
+/// - scan: noise, holes, floating pieces, flipped patches, pinched vertices
+/// - dressed: skirt, coat, trousers, boots, hat, long hair, rucksack
+/// - pieces: limbs that are closed or open by themselves, seams, eyes and teeth, clothes as shells
+/// - cartoon: heads, hands, feet and limbs of all sizes, paws, boots, horns, a tail
+/// - curled: squatting, kneeling, knees to the chest, hands in the lap, behind the back and on knees and shoulders: a
+///   few millimetres apart, and grown together
+/// - mouths: open, with a cavity behind the lips
+/// - armed: staff, sword or axe in the right hand of people and figures, and a stout figure without
 [[nodiscard]] std::vector<std::string> set_names();
 
 /// What to synthesize for a set, in order. The same seed gives the same plans.

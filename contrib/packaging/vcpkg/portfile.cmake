@@ -1,0 +1,29 @@
+vcpkg_from_github(
+  OUT_SOURCE_PATH SOURCE_PATH
+  REPO OWNER/skelgen
+  REF "v${VERSION}"
+  SHA512 0 # of the released source: see RELEASE_CHECKLIST.md
+  HEAD_REF main)
+
+vcpkg_check_features(
+  OUT_FEATURE_OPTIONS FEATURE_OPTIONS
+  FEATURES
+    draco SKELGEN_WITH_DRACO
+    render SKELGEN_BUILD_RENDER)
+
+vcpkg_cmake_configure(
+  SOURCE_PATH "${SOURCE_PATH}"
+  OPTIONS
+    ${FEATURE_OPTIONS}
+    -DSKELGEN_BUILD_BENCH=OFF
+    -DSKELGEN_BUILD_CLI=OFF
+    -DSKELGEN_BUILD_EVALUATION=OFF
+    -DSKELGEN_BUILD_SYNTH=OFF
+    -DSKELGEN_BUILD_TESTS=OFF
+    -DSKELGEN_WITH_ASSIMP=OFF
+    -DSKELGEN_WITH_MESHOPTIMIZER=OFF
+    -DSKELGEN_WITH_ZLIB=ON)
+vcpkg_cmake_install()
+vcpkg_cmake_config_fixup(CONFIG_PATH lib/cmake/skelgen)
+file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/debug/include" "${CURRENT_PACKAGES_DIR}/debug/share")
+vcpkg_install_copyright(FILE_LIST "${SOURCE_PATH}/LICENSE")
