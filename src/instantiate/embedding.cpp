@@ -10,8 +10,6 @@
 namespace skelgen::embedding {
 
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
-    template std::optional<PartialTemplate> find_missing_limb(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,   \
-                                                              const Embedding&, const MatchingOptions&);               \
     template ReducedGraph<Scalar> reduce(const CurveSkeleton<Scalar>&);                                                \
     template ReducedGraph<Scalar> reduce<Scalar>(const SkeletonTemplate&);                                             \
     template Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> affinity_matrix(                                    \
@@ -31,12 +29,10 @@ namespace skelgen::embedding {
     template int contact_count(const CurveSkeleton<Scalar>&);                                                          \
     template std::vector<LoopCuts> find_loop_cuts(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,               \
                                                   const MatchingOptions&);                                             \
-    template Proportions proportions_of(const CurveSkeleton<Scalar>&, const Embedding&, const SkeletonTemplate&);      \
-    template bool legs_go_on(const CurveSkeleton<Scalar>&, const Embedding&, const SkeletonTemplate&);                 \
-    template Outcome<FittingTemplate> fitting_proportions(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,       \
-                                                          const MatchingOptions&);                                     \
-    template std::vector<FittingTemplate> other_fitting_templates(                                                     \
-        const CurveSkeleton<Scalar>&, const SkeletonTemplate&, std::size_t, const MatchingOptions&);
+    template Outcome<FittingTemplate> fitting_template(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,          \
+                                                       const MatchingOptions&);                                        \
+    template std::vector<FittingTemplate> fitting_without_limb(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,  \
+                                                               std::size_t, const MatchingOptions&);
 
 SKELGEN_INSTANTIATE(SKELGEN_SCALAR)
 

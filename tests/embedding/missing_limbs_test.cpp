@@ -21,11 +21,8 @@ int joint_named(const std::string& name) {
     return -1;
 }
 
-enum class Stump { none, half_a_bone };
-
-/// The curve without what lies beyond the bone from one joint to the next, and without that bone or half of it.
-CurveSkeleton<double> cut_off(const CurveSkeleton<double>& curve, const std::string& joint, const std::string& next,
-                              Stump stump) {
+/// The curve without the bone from one joint to the next, and what lies beyond that.
+CurveSkeleton<double> cut_off(const CurveSkeleton<double>& curve, const std::string& joint, const std::string& next) {
     const int from = joint_named(joint);
     std::vector<bool> is_off(static_cast<std::size_t>(curve.nodes.rows()), false);
     const auto off = [&](int node) { return is_off[static_cast<std::size_t>(node)]; };
@@ -33,10 +30,7 @@ CurveSkeleton<double> cut_off(const CurveSkeleton<double>& curve, const std::str
     while (!todo.empty()) {
         const int node = todo.back();
         todo.pop_back();
-        const bool is_half = std::any_of(curve.edges.begin(), curve.edges.end(), [&](const auto& edge) {
-            return (edge[0] == from && edge[1] == node) || (edge[1] == from && edge[0] == node);
-        });
-        if (off(node) || node == from || (is_half && stump == Stump::half_a_bone)) continue;
+        if (off(node) || node == from) continue;
         is_off[static_cast<std::size_t>(node)] = true;
         for (const auto& [a, b] : curve.edges) {
             if (a == node) todo.push_back(b);
@@ -59,12 +53,12 @@ CurveSkeleton<double> cut_off(const CurveSkeleton<double>& curve, const std::str
     return out;
 }
 
-PartialTemplate lacking(const std::string& end, const std::string& first) {
-    return {without_limb(builtin_template("human21"), joint_named(first)), joint_named(end)};
+SkeletonTemplate lacking(const std::string& first) {
+    return without_limb(builtin_template("human21"), joint_named(first));
 }
 
-double fit(const CurveSkeleton<double>& curve, const PartialTemplate& part) {
-    const auto found = embed(curve, part.skeleton_template);
+double fit(const CurveSkeleton<double>& curve, const SkeletonTemplate& part) {
+    const auto found = embed(curve, part);
     REQUIRE(found);
     return distortion_per_pair(*found);
 }
@@ -72,7 +66,7 @@ double fit(const CurveSkeleton<double>& curve, const PartialTemplate& part) {
 } // namespace
 
 TEST_CASE("a limb that is absent is so with all that follows, and leaves a bare joint in the trunk") {
-    const SkeletonTemplate armless = lacking("left_hand", "left_elbow").skeleton_template;
+    const SkeletonTemplate armless = lacking("left_elbow");
     for (std::size_t j = 0; j < armless.joints.size(); ++j) {
         INFO(armless.joints[j].name);
         const bool is_off = armless.joints[j].name == "left_elbow" || armless.joints[j].name == "left_wrist" ||
@@ -80,32 +74,32 @@ TEST_CASE("a limb that is absent is so with all that follows, and leaves a bare 
         CHECK(armless.joints[j].is_absent == is_off);
         CHECK(is_bare(armless, static_cast<int>(j)) == (armless.joints[j].name == "left_shoulder"));
     }
-    const SkeletonTemplate without_forearm = lacking("left_hand", "left_wrist").skeleton_template;
+    const SkeletonTemplate without_forearm = lacking("left_wrist");
     CHECK_FALSE(is_bare(without_forearm, joint_named("left_shoulder")));
     CHECK(without_forearm.joint(joint_named("left_elbow")).tip.has_value()); // the limb goes on a little
 }
 
 TEST_CASE("a body that lacks a limb has as many ends and junctions less as the limb brings") {
     std::vector<std::size_t> nodes;
-    for (const PartialTemplate& part : partial_templates(builtin_template("human21")))
-        nodes.push_back(reduce<double>(part.skeleton_template).origin.size());
+    for (const SkeletonTemplate& part : partial_templates(builtin_template("human21")))
+        nodes.push_back(reduce<double>(part).origin.size());
     CHECK(nodes == std::vector<std::size_t>{6, 6, 5, 7, 7});               // head, arm, leg, forearm, calf
     CHECK(partial_templates(builtin_template("pinocchio18")).size() == 4); // it has no wrists
 }
 
 TEST_CASE("a curve without a limb fits the template without that limb, and worse those without another") {
     const CurveSkeleton<double> whole = human_curve();
-    const PartialTemplate head = lacking("head", "head"), arm = lacking("left_hand", "left_elbow");
+    const SkeletonTemplate head = lacking("head"), arm = lacking("left_elbow");
     // Without a head nor a stump of its neck the chest has three branches, as without an arm.
-    CHECK(fit(cut_off(whole, "chest", "neck", Stump::none), head) < 1e-3);
-    CHECK(fit(cut_off(whole, "chest", "neck", Stump::none), arm) > 5e-3);
-    CHECK(fit(cut_off(whole, "chest", "right_shoulder", Stump::none), arm) < 1e-3);
-    CHECK(fit(cut_off(whole, "chest", "right_shoulder", Stump::none), head) > 5e-3);
+    CHECK(fit(cut_off(whole, "chest", "neck"), head) < 1e-3);
+    CHECK(fit(cut_off(whole, "chest", "neck"), arm) > 5e-3);
+    CHECK(fit(cut_off(whole, "chest", "right_shoulder"), arm) < 1e-3);
+    CHECK(fit(cut_off(whole, "chest", "right_shoulder"), head) > 5e-3);
 }
 
 TEST_CASE("without a leg the root is no junction: one chain leads past it from the chest to the other foot") {
-    const PartialTemplate leg = lacking("left_foot", "left_knee");
-    const auto found = embed(cut_off(human_curve(), "crotch", "left_hip", Stump::none), leg.skeleton_template);
+    const SkeletonTemplate leg = lacking("left_knee");
+    const auto found = embed(cut_off(human_curve(), "crotch", "left_hip"), leg);
     REQUIRE(found);
     CHECK(found->matched_nodes == 5);
     CHECK(distortion_per_pair(*found) < 1e-3);
@@ -119,42 +113,18 @@ TEST_CASE("without a leg the root is no junction: one chain leads past it from t
     CHECK(chain->joints == expected);
 }
 
-TEST_CASE("a stump is no limb: what stands for it in the whole template is much too short") {
+TEST_CASE("of a curve without a limb the template without that limb is the least distorted") {
     const SkeletonTemplate& human = builtin_template("human21");
-    const CurveSkeleton<double> whole = human_curve();
-    const auto missing = [&](const CurveSkeleton<double>& curve) {
-        const auto found = embed(curve, human);
-        REQUIRE(found);
-        return find_missing_limb(curve, human, *found);
-    };
-    CHECK_FALSE(missing(whole));
-    const auto arm = missing(cut_off(whole, "left_shoulder", "left_elbow", Stump::half_a_bone));
-    REQUIRE(arm);
-    CHECK(human.joint(arm->end).role == JointRole::hand);
-    CHECK(arm->skeleton_template.joint(joint_named("left_elbow")).is_absent);
-    const auto head = missing(cut_off(whole, "neck", "head", Stump::half_a_bone));
-    REQUIRE(head);
-    CHECK(human.joint(head->end).role == JointRole::head);
-    // Hands that are cut off are the surface's to tell.
-    CHECK_FALSE(missing(cut_off(whole, "left_wrist", "left_hand", Stump::half_a_bone)));
-}
-
-TEST_CASE("what swells beyond a neck is a head, however short") {
-    const SkeletonTemplate& human = builtin_template("human21");
-    CurveSkeleton<double> curve = cut_off(human_curve(), "neck", "head", Stump::half_a_bone);
-    const auto found = embed(curve, human);
-    REQUIRE(found);
-    const auto chain = std::find_if(found->chains.begin(), found->chains.end(),
-                                    [](const Chain& each) { return each.joints.back() == joint_named("head"); });
-    REQUIRE(chain != found->chains.end());
-    REQUIRE(chain->nodes.size() == 4); // the chest, the neck, a node between them, and the end
-    const auto is_missing = [&](const std::vector<double>& radii) {
-        for (std::size_t i = 0; i < radii.size(); ++i)
-            curve.radii[static_cast<std::size_t>(chain->nodes[i])] = radii[i];
-        return find_missing_limb(curve, human, *found).has_value();
-    };
-    CHECK(is_missing({0.1, 0.09, 0.08, 0.08}));
-    CHECK_FALSE(is_missing({0.1, 0.07, 0.06, 0.08}));
-    CHECK(is_missing({0.06, 0.06, 0.06, 0.08})); // a neck is thinner than what it stands on, too
-    CHECK(is_missing({0.3, 0.07, 0.06, 0.08}));  // what is so small is no head
+    const auto curve = cut_off(human_curve(), "chest", "right_shoulder");
+    const auto all = fitting_without_limb(curve, human, 10), best = fitting_without_limb(curve, human, 1);
+    REQUIRE(all.size() > 1);
+    REQUIRE(best.size() == 1);
+    CHECK(best[0].skeleton_template.joint(joint_named("left_elbow")).is_absent);
+    for (std::size_t i = 1; i < all.size(); ++i)
+        CHECK(distortion_per_pair(all[i - 1].embedding) <= distortion_per_pair(all[i].embedding));
+    CHECK(fitting_without_limb(curve, best[0].skeleton_template, 10).empty()); // one limb at most
+    const auto whole = fitting_template(human_curve(), human);
+    REQUIRE(whole);
+    CHECK(whole->embedding.node_of_joint == embed(human_curve(), human)->node_of_joint);
+    CHECK_FALSE(fitting_template(CurveSkeleton<double>{}, human));
 }
