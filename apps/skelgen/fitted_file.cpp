@@ -17,9 +17,9 @@ io::SourceMesh source_of(const MeshInput& input, const Extraction<double>& found
             found.geodesic_diameter};
 }
 
-FittedFile fit_file(const MeshInput& input, ExtractOptions options) {
+FittedFile fit_file(const MeshInput& input, ExtractOptions options, bool with_curve) {
     FittedFile out;
-    options.with_curve = false;
+    options.with_curve = with_curve;
     if (input.use_rig) {
         out.found = extract_with_rig(input, options);
     } else if (input.skeleton.empty()) {
