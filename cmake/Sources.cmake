@@ -67,6 +67,7 @@ set(skelgen_core_headers
     include/skelgen/applications/correspondence.hpp
     include/skelgen/applications/curve_skin.hpp
     include/skelgen/applications/deep_shoulders.hpp
+    include/skelgen/applications/engine_bones.hpp
     include/skelgen/applications/finger_bones.hpp
     include/skelgen/applications/floor.hpp
     include/skelgen/applications/heat_weights.hpp
@@ -246,6 +247,7 @@ set(skelgen_core_definitions
     include/skelgen/applications/impl/correspondence.hpp
     include/skelgen/applications/impl/curve_skin.hpp
     include/skelgen/applications/impl/deep_shoulders.hpp
+    include/skelgen/applications/impl/engine_bones.hpp
     include/skelgen/applications/impl/finger_bones.hpp
     include/skelgen/applications/impl/floor.hpp
     include/skelgen/applications/impl/heat_weights.hpp
@@ -447,6 +449,7 @@ set(skelgen_instantiations
     src/instantiate/core.cpp
     src/instantiate/curve.cpp
     src/instantiate/embedding.cpp
+    src/instantiate/engine_bones.cpp
     src/instantiate/extract.cpp
     src/instantiate/extract_hinted.cpp
     src/instantiate/finger_bones.cpp
