@@ -478,6 +478,7 @@ set(skelgen_io_sources
     src/io/curve_ply.cpp
     src/io/curve_swc.cpp
     src/io/data_uri.cpp
+    src/io/fbx_names.cpp
     src/io/fbx_node.cpp
     src/io/fbx_writer.cpp
     src/io/glb_container.cpp
