@@ -67,6 +67,7 @@ set(skelgen_core_headers
     include/skelgen/applications/correspondence.hpp
     include/skelgen/applications/curve_skin.hpp
     include/skelgen/applications/deep_shoulders.hpp
+    include/skelgen/applications/engine_bones.hpp
     include/skelgen/applications/finger_bones.hpp
     include/skelgen/applications/floor.hpp
     include/skelgen/applications/heat_weights.hpp
@@ -251,6 +252,7 @@ set(skelgen_core_definitions
     include/skelgen/applications/impl/correspondence.hpp
     include/skelgen/applications/impl/curve_skin.hpp
     include/skelgen/applications/impl/deep_shoulders.hpp
+    include/skelgen/applications/impl/engine_bones.hpp
     include/skelgen/applications/impl/finger_bones.hpp
     include/skelgen/applications/impl/floor.hpp
     include/skelgen/applications/impl/heat_weights.hpp
@@ -454,6 +456,7 @@ set(skelgen_instantiations
     src/instantiate/core.cpp
     src/instantiate/curve.cpp
     src/instantiate/embedding.cpp
+    src/instantiate/engine_bones.cpp
     src/instantiate/extract.cpp
     src/instantiate/extract_hinted.cpp
     src/instantiate/finger_bones.cpp
@@ -483,6 +486,7 @@ set(skelgen_io_sources
     src/io/curve_ply.cpp
     src/io/curve_swc.cpp
     src/io/data_uri.cpp
+    src/io/fbx_names.cpp
     src/io/fbx_node.cpp
     src/io/fbx_writer.cpp
     src/io/glb_container.cpp

@@ -1,5 +1,6 @@
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <skelgen/io/atomic_file.hpp>
 #include <skelgen/io/rig_formats.hpp>
@@ -19,6 +20,7 @@ struct AnimateCommand {
     std::string clip;
     std::string output;
     std::string names = "skelgen";
+    BoneOptions bones;
     int component = 0;
     bool quiet = false;
 };
@@ -35,12 +37,13 @@ void run(const AnimateCommand& command) {
         const WaitingLine waiting(command.mesh.file.string(), !command.quiet);
         return make_character(command.mesh, {command.component});
     });
-    const auto animation = follow_clip(clip, character.rig);
+    auto animation = follow_clip(clip, character.rig);
+    const auto rig = applications::with_engine_bones(character.rig, command.bones.wanted());
+    animation = applications::with_engine_bones(std::move(animation), character.rig, rig);
     const auto names = *io::joint_names_named(command.names);
     const auto write = format == io::RigFormat::fbx ? io::rig_to_fbx : io::rig_to_glb;
-    in_file(command.output, [&] {
-        io::write_file_atomically(command.output, write(character.rig, names, character.kept.looks, {animation}));
-    });
+    in_file(command.output,
+            [&] { io::write_file_atomically(command.output, write(rig, names, character.kept.looks, {animation})); });
     print_warnings(command.mesh.file, character, *format, command.quiet);
 }
 
@@ -60,6 +63,7 @@ void add_animate_command(CLI::App& app) {
                     "Character to write, with the motion as its animation: .glb or .fbx")
         ->required();
     add_joint_names_option(*sub, command->names, "Whose names the joints get");
+    add_bone_options(*sub, command->bones);
     add_component_option(*sub, command->component);
     add_skeleton_options(*sub, command->mesh);
     sub->add_flag("-q,--quiet", command->quiet, "No warnings but what a licence forbids, and guesses");

@@ -70,6 +70,15 @@ void print_warnings(const std::filesystem::path& file, const Character& characte
                    " m; what is written is in metres");
 }
 
+void add_bone_options(CLI::App& command, BoneOptions& options) {
+    command
+        .add_option("--bones", options.bones,
+                    "plain; engine: also clavicles, an upper chest and a root on the floor below the hips")
+        ->check(CLI::IsMember({"plain", "engine"}))
+        ->capture_default_str();
+    command.add_flag("--twist", options.twist, "Also bones that halve the twist of upper arms, forearms and thighs");
+}
+
 void add_joint_names_option(CLI::App& command, std::string& names, const std::string& help) {
     command.add_option("--names", names, help)->check(CLI::IsMember(io::joint_names()))->capture_default_str();
 }

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <skelgen/applications/engine_bones.hpp>
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/io/rig_formats.hpp>
@@ -50,6 +51,17 @@ void print_warnings(const std::filesystem::path& file, const Character& characte
 
 /// Prints what a character's licence forbids, if anything: whoever writes it again is to know.
 void print_forbidden(const std::filesystem::path& file, const io::SceneLooks& looks);
+
+/// Which joints a character gets that engines know and skelgen does not find, as the command line has it.
+struct BoneOptions {
+    std::string bones = "plain"; ///< or "engine"
+    bool twist = false;
+
+    [[nodiscard]] applications::EngineBones wanted() const { return {bones == "engine", twist}; }
+};
+
+/// Adds the options --bones and --twist.
+void add_bone_options(CLI::App& command, BoneOptions& options);
 
 /// Adds the option --names, with `help` as what it says there: `names` is then one that `io::joint_names_named` knows.
 void add_joint_names_option(CLI::App& command, std::string& names, const std::string& help);

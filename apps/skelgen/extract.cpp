@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <locale>
 #include <memory>
@@ -12,6 +13,7 @@
 #include "console.hpp"
 #include "extract_file.hpp"
 #include "fitted_file.hpp"
+#include "nearest_word.hpp"
 #include "trail_text.hpp"
 #include "waiting_line.hpp"
 
@@ -61,6 +63,18 @@ Hint hint_of(const std::string& text) {
     return hint;
 }
 
+/// \throws Error usage when the template has no joint of a hint's name.
+void require_joints(const std::vector<Hint>& hints, const SkeletonTemplate& skeleton_template) {
+    std::vector<std::string> names;
+    for (const TemplateJoint& joint : skeleton_template.joints) names.push_back(joint.name);
+    for (const Hint& hint : hints) {
+        if (std::find(names.begin(), names.end(), hint.joint) != names.end()) continue;
+        const std::string meant = nearest_word(hint.joint, names);
+        throw Error(ErrorCode::usage, "--hint " + hint.joint + ": there is no such joint" +
+                                          (meant.empty() ? "" : "; did you mean " + meant + "?"));
+    }
+}
+
 void write_trail(const ExtractCommand& command, const Trail& trail) {
     if (!command.trail.empty()) write_result(command.trail, io::trail_to_json(trail));
 }
@@ -78,6 +92,7 @@ void run(const ExtractCommand& command) {
     ExtractOptions options;
     const auto named = template_and_fingers(command.skeleton_template, command.fingers);
     want_template(options, named.first);
+    require_joints(hints, options.skeleton_template);
     options.prepare.component = command.component;
     options.threads = command.threads;
     options.with_curve = !command.curve.empty();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <skelgen/fit_skeleton.hpp>
@@ -17,9 +18,9 @@ io::SourceMesh source_of(const MeshInput& input, const Extraction<double>& found
             found.geodesic_diameter};
 }
 
-FittedFile fit_file(const MeshInput& input, ExtractOptions options) {
+FittedFile fit_file(const MeshInput& input, ExtractOptions options, bool with_curve) {
     FittedFile out;
-    options.with_curve = false;
+    options.with_curve = with_curve;
     if (input.use_rig) {
         out.found = extract_with_rig(input, options);
     } else if (input.skeleton.empty()) {
@@ -41,6 +42,21 @@ FittedFile with_own_part(FittedFile file) {
     return file;
 }
 
+namespace {
+
+/// What was repaired, without how: "seams", "40 pieces".
+std::string in_short(std::string repair) {
+    repair.resize(std::min(repair.find(": "), repair.size()));
+    for (const std::string_view verb :
+         {" welded", " joined into one surface", " closed", " left out", " ignored", " taken off", " made rounder"})
+        if (repair.ends_with(verb)) repair.resize(repair.size() - verb.size());
+    constexpr std::string_view grown = "the body has grown together with itself";
+    if (repair.starts_with(grown)) repair = "grown together" + repair.substr(grown.size());
+    return repair;
+}
+
+} // namespace
+
 void print_warnings(const std::filesystem::path& file, const KinematicSkeleton<double>& skeleton,
                     const std::vector<std::string>& repairs, Words words) {
     constexpr double likely = 0.5; // below, it is more often wrong than right
@@ -48,7 +64,7 @@ void print_warnings(const std::filesystem::path& file, const KinematicSkeleton<d
     for (const std::string& warning : skeleton.quality.warnings) {
         if (words == Words::few) break;
         if (words == Words::usual && std::find(repairs.begin(), repairs.end(), warning) != repairs.end())
-            repaired += (repaired.empty() ? ": repaired: " : "; ") + warning;
+            repaired += (repaired.empty() ? ": repaired: " : ", ") + in_short(warning);
         else
             print_warning(file.string() + ": " + warning);
     }

@@ -25,9 +25,9 @@ struct FittedFile {
 /// What files say of the mesh that something was found in.
 [[nodiscard]] io::SourceMesh source_of(const MeshInput& input, const Extraction<double>& found);
 
-/// Reads a mesh and finds the body in it, without its curve. \throws Error as `io::read_mesh` and `extract`,
-/// without the file's name.
-[[nodiscard]] FittedFile fit_file(const MeshInput& input, ExtractOptions options = {});
+/// Reads a mesh and finds the body in it, without its curve where that is not wanted. \throws Error as `io::read_mesh`
+/// and `extract`, without the file's name.
+[[nodiscard]] FittedFile fit_file(const MeshInput& input, ExtractOptions options = {}, bool with_curve = false);
 
 /// The same of what belongs to the body that was found, and to no other body that stands apart from it. As
 /// `applications::own_body`.

@@ -98,8 +98,10 @@ void add_skeleton_options(CLI::App& command, MeshInput& input) {
 }
 
 TriangleMesh<double> load_mesh(const MeshInput& input) {
-    if (input.file != standard_input) return read_mesh<double>(input.file, input.options);
-    return io::parse_mesh<double>(standard_input_content(), input.options);
+    io::ReadMeshOptions options = input.options;
+    options.tell = [&](const std::string& what) { print_warning(input.file.string() + ": " + what); };
+    if (input.file != standard_input) return read_mesh<double>(input.file, options);
+    return io::parse_mesh<double>(standard_input_content(), options);
 }
 
 io::SceneLooks load_looks(const MeshInput& input) {

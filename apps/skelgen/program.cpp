@@ -115,6 +115,22 @@ std::string meant_option(const CLI::App& command) {
     return "";
 }
 
+/// What someone may have meant who has given a word that is none of a list: "t-pos not in {as-is,t-pose}".
+std::string meant_value(std::string_view message) {
+    constexpr std::string_view between = " not in {";
+    const std::size_t list = message.find(between), end = message.find('}', list);
+    if (list == std::string_view::npos || end == std::string_view::npos) return "";
+    std::vector<std::string> words{""};
+    for (const char c : message.substr(list + between.size(), end - list - between.size()))
+        if (c == ',')
+            words.emplace_back();
+        else
+            words.back() += c;
+    const std::size_t typed = message.rfind(' ', list - 1) + 1;
+    const std::string meant = nearest_word(message.substr(typed, list - typed), words);
+    return meant.empty() ? "" : "; did you mean " + meant + "?";
+}
+
 /// What to say to one who has given `extract` several meshes.
 std::string hint(const CLI::App& command) {
     const std::vector<std::string> rest = command.remaining();
@@ -128,7 +144,7 @@ void print_usage_error(const CLI::App& app, const CLI::ParseError& error, const 
     if (!commands.empty()) {
         const std::string name = commands.front()->get_name();
         print_error(name + ": " + error.what() + hint(*commands.front()) + meant_option(*commands.front()) +
-                    "; see `skelgen " + name + " --help`");
+                    meant_value(error.what()) + "; see `skelgen " + name + " --help`");
     } else if (!first_argument.empty() && first_argument.front() != '-') {
         print_error(first_argument + ": " + unknown_command(first_argument));
     } else {

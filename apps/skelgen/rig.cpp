@@ -25,6 +25,7 @@ struct RigCommand {
     std::string unit; ///< empty: as the height tells
     io::Credits credits;
     std::string fingers = "auto";
+    BoneOptions bones;
     int component = 0;
     bool quiet = false;
 };
@@ -60,6 +61,7 @@ void run(const RigCommand& command) {
         const WaitingLine waiting(command.mesh.file.string(), !command.quiet);
         return make_character(command.mesh, options);
     });
+    character.rig = applications::with_engine_bones(std::move(character.rig), command.bones.wanted());
     character.kept.looks = io::with_credits(std::move(character.kept.looks), command.credits);
     in_file(command.output, [&] {
         write_rig(command.output, character.rig, *io::joint_names_named(command.names), character.kept.looks);
@@ -93,11 +95,13 @@ void add_rig_command(CLI::App& app) {
     sub->add_option("--fingers", command->fingers, "Bones of the fingers: where the surface shows some, or none")
         ->check(CLI::IsMember({"auto", "off", "on"}))
         ->capture_default_str();
+    add_bone_options(*sub, command->bones);
     add_component_option(*sub, command->component);
     sub->add_flag("-q,--quiet", command->quiet, "No warnings but what a licence forbids, and guesses");
     sub->footer("Examples:\n  skelgen rig body.off -o body.glb\n"
                 "  skelgen rig scan.ply -o avatar.vrm --title Ada --author 'A. Maker' --license CC0\n"
-                "  skelgen rig body.off -o body.glb --rest t-pose --names mixamo");
+                "  skelgen rig body.off -o body.glb --rest t-pose --names mixamo\n"
+                "  skelgen rig body.off -o body.fbx --bones engine --twist --names unreal");
     sub->callback([command] { run(*command); });
 }
 

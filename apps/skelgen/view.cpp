@@ -2,10 +2,13 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <skelgen/applications/bone_sections.hpp>
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/extract.hpp>
+#include <skelgen/io/mesh_format.hpp>
+#include <skelgen/io/part_looks.hpp>
 #include <skelgen/io/view_page.hpp>
 
 #include "clip_input.hpp"
@@ -27,40 +30,65 @@ struct ViewCommand {
     std::string clip; ///< empty: none
 };
 
-io::ViewedBody viewed(const BatchItem& item, const TriangleMesh<double>& mesh) {
-    Extraction<double> found = extract(mesh);
-    KinematicSkeleton<double>& skeleton = found.skeleton;
-    const SkeletonTemplate& skeleton_template = builtin_template(skeleton.template_name);
+/// What is shown of a mesh, and what there is to say of it.
+struct Viewed {
+    io::ViewedBody body;
+    std::vector<std::string> repairs;
+};
+
+Viewed viewed(const BatchItem& item, const MeshInput& input) {
+    ExtractOptions options;
+    options.prepare.component = item.component;
+    FittedFile file = fit_file(input, options, true);
+    if (item.component > 0) file = with_own_part(std::move(file));
+    Extraction<double>& found = file.found;
+    const SkeletonTemplate& skeleton_template = builtin_template(found.skeleton.template_name);
     io::ViewedBody body;
     body.name = item.file;
-    body.sections = applications::bone_sections(found.body, skeleton, skeleton_template);
-    body.rig = applications::make_rig(mesh, found.body, skeleton, skeleton_template);
-    KeptLooks kept = keep_looks({item.mesh, {}});
-    body.looks = std::move(kept.looks);
-    if (!kept.warning.empty()) skeleton.quality.warnings.push_back(std::move(kept.warning));
-    body.skeleton = std::move(skeleton);
+    body.source = std::move(file.source);
+    body.sections = applications::bone_sections(found.body, found.skeleton, skeleton_template);
+    body.rig = applications::make_rig(found.mesh, found.body, found.skeleton, skeleton_template);
+    KeptLooks kept = keep_looks(input);
+    body.looks = io::looks_of(kept.looks, file.part);
+    if (!kept.warning.empty()) found.skeleton.quality.warnings.push_back(std::move(kept.warning));
+    body.skeleton = std::move(found.skeleton);
     body.curve = std::move(found.curve);
-    return body;
+    return {std::move(body), std::move(found.body.repairs)};
+}
+
+/// The motion that a body follows: the given one, or the one that its own file has. What is no clip is none.
+std::vector<applications::Animation<double>> motions(const std::optional<ClipInput>& clip, const BatchItem& item,
+                                                     const applications::Rig<double>& rig) {
+    if (clip) return {follow_clip(*clip, rig)};
+    const auto format = io::mesh_format_of(item.mesh);
+    if (!format || *format < io::MeshFormat::glb) return {}; // the others know no motion
+    try {
+        return {follow_clip(load_clip(item.mesh), rig)};
+    } catch (const Error&) { // it was not asked for
+        return {};
+    }
 }
 
 /// A mesh as the page shows it, with or without a skeleton. \throws Error when it cannot be read, or a clip not be
 /// followed.
 std::string shown(const ViewCommand& command, const std::optional<ClipInput>& clip, const BatchItem& item) {
     if (!item.fault.empty()) throw Error(ErrorCode::bad_input, item.fault);
-    const TriangleMesh<double> mesh = load_mesh({item.mesh, {}});
-    io::ViewedBody body;
+    MeshInput input{item.mesh};
+    input.skeleton = command.inputs.skeleton;
+    Viewed found;
     try {
         const WaitingLine waiting(item.mesh.string(), !command.inputs.quiet);
-        body = viewed(item, mesh);
+        found = viewed(item, input);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::no_skeleton && error.code() != ErrorCode::bad_input) throw;
+        const TriangleMesh<double> mesh = load_mesh(input); // what cannot be read is no mesh without a skeleton
         const std::string failure = std::string("no skeleton: ") + error.what();
         print_warning(item.mesh.string() + ": " + failure);
         return io::refused_body_to_json(item.file, failure, mesh);
     }
-    if (clip) body.animations = {follow_clip(*clip, body.rig)};
-    print_warnings(item.mesh, body.skeleton, {}, words_of(command.inputs.quiet));
-    return viewed_body_to_json(body);
+    found.body.animations = motions(clip, item, found.body.rig);
+    print_warnings(item.mesh, found.body.skeleton, found.repairs, words_of(command.inputs.quiet));
+    return viewed_body_to_json(found.body);
 }
 
 void run(const ViewCommand& command) {
@@ -68,6 +96,8 @@ void run(const ViewCommand& command) {
     const std::vector<BatchItem> items = find_items(command.inputs, {});
     for (const BatchItem& item : items) require_different_files(item.mesh, command.output);
     require_folder_of(command.output);
+    if (!command.inputs.skeleton.empty() && are_many(command.inputs, items))
+        throw Error(ErrorCode::usage, "--skeleton: is of one mesh, and there are several; give one alone");
     std::optional<ClipInput> clip;
     if (!command.clip.empty()) clip = load_clip(command.clip);
     std::vector<std::string> bodies;
@@ -99,10 +129,13 @@ void add_view_command(CLI::App& app) {
     add_fitted_inputs(*sub, command->inputs);
     sub->add_option("-o,--output", command->output, "Page to write (.html), whole in itself; - for standard output")
         ->capture_default_str();
-    sub->add_option("--bvh", command->clip, "Motion for the bodies to follow in the page: a BVH file, as in `animate`");
-    sub->footer("The page shows bodies side by side: skeleton, curve, sections, sides, weights; joints can be bent.\n"
-                "What has no skeleton is there, too, and says why.\n\n"
-                "Examples:\n  skelgen view body.off -o body.html\n  skelgen view scans/ --bvh walk.bvh -o scans.html");
+    sub->add_option("--clip,--bvh", command->clip,
+                    "Motion for the bodies to follow in the page, as in `animate` (default: that of their own files)");
+    sub->footer(
+        "The page shows bodies side by side: materials, skeleton, weights; joints can be bent, and moved to where\n"
+        "they belong: the page saves them as a skeleton, which `rig --skeleton` takes.\n"
+        "What has no skeleton is there, too, and says why.\n\n"
+        "Examples:\n  skelgen view body.off -o body.html\n  skelgen view scans/ --bvh walk.bvh -o scans.html");
     sub->callback([command] { run(*command); });
 }
 

@@ -7,6 +7,7 @@ import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js
 import * as colours from "./colours.mjs";
 
 const usual_height = 1.7; // of what is in no known unit, beside bodies in metres
+const in_front = 5; // the order in which what is not surface is drawn: behind all surfaces
 
 function bytes_of(base64) {
   return Uint8Array.from(atob(base64), (character) => character.charCodeAt(0)).buffer;
@@ -15,10 +16,36 @@ function bytes_of(base64) {
 function segments(places, colour, width) {
   const lines = new LineSegments2(
     new LineSegmentsGeometry().setPositions(places),
-    new LineMaterial({ color: colour, linewidth: width }),
+    new LineMaterial({ color: colour, linewidth: width, transparent: true }),
   );
+  lines.renderOrder = in_front;
   lines.frustumCulled = false; // they move with the pose
   return lines;
+}
+
+/// What is drawn before all that is in front, and does no more than forget how far away the surfaces are.
+function curtain() {
+  const mesh = new THREE.Mesh(new THREE.PlaneGeometry(1, 1),
+    new THREE.MeshBasicMaterial({ colorWrite: false, depthWrite: false, depthTest: false, transparent: true }));
+  mesh.renderOrder = in_front - 1;
+  mesh.frustumCulled = false;
+  mesh.onBeforeRender = (renderer) => renderer.clearDepth();
+  return mesh;
+}
+
+/// A round floor that fades towards its edge; from below it is not there.
+function round_floor(radius) {
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = 256;
+  const context = canvas.getContext("2d"), light = context.createRadialGradient(128, 128, 0, 128, 128, 128);
+  for (const [place, alpha] of [[0, 0.3], [0.35, 0.14], [0.97, 0.07], [0.975, 0.22], [0.99, 0.22], [1, 0]])
+    light.addColorStop(place, `rgba(70, 80, 100, ${alpha})`);
+  context.fillStyle = light;
+  context.fillRect(0, 0, 256, 256);
+  const floor = new THREE.Mesh(new THREE.PlaneGeometry(2 * radius, 2 * radius).rotateX(-Math.PI / 2),
+    new THREE.MeshBasicMaterial({ map: new THREE.CanvasTexture(canvas), transparent: true, depthWrite: false }));
+  floor.renderOrder = -1;
+  return floor;
 }
 
 export class Figure {
@@ -31,6 +58,7 @@ export class Figure {
       figure.add_curve();
       figure.add_sections();
       figure.add_frame();
+      figure.inner.add(curtain());
     }
     figure.settle();
     return figure;
@@ -39,10 +67,11 @@ export class Figure {
   constructor(data) {
     this.data = data;
     this.root = new THREE.Group();
+    this.hidden = false;
     this.meshes = [];
     this.bones = [];
     this.clips = [];
-    this.layers = { body: [], skeleton: [], curve: [], sections: [], frame: [] };
+    this.layers = { body: [], skeleton: [], curve: [], sections: [], frame: [], floor: [] };
   }
 
   async add_surface() {
@@ -61,7 +90,10 @@ export class Figure {
       depth.renderOrder = 1;
       mesh.renderOrder = 2;
       const plain = new THREE.MeshLambertMaterial({ vertexColors: true, transparent: true });
-      mesh.userData = { looks: mesh.material, plain, depth, colours: mesh.geometry.attributes.color };
+      mesh.userData = {
+        looks: mesh.material, faded: mesh.material.clone(), plain, depth, colours: mesh.geometry.attributes.color,
+        is_solid: !mesh.material.transparent && mesh.material.alphaTest === 0,
+      };
       mesh.parent.add(depth);
       this.layers.body.push(mesh, depth);
     }
@@ -72,6 +104,7 @@ export class Figure {
     this.rest_places = this.bones.map((bone) => bone.position.clone());
     gltf.scene.updateMatrixWorld(true);
     this.to_bone = this.bones.map((bone) => bone.matrixWorld.clone().invert());
+    this.joints_moved = new Set();
   }
 
   /// A point of the rig in steps, as the page's data have them.
@@ -79,38 +112,66 @@ export class Figure {
     return new THREE.Vector3(...steps).multiplyScalar(this.data.step);
   }
 
+  /// Of all that is shown, as no pose and no scale has changed it.
   size() {
-    return new THREE.Box3().setFromObject(this.meshes[0]).getSize(new THREE.Vector3()).length();
+    const box = new THREE.Box3();
+    for (const mesh of this.meshes) box.union(new THREE.Box3().setFromObject(mesh));
+    return box.getSize(new THREE.Vector3()).length();
   }
 
   /// Joints as balls and bones as spindles, each a child of the node that moves it.
   add_skeleton() {
-    const radius = 0.006 * this.size();
-    const ball = new THREE.SphereGeometry(radius, 16, 12);
-    this.balls = this.bones.map((bone, j) => {
-      const side = this.data.joints[j].side;
-      const mesh = new THREE.Mesh(ball, new THREE.MeshBasicMaterial({ color: colours.sides[side] }));
+    this.radius = 0.006 * this.size();
+    const ball = new THREE.SphereGeometry(this.radius, 16, 12);
+    const spindle = new THREE.CylinderGeometry(0.25 * this.radius, 0.8 * this.radius, 1, 10).translate(0, 0.5, 0);
+    const part = (bone, geometry, side) => {
+      const mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ color: colours.sides[side], transparent: true }));
+      mesh.renderOrder = in_front;
+      mesh.frustumCulled = false;
       bone.add(mesh);
       this.layers.skeleton.push(mesh);
       return mesh;
+    };
+    this.balls = this.bones.map((bone, j) => part(bone, ball, this.data.joints[j].side));
+    this.spindles = this.bones.flatMap((bone, j) => {
+      const children = bone.children.filter((child) => child.isBone).map((child) => this.bones.indexOf(child));
+      return (children.length > 0 ? children : [null]).map((child) =>
+        ({ joint: j, child, mesh: part(bone, spindle, this.data.joints[child ?? j].side) }));
     });
-    this.bones.forEach((bone, j) => {
-      const children = bone.children.filter((child) => child.isBone);
-      const ends = children.map((child) => [child.position, this.data.joints[this.bones.indexOf(child)].side]);
-      if (ends.length === 0)
-        ends.push([this.point(this.data.joints[j].end).applyMatrix4(this.to_bone[j]), this.data.joints[j].side]);
-      for (const [end, side] of ends) {
-        const length = end.length();
-        if (length < radius / 10) continue;
-        const spindle = new THREE.Mesh(
-          new THREE.CylinderGeometry(0.25 * radius, 0.8 * radius, length, 10).translate(0, length / 2, 0),
-          new THREE.MeshBasicMaterial({ color: colours.sides[side] }),
-        );
-        spindle.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), end.clone().normalize());
-        bone.add(spindle);
-        this.layers.skeleton.push(spindle);
-      }
-    });
+    this.lay_spindles();
+  }
+
+  /// From each joint to the next ones, or to the limb's end.
+  lay_spindles() {
+    for (const { joint, child, mesh } of this.spindles) {
+      const end = child === null ? this.point(this.data.joints[joint].end).applyMatrix4(this.to_bone[joint])
+        : this.rest_places[child].clone();
+      const length = end.length();
+      mesh.scale.set(1, Math.max(length, this.radius / 10), 1);
+      mesh.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), end.divideScalar(length || 1));
+    }
+  }
+
+  /// Where a joint is at rest, in the rig's coordinates.
+  joint_place(j) {
+    return new THREE.Vector3().setFromMatrixPosition(this.to_bone[j].clone().invert());
+  }
+
+  /// Puts a joint elsewhere: the surface and all other joints stay where they are. In the pose at rest.
+  move_joint(j, place) {
+    const bone = this.bones[j], before = this.to_bone[j].clone();
+    const rest = before.clone().invert().setPosition(place);
+    const shift = new THREE.Vector3().setFromMatrixPosition(before.clone().multiply(rest)).negate();
+    this.to_bone[j] = rest.clone().invert();
+    const to_parent = this.to_bone[this.bones.indexOf(bone.parent)] ?? new THREE.Matrix4();
+    this.rest_places[j] = place.clone().applyMatrix4(to_parent);
+    this.bones.forEach((child, k) => child.parent === bone && this.rest_places[k].add(shift));
+    const change = this.to_bone[j].clone().multiply(before.invert());
+    for (const skeleton of new Set(this.meshes.filter((mesh) => mesh.isSkinnedMesh).map((mesh) => mesh.skeleton)))
+      skeleton.boneInverses[skeleton.bones.indexOf(bone)].premultiply(change);
+    for (const line of this.layers.sections) if (line.parent === bone) line.position.add(shift);
+    this.lay_spindles();
+    this.bend([]);
   }
 
   add_curve() {
@@ -160,6 +221,10 @@ export class Figure {
       const arrow = new THREE.ArrowHelper(
         new THREE.Vector3(...direction).applyMatrix3(turn).normalize(), new THREE.Vector3(), length,
         colours.frame[name], 0.25 * length, 0.12 * length);
+      for (const part of [arrow.line, arrow.cone]) {
+        part.material.transparent = true;
+        part.renderOrder = in_front;
+      }
       this.bones[0].add(arrow);
       this.layers.frame.push(arrow);
       return { name, arrow, tip: new THREE.Object3D() };
@@ -186,6 +251,17 @@ export class Figure {
       new THREE.Vector3(-size.x / 2, 0, -size.z / 2), new THREE.Vector3(size.x / 2, size.y, size.z / 2));
     this.box.min.multiplyScalar(scale);
     this.box.max.multiplyScalar(scale);
+    // Where the root goes in the clips, there is a floor, too.
+    const ways = this.clips.flatMap(({ tracks }) => tracks.filter(({ name }) => name === `${this.bones[0]?.name}.position`));
+    const way = Math.max(0, ...ways.map(({ values }) => {
+      let far = 0;
+      for (let i = 0; i < values.length; i += 3)
+        far = Math.max(far, Math.hypot(values[i] - values[0], values[i + 2] - values[2]));
+      return far * scale;
+    }));
+    const floor = round_floor(Math.max(0.3 * size.y, 0.6 * Math.max(size.x, size.z)) * scale + way);
+    this.root.add(floor);
+    this.layers.floor.push(floor);
     this.root.updateMatrixWorld(true);
   }
 
@@ -194,8 +270,6 @@ export class Figure {
     this.scheme = scheme;
     for (const mesh of this.meshes) {
       const own = scheme === "looks" && this.data.has_looks;
-      mesh.material = own ? mesh.userData.looks : mesh.userData.plain;
-      mesh.userData.depth.material.visible = !own;
       if (own && mesh.userData.colours) mesh.geometry.setAttribute("color", mesh.userData.colours);
       if (own) continue;
       if (!mesh.isSkinnedMesh || scheme === "plain" || scheme === "looks") colours.paint_plain(mesh.geometry);
@@ -204,10 +278,17 @@ export class Figure {
     }
   }
 
-  /// Colours that say something do not get as faint as the plain one.
+  /// The surface alone: what is in front of it stays as it is. Of a solid one no more than the nearest place is seen.
   fade(opacity) {
-    for (const { userData } of this.meshes)
-      userData.plain.opacity = this.scheme === "plain" ? opacity : Math.max(opacity, 0.75);
+    for (const mesh of this.meshes) {
+      const { looks, faded, plain, depth, is_solid } = mesh.userData;
+      const own = this.scheme === "looks" && this.data.has_looks;
+      plain.opacity = opacity;
+      faded.opacity = looks.opacity * opacity;
+      faded.transparent = true;
+      mesh.material = !own ? plain : opacity < 1 ? faded : looks;
+      depth.material.visible = !own || (is_solid && opacity < 1);
+    }
   }
 
   select(joint) {

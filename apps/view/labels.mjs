@@ -27,10 +27,10 @@ export class Labels {
       return element;
     });
     this.joints = figures.flatMap((figure) => figure.bones.map((bone, j) => ({
-      object: bone, element: label(parent, "joint", figure.data.joints[j].name),
+      figure, object: bone, element: label(parent, "joint", figure.data.joints[j].name),
     })));
     this.directions = figures.flatMap((figure) => (figure.arrows ?? []).map(({ name, tip: end }) => ({
-      object: end, element: label(parent, "joint", name),
+      figure, object: end, element: label(parent, "joint", name),
     })));
   }
 
@@ -38,15 +38,39 @@ export class Labels {
   update(stage, names, frame) {
     this.figures.forEach((figure, i) => {
       const { x, y, z } = figure.root.position;
-      put(this.bodies[i], stage.project(place.set(x, y, z)), "translate(-50%, 14px)");
+      put(this.bodies[i], figure.hidden ? null : stage.project(place.set(x, y, z)), "translate(-50%, 14px)");
       if (this.figures.length > 1) this.fit(this.bodies[i], stage, figure);
     });
-    const of = (labels, shown) => {
-      for (const { object, element } of labels)
-        put(element, shown ? stage.project(place.setFromMatrixPosition(object.matrixWorld)) : null, "translate(6px, -50%)");
-    };
-    of(this.joints, names);
-    of(this.directions, frame);
+    const wanted = [...(names ? this.joints : []), ...(frame ? this.directions : [])];
+    for (const one of [...this.joints, ...this.directions]) if (!wanted.includes(one)) one.element.hidden = true;
+    this.lay(stage, wanted);
+  }
+
+  /// Each name beside its joint, away from the body's middle where no other is yet, or a little higher or lower; the nearest
+  /// come first. Where there is no room for one, it is left out.
+  lay(stage, labels) {
+    const laid = [];
+    for (const figure of this.figures)
+      figure.middle = figure.bones.length > 0
+        ? stage.project(place.setFromMatrixPosition(figure.bones[0].matrixWorld))?.x ?? null : null;
+    const seen = labels.map((one) => {
+      one.at = one.figure.hidden ? null : stage.project(place.setFromMatrixPosition(one.object.matrixWorld));
+      one.element.hidden = one.at === null;
+      one.far = stage.camera.position.distanceToSquared(place);
+      return one;
+    }).filter((one) => one.at).sort((a, b) => a.far - b.far);
+    for (const one of seen) one.size ??= { x: one.element.offsetWidth, y: one.element.offsetHeight };
+    for (const { figure, at, element, size } of seen) {
+      const outward = figure.middle !== null && at.x < figure.middle ? [-6 - size.x, 6] : [6, -6 - size.x];
+      const spots = [0, 1, -1, 2, -2].flatMap((row) => outward.map((x) =>
+        ({ left: at.x + x, right: at.x + x + size.x, top: at.y + (row - 0.5) * size.y, bottom: at.y + (row + 0.5) * size.y })));
+      const spot = spots.find((a) => !laid.some((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom));
+      [element.dataset.x, element.dataset.y] = [at.x.toFixed(1), at.y.toFixed(1)];
+      element.hidden = !spot;
+      if (!spot) continue;
+      laid.push(spot);
+      put(element, { x: spot.left, y: spot.top }, "");
+    }
   }
 
   /// A body's text does not run into those beside it: names are cut short, and without room for a reason, the list has it.
@@ -63,7 +87,7 @@ export class Labels {
   /// The joint nearest to a place on the canvas within `reach` pixels, in front of others at about the same place.
   pick(stage, x, y, reach) {
     let best = null;
-    for (const figure of this.figures)
+    for (const figure of this.figures.filter(({ hidden }) => !hidden))
       figure.bones.forEach((bone, joint) => {
         const at = stage.project(place.setFromMatrixPosition(bone.matrixWorld));
         const distance = at ? Math.hypot(at.x - x, at.y - y) : Infinity;

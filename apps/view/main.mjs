@@ -1,5 +1,6 @@
 // The page of `skelgen view`: reads the bodies that it holds and shows them side by side.
 import * as THREE from "three";
+import { JointDrag } from "./drag.mjs";
 import { Figure } from "./figure.mjs";
 import { Labels } from "./labels.mjs";
 import { Panel } from "./panel.mjs";
@@ -40,19 +41,27 @@ class Viewer {
     this.poses = new Poses(figures);
     this.joints = figures.find((figure) => figure.data.joints)?.data.joints ?? [];
     this.has_looks = figures.some((figure) => figure.data.has_looks);
-    this.shown = { body: true, skeleton: true, curve: true, sections: false, frame: false, names: false };
-    this.scheme = "plain";
-    this.opacity = 0.45;
+    this.shown = { body: true, skeleton: true, floor: true, curve: false, sections: false, frame: false, names: false };
+    this.scheme = this.has_looks ? "looks" : "plain";
+    this.opacity = this.has_looks ? 1 : 0.6;
     this.joint = 0;
+    this.current = figures.find((figure) => figure.data.joints); // whose joints are moved
     this.stage = new Stage(document.getElementById("canvas"), (seconds) => this.before_frame(seconds));
     this.box = this.line_up();
     this.labels = new Labels(document.getElementById("labels"), document.getElementById("tip"), figures);
+    this.drag = new JointDrag(this.stage, {
+      find: (event) => this.find(event),
+      begin: () => (this.poses.clip !== null || this.poses.bends.length > 0) && this.poses.rest(),
+      taken: (figure, joint) => this.choose(figure, joint),
+      changed: () => this.changed(),
+    });
     this.panel = new Panel(this);
     this.follow_pointer();
     for (const layer of Object.keys(this.shown)) this.apply_layer(layer);
     this.select(this.joint);
     this.recolour();
     this.see_all();
+    if (!window.matchMedia("(prefers-reduced-motion: reduce)").matches) this.play();
   }
 
   /// Side by side along x, the first on the viewer's left; many in rows, one above the other. \returns the box of all.
@@ -125,6 +134,37 @@ class Viewer {
     this.changed();
   }
 
+  choose(figure, joint) {
+    this.current = figure;
+    this.select(joint);
+  }
+
+  edit() {
+    if (!this.current) return;
+    this.drag.on = !this.drag.on;
+    this.stage.canvas.classList.toggle("editing", this.drag.on);
+    if (this.drag.on) this.poses.rest(); // the skeleton is put right where it was found
+    this.changed();
+  }
+
+  mirror() {
+    if (this.drag.on) this.drag.mirror(this.current, this.joint);
+  }
+
+  hide(figure, hidden) {
+    figure.hidden = hidden;
+    figure.root.visible = !hidden;
+    this.changed();
+  }
+
+  /// One body, as large as can be; what hides it is undone.
+  focus(figure) {
+    this.focused = figure;
+    if (figure.data.joints) this.current = figure;
+    this.stage.front(figure.box.clone().translate(figure.root.position));
+    this.hide(figure, false);
+  }
+
   bend(turns) {
     this.poses.bend(this.joint, turns);
     this.changed();
@@ -155,25 +195,29 @@ class Viewer {
   }
 
   see_all() {
+    this.focused = null;
     this.stage.front(this.box);
+    this.changed();
+  }
+
+  /// The joint under a mouse, or near a finger.
+  find(event) {
+    const { left, top } = this.stage.canvas.getBoundingClientRect();
+    return this.labels.pick(this.stage, event.clientX - left, event.clientY - top, event.pointerType === "touch" ? 28 : 14);
   }
 
   /// A mouse finds joints by passing, a finger by touching; both choose by a click.
   follow_pointer() {
-    const canvas = document.getElementById("canvas");
-    const find = (event) => {
-      const { left, top } = canvas.getBoundingClientRect();
-      return this.labels.pick(this.stage, event.clientX - left, event.clientY - top, event.pointerType === "touch" ? 28 : 14);
-    };
-    canvas.addEventListener("pointermove", (event) => event.buttons === 0 && this.labels.tell(find(event)));
+    const { canvas } = this.stage;
+    canvas.addEventListener("pointermove", (event) => event.buttons === 0 && this.labels.tell(this.find(event)));
     canvas.addEventListener("pointerleave", (event) => event.pointerType !== "touch" && this.labels.tell(null)); // a lifted finger leaves, too
     let pressed = null;
     canvas.addEventListener("pointerdown", (event) => { pressed = { x: event.clientX, y: event.clientY }; });
     canvas.addEventListener("pointerup", (event) => {
       if (!pressed || Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > 6) return; // it was a turn
-      const found = find(event);
+      const found = this.find(event);
       this.labels.tell(found);
-      if (found) this.select(found.joint);
+      if (found) this.choose(found.figure, found.joint);
     });
   }
 }

@@ -1,12 +1,22 @@
 // The controls beside the picture. They change the state and say what changed; keys do the same.
-const layers = [["body", "b"], ["skeleton", "s"], ["curve", "c"], ["sections", "x"], ["frame", "f"], ["names", "n"]];
-const schemes = [["plain", "1"], ["sides", "2"], ["weights", "3"], ["looks", "4"]];
+const layers = [["body", "b", "Body"], ["skeleton", "s", "Skeleton"], ["names", "n", "Names"], ["floor", "g", "Floor"],
+  ["curve", "c", "Curve"], ["sections", "x", "Sections"], ["frame", "f", "Directions"]];
+const schemes = [["looks", "4", "Materials"], ["plain", "1", "Plain"], ["sides", "2", "Sides"], ["weights", "3", "Weights"]];
 const keys = [
-  ["b s c x f n", "body, skeleton, curve, sections, frame, names"], ["1 2 3 4", "colours"], ["[ ]", "joint before, after"],
-  ["arrows, + \u2212", "turn, zoom"], ["0", "see all"], ["r", "pose at rest"], ["space", "play"], ["m", "controls"],
+  ["b s n g c x f", "body, skeleton, names, floor, curve, sections, directions"],
+  ["1 2 3 4", "plain, sides, weights, materials"], ["[ ]", "joint before, after"], ["arrows", "turn; move the joint"],
+  ["+ \u2212", "zoom"], ["0", "see all"], ["r", "rest pose"], ["e", "move joints"], ["k", "mirror the joint"],
+  ["ctrl z", "undo; with shift redo"], ["space", "play"], ["m", "controls"],
 ];
 const axes = ["bend", "twist", "swing"];
 const axis_index = { bend: 0, twist: 1, swing: 2 }; // about x, y (the bone) and z
+const by_finger = window.matchMedia("(pointer: coarse)").matches;
+const hints = {
+  look: by_finger ? "Drag to turn, two fingers to zoom and move, tap a joint to choose it"
+    : "Drag to turn, wheel to zoom, right button to move, click a joint to choose it",
+  edit: by_finger ? "Drag a joint to where it belongs; drag beside it to turn"
+    : "Drag a joint to where it belongs, or move it by the arrow keys; drag beside it to turn",
+};
 
 const element = (id) => document.getElementById(id);
 
@@ -19,32 +29,39 @@ function add(parent, tag, text, attributes = {}) {
 }
 
 const degrees = (radians) => Math.round((radians * 180) / Math.PI);
+const on_click = (id, act) => element(id).addEventListener("click", act);
 
 export class Panel {
   /// `viewer` has the state and does what is asked for.
   constructor(viewer) {
     this.viewer = viewer;
     this.layer_buttons = this.buttons("layers", layers, (name) => viewer.toggle(name));
-    this.colour_buttons = this.buttons("colours", viewer.has_looks ? schemes : schemes.slice(0, 3), (name) => viewer.colour(name));
+    this.colour_buttons = this.buttons("colours", viewer.has_looks ? schemes : schemes.slice(1), (name) => viewer.colour(name));
     element("opacity").addEventListener("input", (event) => viewer.set_opacity(Number(event.target.value)));
-    for (const { name } of viewer.joints) add(element("joint"), "option", name);
+    for (const { name } of viewer.joints) add(element("joint"), "option", name.replaceAll("_", " "), { value: name });
+    element("joints").hidden = viewer.joints.length === 0;
     element("joint").addEventListener("change", (event) => viewer.select(event.target.selectedIndex));
     for (const axis of axes) element(axis).addEventListener("input", () => viewer.bend(this.turns()));
-    element("rest").addEventListener("click", () => viewer.rest());
+    on_click("rest", () => viewer.rest());
+    on_click("edit", () => viewer.edit());
+    on_click("undo", () => viewer.drag.undo());
+    on_click("redo", () => viewer.drag.redo());
+    on_click("mirror", () => viewer.mirror());
+    on_click("save", () => viewer.drag.save(viewer.current));
     for (const [key, what] of keys) {
       add(element("keys"), "dt", key);
       add(element("keys"), "dd", what);
     }
-    element("fold").addEventListener("click", () => this.fold());
-    this.list_bodies();
+    on_click("fold", () => this.fold());
+    this.rows = viewer.figures.map((figure) => this.list(figure));
     this.offer_clips();
     window.addEventListener("keydown", (event) => this.key(event));
     if (window.innerWidth <= 700) this.fold(); // bodies first
   }
 
   buttons(id, names, act) {
-    return new Map(names.map(([name, key]) => {
-      const button = add(element(id), "button", name, { "aria-pressed": "false", title: `Key ${key}` });
+    return new Map(names.map(([name, key, text]) => {
+      const button = add(element(id), "button", text, { "aria-pressed": "false", title: `Key ${key}` });
       button.addEventListener("click", () => act(name));
       return [name, button];
     }));
@@ -55,22 +72,35 @@ export class Panel {
     element("fold").setAttribute("aria-expanded", String(!folded));
   }
 
-  list_bodies() {
-    for (const { data } of this.viewer.figures) {
-      const item = add(element("bodies-list"), "li", data.name);
-      if (data.failure) add(item, "small", data.failure, { class: "failure" });
-      else add(item, "small", `${data.faces} faces, sides ${data.sides_confidence.toFixed(2)} sure`);
-      for (const warning of data.warnings ?? []) add(item, "small", warning, { class: "warning" });
+  /// A body's line: its name brings it near, beside it is what hides it.
+  list(figure) {
+    const { data } = figure, { viewer } = this;
+    const item = add(element("bodies-list"), "li", "");
+    const row = add(item, "div", "", { class: "row" });
+    const name = add(row, "button", data.name, { class: "name", title: `See ${data.name} alone` });
+    name.addEventListener("click", () => viewer.focus(figure));
+    const eye = add(row, "button", "Hide", { class: "eye" });
+    eye.addEventListener("click", () => viewer.hide(figure, !figure.hidden));
+    const say = (text, attributes) => add(item, "small", text, attributes);
+    if (data.failure) say(data.failure, { class: "failure" });
+    else say(`${data.faces.toLocaleString("en")} faces, ${Math.round(100 * data.sides_confidence)} % sure`);
+    const warnings = data.warnings ?? [];
+    if (warnings.length > 0) {
+      const notes = add(item, "details", "");
+      add(notes, "summary", warnings.length === 1 ? "1 note" : `${warnings.length} notes`);
+      for (const warning of warnings) add(notes, "small", warning, { class: "warning" });
     }
+    return { figure, item, name, eye };
   }
 
   offer_clips() {
     const names = this.viewer.poses.clips();
     element("motion").hidden = names.length === 0;
     for (const name of names) add(element("clip"), "option", name);
+    element("clip").hidden = names.length < 2;
     element("clip").addEventListener("change", () => this.viewer.choose_clip(element("clip").value));
     element("time").addEventListener("input", (event) => this.viewer.scrub(Number(event.target.value)));
-    element("play").addEventListener("click", () => this.viewer.play());
+    on_click("play", () => this.viewer.play());
   }
 
   turns() {
@@ -81,9 +111,11 @@ export class Panel {
 
   /// Shows the state as it is.
   update() {
-    const { viewer } = this;
+    const { viewer } = this, { drag, poses } = viewer;
     for (const [name, button] of this.layer_buttons) button.setAttribute("aria-pressed", String(viewer.shown[name]));
     for (const [name, button] of this.colour_buttons) button.setAttribute("aria-pressed", String(viewer.scheme === name));
+    element("opacity").value = String(viewer.opacity);
+    document.querySelector('output[for="opacity"]').textContent = `${Math.round(100 * viewer.opacity)} %`;
     element("joint").selectedIndex = viewer.joint;
     const turns = viewer.poses.bend_of(viewer.joint);
     for (const axis of axes) {
@@ -91,10 +123,29 @@ export class Panel {
       element(axis).value = String(value);
       document.querySelector(`output[for="${axis}"]`).textContent = `${value}\u00b0`;
     }
-    const { poses } = viewer;
+    for (const { figure, item, name, eye } of this.rows) {
+      item.classList.toggle("hidden", figure.hidden);
+      name.setAttribute("aria-current", String(this.rows.length > 1 && figure === viewer.focused));
+      eye.textContent = figure.hidden ? "Show" : "Hide";
+      eye.setAttribute("aria-label", `${eye.textContent} ${figure.data.name}`);
+    }
     element("play").setAttribute("aria-pressed", String(poses.playing));
     element("play").textContent = poses.playing ? "Pause" : "Play";
+    element("hint").textContent = drag.on ? hints.edit : hints.look;
+    element("edit").setAttribute("aria-pressed", String(drag.on));
+    element("editing").hidden = !drag.on;
+    if (drag.on) this.show_moves();
     this.show_time();
+  }
+
+  show_moves() {
+    const { drag, current, joints, joint, figures } = this.viewer;
+    const moved = current.joints_moved.size, of = figures.length > 1 ? ` of ${current.data.name}` : "";
+    element("moved").textContent = `${moved === 0 ? "No joint" : moved === 1 ? "1 joint" : `${moved} joints`}${of} moved`;
+    element("undo").disabled = drag.done.length === 0;
+    element("redo").disabled = drag.undone.length === 0;
+    element("mirror").disabled = joints[joint].side === "none";
+    element("save").disabled = !current.data.skeleton;
   }
 
   show_time() {
@@ -103,26 +154,31 @@ export class Panel {
   }
 
   key(event) {
+    const { viewer } = this;
+    if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z" && viewer.drag.on) {
+      event.preventDefault();
+      return event.shiftKey ? viewer.drag.redo() : viewer.drag.undo();
+    }
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const on_control = ["INPUT", "SELECT"].includes(event.target.tagName);
-    const { viewer } = this;
     const layer = layers.find(([, key]) => key === event.key);
     const scheme = schemes.find(([, key]) => key === event.key);
     const acts = {
       "[": () => viewer.select(viewer.joint - 1), "]": () => viewer.select(viewer.joint + 1),
       "+": () => viewer.stage.zoom(0.85), "-": () => viewer.stage.zoom(1 / 0.85),
-      "0": () => viewer.see_all(), r: () => viewer.rest(), m: () => this.fold(),
+      "0": () => viewer.see_all(), r: () => viewer.rest(), m: () => this.fold(), e: () => viewer.edit(),
+      k: () => viewer.mirror(),
     };
     // On a slider or a list these keys are its own.
     const own = on_control || event.target.tagName === "BUTTON" ? {} : { " ": () => viewer.play() };
-    const turn = 0.1;
-    const turns = on_control ? {} : {
-      ArrowLeft: () => viewer.stage.orbit(-turn, 0), ArrowRight: () => viewer.stage.orbit(turn, 0),
-      ArrowUp: () => viewer.stage.orbit(0, -turn), ArrowDown: () => viewer.stage.orbit(0, turn),
-    };
-    const act = layer ? () => viewer.toggle(layer[0])
+    const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+    const step = event.shiftKey ? 0.02 : 0.004, turn = 0.1; // of the picture's height; radians
+    const arrow = on_control ? null : arrows[event.key];
+    const act = arrow ? () => viewer.drag.on ? viewer.drag.nudge(viewer.current, viewer.joint, arrow[0] * step, arrow[1] * step)
+        : viewer.stage.orbit(arrow[0] * turn, -arrow[1] * turn)
+      : layer ? () => viewer.toggle(layer[0])
       : scheme && this.colour_buttons.has(scheme[0]) ? () => viewer.colour(scheme[0])
-      : { ...acts, ...own, ...turns }[event.key];
+      : { ...acts, ...own }[event.key];
     if (!act) return;
     event.preventDefault();
     act();

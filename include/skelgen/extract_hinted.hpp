@@ -26,7 +26,8 @@ template <typename Scalar>
 /// exchanged; that which is likeliest by itself and has its joints nearest to the hints is taken and bent to them
 /// (`bent_to`). However unlikely it is, it is an answer: its confidence says what it would be worth without hints.
 /// Hinted joints have a confidence of 1. Takes as long as a search that does not find anything.
-/// \throws Error as `extract` and `bent_to`; NoSkeleton when there is no candidate at all.
+/// \throws Error as `extract` and `bent_to`; usage when a hint is far outside of the mesh; NoSkeleton when there is no
+/// candidate at all.
 template <typename Scalar>
 [[nodiscard]] Extraction<Scalar> extract_hinted(TriangleMesh<Scalar> mesh, const std::vector<Hint>& hints,
                                                 const ExtractOptions& options = {});

@@ -11,6 +11,7 @@
 
 #if SKELGEN_WITH_ASSIMP
 #include <array>
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -149,6 +150,7 @@ public:
         for (std::size_t i = 0; i < list_.sources.size(); ++i)
             for (unsigned k = 0; k < list_.sources[i]->mNumMeshes; ++k)
                 add_mesh(*scene_->mMeshes[list_.sources[i]->mMeshes[k]], matrices_[i]);
+        if (mesh_.sizes.empty() && mesh_.placeless > 0) refuse("has no vertex at a finite place; export it again");
         if (mesh_.sizes.empty()) refuse("shows no mesh; export the scene again, with the body's mesh");
         return std::move(mesh_);
     }
@@ -162,6 +164,7 @@ private:
             const Eigen::Vector3d posed = influences[i].empty() ? transformed(stored, node_matrix)
                                                                 : skinned(stored, influences[i], joint_matrices_);
             positions.push_back({posed[0], posed[1], posed[2]});
+            if (!posed.allFinite()) ++mesh_.placeless;
         }
         const bool mirrored = mesh.mNumBones == 0 && node_matrix.topLeftCorner<3, 3>().determinant() < 0;
         for (unsigned i = 0; i < mesh.mNumFaces; ++i) add_face(mesh.mFaces[i], positions, mirrored);
@@ -188,10 +191,13 @@ private:
     void add_face(const aiFace& face, const std::vector<std::array<double, 3>>& positions, bool mirrored) {
         if (face.mNumIndices < 3) return; // points and lines
         for (unsigned k = 0; k < face.mNumIndices; ++k) {
-            const unsigned corner = face.mIndices[mirrored ? face.mNumIndices - 1 - k : k];
+            const unsigned corner = face.mIndices[k];
             if (corner >= positions.size()) refuse("has a face that names a vertex that does not exist");
-            merger_.add_corner(positions[corner]);
+            const auto& position = positions[corner];
+            if (!std::all_of(position.begin(), position.end(), [](double x) { return std::isfinite(x); })) return;
         }
+        for (unsigned k = 0; k < face.mNumIndices; ++k)
+            merger_.add_corner(positions[face.mIndices[mirrored ? face.mNumIndices - 1 - k : k]]);
         mesh_.sizes.push_back(static_cast<int>(face.mNumIndices));
     }
 

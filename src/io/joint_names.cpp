@@ -17,13 +17,20 @@ struct Convention {
     std::array<std::string_view, 13> roles;                ///< in the order of JointRole; empty: the joint's own
     std::array<std::string_view, 5> digits;                ///< thumb first
     std::array<std::string_view, 3> of_thumb, of_a_finger; ///< behind a digit's name, from the hand to the tip
+    /// Of `engine_bones`, and the chest's where there is an upper one; empty: their own.
+    std::array<std::string_view, 6> extra;
+    std::string_view lower_chest;
 };
+
+/// What applications::with_engine_bones adds, without sides.
+constexpr std::array<std::string_view, 6> engine_bones{"root",          "upper_chest", "clavicle", "upper_arm_twist",
+                                                       "forearm_twist", "thigh_twist"};
 
 /// In the order of JointNames. From: SMPL and SMPL-X, joint_names.py of the smplx package; Mixamo, its skeleton without
 /// the prefix of its files; VRM, its specification of humanoids, 1.0; Unity, the enumeration HumanBodyBones; Godot,
 /// SkeletonProfileHumanoid of 4.x; Unreal, the skeleton of its mannequin; Rigify, its human meta-rig.
 constexpr std::array<Convention, 9> conventions{
-    {{"skelgen", {}, {}, {}, {}, {}, {}},
+    {{"skelgen", {}, {}, {}, {}, {}, {}, {}, {}},
      {"smpl",
       {"left_", "right_"},
       {},
@@ -31,7 +38,9 @@ constexpr std::array<Convention, 9> conventions{
        "foot"},
       {"thumb", "index", "middle", "ring", "pinky"}, // SMPL-H
       {"1", "2", "3"},
-      {"1", "2", "3"}},
+      {"1", "2", "3"},
+      {"", "spine3", "collar", "", "", ""},
+      "spine2"},
      {"mixamo",
       {"Left", "Right"},
       {},
@@ -39,7 +48,9 @@ constexpr std::array<Convention, 9> conventions{
        "ToeBase"},
       {"HandThumb", "HandIndex", "HandMiddle", "HandRing", "HandPinky"},
       {"1", "2", "3"},
-      {"1", "2", "3"}},
+      {"1", "2", "3"},
+      {"", "Spine2", "Shoulder", "", "", ""},
+      "Spine1"},
      {"vrm",
       {"left", "right"},
       {},
@@ -47,7 +58,9 @@ constexpr std::array<Convention, 9> conventions{
        "LowerLeg", "Foot", "Toes"},
       {"Thumb", "Index", "Middle", "Ring", "Little"},
       {"Metacarpal", "Proximal", "Distal"},
-      {"Proximal", "Intermediate", "Distal"}},
+      {"Proximal", "Intermediate", "Distal"},
+      {"", "upperChest", "Shoulder", "", "", ""},
+      "chest"},
      {"smplx",
       {"left_", "right_"},
       {},
@@ -55,7 +68,9 @@ constexpr std::array<Convention, 9> conventions{
        "foot"},
       {"thumb", "index", "middle", "ring", "pinky"},
       {"1", "2", "3"},
-      {"1", "2", "3"}},
+      {"1", "2", "3"},
+      {"", "spine3", "collar", "", "", ""},
+      "spine2"},
      {"unity",
       {"Left", "Right"},
       {},
@@ -63,7 +78,9 @@ constexpr std::array<Convention, 9> conventions{
        "LowerLeg", "Foot", "Toes"},
       {"Thumb", "Index", "Middle", "Ring", "Little"},
       {"Proximal", "Intermediate", "Distal"}, // of the same bones that VRM names by what they are
-      {"Proximal", "Intermediate", "Distal"}},
+      {"Proximal", "Intermediate", "Distal"},
+      {"", "UpperChest", "Shoulder", "", "", ""},
+      "Chest"},
      {"godot",
       {"Left", "Right"},
       {},
@@ -71,7 +88,9 @@ constexpr std::array<Convention, 9> conventions{
        "LowerLeg", "Foot", "Toes"},
       {"Thumb", "Index", "Middle", "Ring", "Little"},
       {"Metacarpal", "Proximal", "Distal"},
-      {"Proximal", "Intermediate", "Distal"}},
+      {"Proximal", "Intermediate", "Distal"},
+      {"Root", "UpperChest", "Shoulder", "", "", ""},
+      "Chest"},
      {"unreal",
       {},
       {"_l", "_r"},
@@ -79,7 +98,9 @@ constexpr std::array<Convention, 9> conventions{
        "calf", "foot", "ball"},
       {"thumb", "index", "middle", "ring", "pinky"},
       {"_01", "_02", "_03"},
-      {"_01", "_02", "_03"}},
+      {"_01", "_02", "_03"},
+      {"root", "spine_03", "clavicle", "upperarm_twist_01", "lowerarm_twist_01", "thigh_twist_01"},
+      "spine_02"},
      {"rigify",
       {},
       {".L", ".R"},
@@ -87,7 +108,9 @@ constexpr std::array<Convention, 9> conventions{
        "thigh", "shin", "foot", "toe"},
       {"thumb", "f_index", "f_middle", "f_ring", "f_pinky"},
       {".01", ".02", ".03"},
-      {".01", ".02", ".03"}}}};
+      {".01", ".02", ".03"},
+      {"root", "spine.003", "shoulder", "", "", ""},
+      "spine.002"}}};
 
 const Convention& convention_of(JointNames names) { return conventions.at(static_cast<std::size_t>(names)); }
 
@@ -107,9 +130,20 @@ std::string digit_name(const applications::RigJoint<double>& joint, JointNames n
     return with_side(convention, joint.side, name.append(parts.at(found->number - 1)));
 }
 
+/// Which of `engine_bones` a joint is; none for another one.
+std::optional<std::size_t> engine_bone(const applications::RigJoint<double>& joint) {
+    const auto* const found = std::find(engine_bones.begin(), engine_bones.end(), split_side(joint.name).plain);
+    if (found == engine_bones.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - engine_bones.begin());
+}
+
 } // namespace
 
 std::string name_of(const applications::RigJoint<double>& joint, JointNames names) {
+    if (const auto bone = engine_bone(joint)) {
+        const std::string_view name = convention_of(names).extra.at(*bone);
+        return name.empty() ? joint.name : with_side(convention_of(names), joint.side, name);
+    }
     if (const std::string name = digit_name(joint, names); !name.empty()) return name;
     const std::string_view role = convention_of(names).roles.at(static_cast<std::size_t>(joint.role));
     return role.empty() ? joint.name : with_side(convention_of(names), joint.side, role);
@@ -130,8 +164,13 @@ std::vector<std::string> joint_names() {
 
 std::vector<std::string> names_of(const std::vector<applications::RigJoint<double>>& joints, JointNames names) {
     std::vector<std::string> out;
+    const std::string_view lower_chest = convention_of(names).lower_chest;
+    const bool has_two_chests =
+        !lower_chest.empty() &&
+        std::any_of(joints.begin(), joints.end(), [](const auto& joint) { return joint.name == "upper_chest"; });
     for (const auto& joint : joints) {
-        const std::string name = name_of(joint, names);
+        const bool is_lower = has_two_chests && joint.role == JointRole::chest && !engine_bone(joint);
+        const std::string name = is_lower ? std::string(lower_chest) : name_of(joint, names);
         // Where there are fingers, the middle of the knuckles is no bone of theirs.
         const bool is_taken = std::find(out.begin(), out.end(), name) != out.end() ||
                               std::any_of(joints.begin(), joints.end(), [&](const auto& other) {

@@ -32,6 +32,7 @@ std::string to_bytes(const PolygonMesh& mesh) {
     append(bytes, mesh.coordinates);
     append(bytes, mesh.corners);
     append(bytes, mesh.sizes);
+    append(bytes, std::vector<int>{mesh.placeless});
     return bytes;
 }
 
@@ -41,6 +42,8 @@ PolygonMesh polygons_from_bytes(std::string_view bytes) {
     mesh.coordinates = take<double>(reader);
     mesh.corners = take<int>(reader);
     mesh.sizes = take<int>(reader);
+    const std::vector<int> placeless = take<int>(reader);
+    mesh.placeless = placeless.empty() ? 0 : placeless.front();
     return mesh;
 }
 

@@ -53,7 +53,11 @@ PolygonMesh read_polygons(std::string_view content, const ReadMeshOptions& optio
     const Encoding encoding = detail::encoding_of(content, options.format);
     if (!options.animation.empty() && !is_scene(encoding))
         throw Error(ErrorCode::usage, "has no animations: its format is none for scenes; leave the option out");
-    return parse(content, encoding, options, load);
+    PolygonMesh mesh = parse(content, encoding, options, load);
+    if (options.tell && mesh.placeless > 0)
+        options.tell(std::to_string(mesh.placeless) + (mesh.placeless == 1 ? " corner" : " corners") +
+                     " without a finite place left out, with their faces");
+    return mesh;
 }
 
 /// As `read_polygons`. Errors may quote what the file holds: their text is valid UTF-8 whatever that is.

@@ -39,7 +39,9 @@ Json describe_humanoid(const std::vector<std::string>& names, const std::vector<
                        const std::vector<RigJoint<double>>& joints) {
     Json bones;
     for (std::size_t j = 0; j < names.size(); ++j)
-        if (names[j] == name_of(joints[j], JointNames::vrm)) bones[names[j]] = {{"node", nodes[j]}};
+        // A root on the floor and bones of twists are no bones of a humanoid.
+        if (names[j] == name_of(joints[j], JointNames::vrm) && names[j] != "root" && !names[j].ends_with("_twist"))
+            bones[names[j]] = {{"node", nodes[j]}};
     for (const char* bone : bones_of_a_humanoid)
         if (!bones.contains(bone))
             refuse(std::string("VRM asks for the bone ") + bone + ", which it has not; write GLB");
@@ -74,7 +76,7 @@ MotionClip clip_of(const Rig<double>& rig, const std::vector<std::string>& names
             out.offset = scale * (joint.position - rig.joints[static_cast<std::size_t>(joint.parent)].position);
         const bool is_last = std::none_of(rig.joints.begin(), rig.joints.end(),
                                           [&](const auto& other) { return other.parent == static_cast<int>(j); });
-        if (is_last && ends_limb(joint.role)) out.end = scale * (joint.end - joint.position);
+        if (is_last) out.end = scale * (joint.end - joint.position);
         clip.joints.push_back(std::move(out));
     }
     clip.frames.setZero(1, static_cast<Eigen::Index>(3 + 3 * rig.joints.size()));

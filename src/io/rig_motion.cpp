@@ -34,6 +34,17 @@ FloatRows places_of(const Animation<double>& animation) {
     return rows;
 }
 
+/// Where the hips are in each frame on the root that carries them.
+FloatRows lifts_of(const Animation<double>& animation, const Eigen::Vector3d& at_rest) {
+    FloatRows rows(static_cast<Eigen::Index>(animation.frames.size()), 3);
+    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+        const double lift = animation.frames[static_cast<std::size_t>(i)].lift;
+        rows.row(i) = (at_rest + lift * Eigen::Vector3d::UnitY()).cast<float>().transpose();
+    }
+    if (!rows.allFinite()) refuse(animation, "a place is too large for a float");
+    return rows;
+}
+
 /// How a joint is turned within its parent in each frame. Of the two quaternions of a rotation that which is nearer to
 /// the frame before, so that also a reader which blends them number by number takes the short way.
 FloatRows turns_of(const Animation<double>& animation, std::size_t joint, int parent) {
@@ -63,7 +74,11 @@ Json describe_animation(RigScene& scene, const Rig<double>& rig, const Animation
                             {"interpolation", "LINEAR"}});
     };
     for (std::size_t j = 0; j < rig.joints.size(); ++j) {
-        if (rig.joints[j].parent < 0) add(j, "translation", places_of(animation));
+        const applications::RigJoint<double>& joint = rig.joints[j];
+        if (joint.parent < 0)
+            add(j, "translation", places_of(animation));
+        else if (joint.role == JointRole::pelvis) // on a root that is on the floor, and is not turned
+            add(j, "translation", lifts_of(animation, joint.position - rig.joints.front().position));
         add(j, "rotation", turns_of(animation, j, rig.joints[j].parent));
     }
     return {{"name", valid_utf8(animation.name)}, {"samplers", std::move(samplers)}, {"channels", std::move(channels)}};

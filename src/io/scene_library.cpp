@@ -16,6 +16,7 @@
 
 #include <skelgen/core/error.hpp>
 
+#include "fbx_names.hpp"
 #include "loaded_library.hpp"
 
 namespace skelgen::io::detail {
@@ -101,6 +102,15 @@ void with_imported_scene(std::string_view bytes, const char* extension, const st
     assimp.function<decltype(aiSetImportPropertyInteger)>("aiSetImportPropertyInteger")(
         properties.get(), AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, pivots == Pivots::several_nodes ? 1 : 0);
 
+    std::string renamed;
+    if (std::string_view(extension) == "fbx") {
+        constexpr int first_read = 7100;
+        if (const int version = version_of_fbx(bytes); version > 0 && version < first_read)
+            refuse("is FBX " + std::to_string(version / 1000) + '.' + std::to_string(version / 100 % 10) +
+                   ", and FBX is read from 7.1 on, of 2011; open and export it again, as FBX of today or GLB");
+        renamed = with_names_apart(bytes);
+        bytes = renamed;
+    }
     SceneFile file(bytes);
     const std::unique_ptr<const aiScene, decltype(release)> scene(
         import(SceneFile::name(extension).c_str(), static_cast<unsigned>(aiProcess_RemoveComponent), &file.files(),

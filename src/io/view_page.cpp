@@ -11,6 +11,7 @@
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/io/rig_formats.hpp>
+#include <skelgen/io/skeleton_json.hpp>
 #include <skelgen/io/write_mesh.hpp>
 
 #include "base64.hpp"
@@ -55,6 +56,14 @@ public:
     [[nodiscard]] Json direction(const Eigen::Vector3d& d) const {
         const Eigen::Vector3d turned = (transform_.linear() * d).normalized();
         return {turned[0], turned[1], turned[2]};
+    }
+
+    /// The way back, as three rows of four.
+    [[nodiscard]] Json to_input() const {
+        const Eigen::Matrix4d back = transform_.inverse().matrix();
+        Json rows = Json::array();
+        for (Eigen::Index i = 0; i < 3; ++i) rows.push_back({back(i, 0), back(i, 1), back(i, 2), back(i, 3)});
+        return rows;
     }
 
 private:
@@ -127,6 +136,8 @@ std::string viewed_body_to_json(const ViewedBody& body) {
                     {"sides_confidence", body.skeleton.quality.sides_confidence},
                     {"warnings", std::move(warnings)},
                     {"step", to_rig.step()},
+                    {"skeleton", detail::parse_json(skeleton_to_json(body.skeleton, {body.source, std::nullopt}))},
+                    {"to_input", to_rig.to_input()},
                     {"joints", joints_to_json(body, to_rig)},
                     {"frame",
                      {{"left", to_rig.direction(frame.left)},

@@ -61,6 +61,44 @@ TEST_CASE("animate: FBX has what GLB has", "[cli][animate]") {
         CHECK((fbx.vertices.row(fbx.faces.data()[i]) - 100 * glb.vertices.row(glb.faces.data()[i])).norm() < 1e-3);
 }
 
+TEST_CASE("animate and rig: with the bones that engines know all is shown as without", "[cli][animate][rig][engine]") {
+    const TemporaryFolder folder;
+    const auto animate = [&](const std::string& clip, const std::string& out, const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"animate", sample_body, "--clip", clip, "-o", out};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const CliResult animated = run_cli(folder.path(), arguments);
+        INFO(animated.err);
+        REQUIRE(animated.status == 0);
+    };
+    io::ReadMeshOptions options;
+    options.animation = "1";
+    options.time = 0.5;
+    const auto shown = [&](const char* name) { return read_mesh(folder / name, options); };
+    animate(walk, "plain.glb", {});
+    animate(walk, "engine.glb", {"--bones", "engine"});
+    animate(walk, "engine.fbx", {"--bones", "engine", "--names", "unreal"});
+    animate("engine.glb", "again.glb", {}); // a clip whose skeleton has these bones
+    const auto plain = shown("plain.glb"), engine = shown("engine.glb"), fbx = shown("engine.fbx");
+    CHECK((engine.vertices - plain.vertices).cwiseAbs().maxCoeff() < 0.004); // a vertex has four joints of more
+    for (Eigen::Index i = 0; i < plain.faces.size(); i += 100)
+        CHECK((fbx.vertices.row(fbx.faces.data()[i]) - 100 * engine.vertices.row(engine.faces.data()[i])).norm() <
+              1e-2);
+    CHECK((shown("again.glb").vertices - plain.vertices).rowwise().norm().mean() < 0.02); // of 1.7 m
+
+    for (const char* name : {"body.glb", "body.vrm", "body.fbx", "body.bvh"}) {
+        const CliResult rigged =
+            run_cli(folder.path(), {"rig", sample_body, "--bones", "engine", "--twist", "-q", "-o", name});
+        INFO(rigged.err);
+        REQUIRE(rigged.status == 0);
+        const std::string text = test::read_file(folder / name);
+        const bool is_vrm = std::string(name) == "body.vrm";
+        CHECK(text.find(is_vrm ? "\"leftShoulder\"" : "left_clavicle") != std::string::npos);
+        CHECK(text.find(is_vrm ? "\"upperChest\"" : "upper_chest") != std::string::npos);
+        CHECK(text.find("left_forearm_twist") != std::string::npos);
+    }
+    CHECK(run_cli(folder.path(), {"rig", sample_body, "--bones", "motor", "-o", "x.glb"}).status == 2);
+}
+
 TEST_CASE("animate and rig: a body of no person's height is said to have an unknown unit", "[cli][animate][rig]") {
     const TemporaryFolder folder;
     auto giant = read_mesh(sample_body);

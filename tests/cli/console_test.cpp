@@ -73,6 +73,11 @@ TEST_CASE("commands and options with a letter wrong are answered by the one that
     says({"rgi", "body.off"}, "rgi: is no command of skelgen; did you mean rig? see `skelgen --help`");
     says({"extarct", "body.off"}, "did you mean extract?");
     says({"rig", sample_body, "-o", "x.glb", "--nmaes=vrm"}, "; did you mean --names?; see `skelgen rig --help`");
+    says({"rig", sample_body, "-o", "x.glb", "--rest", "t-pos"}, "; did you mean t-pose?; see `skelgen rig --help`");
+    says({"rig", sample_body, "-o", "x.glb", "--names", "mixmo"}, "; did you mean mixamo?");
+    says({"extract", sample_body, "--hint", "left_hnd=0,0,0"}, "there is no such joint; did you mean left_hand?");
+    says({"extract", sample_body, "--hint", "left_hand=900,0,0"},
+         "hint left_hand: its place is far outside of the mesh");
     const CliResult far = run_cli(folder.path(), {"paint", "body.off"});
     CHECK_FALSE(holds(far.err, "did you mean"));
 }
@@ -84,6 +89,58 @@ TEST_CASE("batch: a folder that is not there is no input, a mesh that is not the
     CHECK(nothing.status == 3);
     CHECK(nothing.err == "skelgen: error: scans: there is no such folder or file; check the name\n");
     CHECK(run_cli(folder.path(), {"batch", "missing.off", "-o", "out", "-q"}).status == 5);
+}
+
+TEST_CASE("extract: what is refused names the limb, with its place; -q still says that it is a guess",
+          "[cli][console]") {
+    const TemporaryFolder folder;
+    // A body without what is below its arms, with the vertices of all.
+    const auto mesh = skelgen::read_mesh(sample_body);
+    std::string off = "OFF\n" + std::to_string(mesh.vertices.rows()) + " FACES 0\n";
+    for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v) {
+        for (const double x : mesh.vertices.row(v)) off += std::to_string(x) + ' ';
+        off += '\n';
+    }
+    int faces = 0;
+    const double middle = mesh.vertices.col(2).minCoeff() + 1.15;
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+        bool is_above = true;
+        std::string line = "3";
+        for (const int v : mesh.faces.row(f)) {
+            is_above = is_above && mesh.vertices(v, 2) > middle;
+            line += ' ' + std::to_string(v);
+        }
+        if (!is_above) continue;
+        off += line + '\n';
+        ++faces;
+    }
+    off.replace(off.find("FACES"), 5, std::to_string(faces));
+    write_file(folder / "bust.off", off);
+    const CliResult bust = run_cli(folder.path(), {"extract", "bust.off"});
+    INFO(bust.err);
+    CHECK(bust.status == 4);
+    CHECK((holds(bust.err, "is the least certain, at ") || holds(bust.err, "is not found beyond ")));
+
+    const CliResult guess =
+        run_cli(folder.path(), {"extract", sample_body, "--hint", "head=0,0,0", "-q", "-o", "guess.json"});
+    INFO(guess.err);
+    CHECK(guess.status == 0);
+    CHECK(holds(guess.err, "the skeleton is a guess: confidence 0."));
+    CHECK(guess.err.find('\n') == guess.err.size() - 1);
+}
+
+TEST_CASE("batch --resume --report does nothing again", "[cli][batch]") {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "scans");
+    std::filesystem::copy_file(sample_body, folder / "scans/body.off");
+    for (const char* counts : {"1 done now, 0 done before", "0 done now, 1 done before"}) {
+        const CliResult done =
+            run_cli(folder.path(), {"batch", "scans", "-o", "out", "--resume", "--report", "report.html"});
+        INFO(done.err);
+        CHECK(done.status == 0);
+        CHECK(holds(done.err + done.out, counts));
+        CHECK(std::filesystem::exists(folder / "report.html"));
+    }
 }
 
 TEST_CASE("repairs of a surface are one line, and each its own under -v", "[cli][console]") {
@@ -110,8 +167,7 @@ TEST_CASE("repairs of a surface are one line, and each its own under -v", "[cli]
     const std::string usual = run_cli(folder.path(), {"extract", "soup.off", "-o", "soup.json"}).err;
     INFO(usual);
     CHECK(lines(usual, ": repaired: ") == 1);
-    CHECK(holds(usual, "seams welded"));
-    CHECK(holds(usual, "; duplicate faces left out"));
+    CHECK(holds(usual, "soup.off: repaired: seams, duplicate faces\n"));
     const std::string all = run_cli(folder.path(), {"extract", "soup.off", "-o", "soup.json", "-v"}).err;
     CHECK(lines(all, ": repaired: ") == 0);
     CHECK(lines(all, "warning: soup.off: seams welded") == 1);

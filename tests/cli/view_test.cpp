@@ -26,7 +26,10 @@ TEST_CASE("view: a page that is whole in itself, with those that have no skeleto
     const std::string page = test::read_file(folder / "body.html");
     CHECK(page.rfind("<!doctype html>", 0) == 0);
     CHECK(count(page, "\"glb\":\"") == 1);
-    CHECK(count(page, "\"left_elbow\"") == 1);
+    CHECK(count(page, "\"name\":\"left_elbow\"") == 2); // once in the skeleton that the page saves
+    REQUIRE(run_cli(folder.path(), {"extract", sample_body, "-o", "body.json"}).status == 0);
+    REQUIRE(run_cli(folder.path(), {"view", sample_body, "--skeleton", "body.json", "-o", "given.html"}).status == 0);
+    CHECK(count(test::read_file(folder / "given.html"), "\"sides_confidence\":1,") == 1); // for which its giver answers
     CHECK(count(page, "<script") == count(page, "</script"));
     CHECK(count(page, "<script src") + count(page, "<link rel=\"stylesheet") + count(page, "@import") == 0);
 
@@ -35,6 +38,9 @@ TEST_CASE("view: a page that is whole in itself, with those that have no skeleto
     CHECK(test::read_file(folder / "walk.html").size() > page.size()); // by the motion
 
     test::write_file(folder / "cube.off", cube_off());
+    const CliResult of_two = run_cli(folder.path(), {"view", sample_body, "cube.off", "--skeleton", "body.json"});
+    CHECK(of_two.status == 2);
+    CHECK(of_two.err.find("--skeleton: is of one mesh") != std::string::npos);
     const CliResult refused = run_cli(folder.path(), {"view", "cube.off"});
     CHECK(refused.status == 0);
     CHECK(refused.err.rfind("skelgen: warning: cube.off: no skeleton: ", 0) == 0);

@@ -7,6 +7,7 @@
 #include <skelgen/io/read_mesh.hpp>
 
 #include "catch.hpp"
+#include "io/fbx_names.hpp"
 #include "io/mesh_expectations.hpp"
 
 using namespace skelgen;
@@ -150,6 +151,43 @@ TEST_CASE("FBX: a mesh moved by its node", "[codecs][fbx]") {
             CHECK((mesh.vertices.row(mesh.faces(face, k)) - 2 * expected.vertices.row(expected.faces(face, k)) -
                    Eigen::RowVector3d(10, 0, 0))
                       .norm() < 1e-6);
+}
+
+TEST_CASE("FBX: a number that is none costs its vertex, not the file, and that is told", "[codecs][fbx]") {
+    std::string file = fbx();
+    replace(file, "a: 0,0,0,1,0,0,0,1,0,0,0,1", "a: 0,0,0,1,0,0,0,1,0,0,0,nan");
+    for (const bool isolated : {false, true}) {
+        std::string told;
+        ReadMeshOptions options{.isolated = isolated};
+        options.tell = [&](const std::string& what) { told += what; };
+        const auto mesh = parse_mesh(file, options);
+        CHECK(mesh.faces.rows() == 1); // the one without that vertex
+        CHECK(mesh.vertices.rows() == 3);
+        CHECK(told == "3 corners without a finite place left out, with their faces");
+    }
+    replace(file, "a: 0,0,0,1,0,0,0,1,0,0,0,nan", "a: nan,0,0,nan,0,0,0,nan,0,0,0,nan");
+    CHECK_THAT(reading_error(file), Catch::Matchers::Contains("no vertex at a finite place"));
+}
+
+TEST_CASE("FBX: versions that are too old are refused by their number, nodes that share a name are told apart",
+          "[codecs][fbx]") {
+    std::string old = fbx();
+    replace(old, "FBXVersion: 7400", "FBXVersion: 6100");
+    CHECK(detail::version_of_fbx(old) == 6100);
+    CHECK_THAT(reading_error(old), Catch::Matchers::Contains("is FBX 6.1, and FBX is read from 7.1 on"));
+    CHECK(detail::with_names_apart(old) == old);
+    CHECK(detail::with_names_apart(fbx()) == fbx());
+    std::string twice = fbx();
+    replace(
+        twice, "Model: 200",
+        "Model: 201, \"Model::body\", \"Null\" {\n\t}\n\tModel: 202, \"Model::bod1\", \"Null\" {\n\t}\n\tModel: 200");
+    const std::string apart = detail::with_names_apart(twice);
+    CHECK(apart.size() == twice.size());
+    CHECK(apart.find("201, \"Model::body\"") != std::string::npos);
+    CHECK(apart.find("202, \"Model::bod1\"") != std::string::npos);
+    CHECK(apart.find("200, \"Model::bod2\"") != std::string::npos);
+    for (std::size_t size = 0; size < twice.size(); size += 11)
+        CHECK(detail::with_names_apart(twice.substr(0, size)).size() == size);
 }
 
 TEST_CASE("FBX and DAE: no process is started but where the caller asks for one, and both ways read the same",

@@ -66,6 +66,7 @@ TEST_CASE("hints: what is no body's gets the skeleton that fits best, and hints 
     CHECK(exchanged.skeleton.frame.left.dot(found.skeleton.frame.left) < 0);
     const auto box = test::box({1, 1, 1}, 4);
     CHECK_THROWS_AS(extract(box), NoSkeleton);
+    CHECK_THROWS_AS(extract_hinted(box, {{"left_hand", {100, 100, 100}}}), Error); // of another mesh
     const Vector3<double> corner(1, 1, 0);
     CHECK(place_of(extract_hinted(box, {{"left_hand", corner}}).skeleton, "left_hand") == corner);
 }

@@ -6,6 +6,7 @@
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/io/read_mesh.hpp>
+#include <skelgen/io/skeleton_json.hpp>
 #include <skelgen/io/view_page.hpp>
 
 #include "catch.hpp"
@@ -76,6 +77,17 @@ TEST_CASE("a viewed body: the rig as GLB, and all else in its coordinates", "[io
     lies_at(json.at("joints").at(4).at("end"), body.rig.joints[4].end);
     CHECK(json.at("frame").at("up").at(1) == Approx(1));
     CHECK(json.at("curve").at("weights").at(1).at(0) == 1);
+
+    const auto skeleton = io::parse_skeleton_document(json.at("skeleton").dump()).skeleton;
+    REQUIRE(skeleton.joints.size() == 21);
+    CHECK(skeleton.joints[5].position == body.skeleton.joints[5].position);
+    for (std::size_t row = 0; row < 3; ++row) { // leads from the rig back to where the skeleton is
+        const auto& to_input = json.at("to_input").at(row);
+        double x = to_input.at(3);
+        for (std::size_t i = 0; i < 3; ++i)
+            x += to_input.at(i).get<double>() * body.rig.joints[7].position[static_cast<Eigen::Index>(i)];
+        CHECK(x == Approx(body.skeleton.joints[7].position[static_cast<Eigen::Index>(row)]));
+    }
 
     const auto glb = io::detail::decode_data_uri("data:;base64," + json.at("glb").get<std::string>());
     REQUIRE(glb);

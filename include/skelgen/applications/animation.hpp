@@ -15,6 +15,7 @@ template <typename Scalar = double>
 struct RigPose {
     Vector3<Scalar> root = Vector3<Scalar>::Zero(); ///< where the root joint is
     Orientations<Scalar> axes;                      ///< of each joint, as `RigJoint::axes`
+    Scalar lift = 0; ///< how much higher than at rest the hips are, where the root joint carries them from the floor
 };
 
 /// How a rig moves: poses that follow each other in even steps of time.

@@ -3,7 +3,9 @@
 #include <skelgen/extract.hpp>
 
 #include <algorithm>
+#include <locale>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,14 +50,50 @@ Scalar diagonal_along(const Similarity<Scalar>& similarity, const Points<Scalar>
     return similarity.scale * core::bounding_diagonal(turned);
 }
 
+inline const char* limb_name(BodyPart part, BodyPlan plan) {
+    if (plan == BodyPlan::quadruped) return part == BodyPart::arm ? "fore leg" : "hind leg";
+    return part == BodyPart::arm ? "arm" : "leg";
+}
+
+/// The limb, or the head, that is not found, or with the least certainty, and where: "the left arm ends at 0.3, 1.4,
+/// 0".
+template <typename Scalar>
+std::string least_certain_limb(const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template) {
+    const Joint<Scalar>* least = nullptr;
+    std::string name;
+    for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+        const TemplateJoint& joint = skeleton_template.joints[j];
+        const BodyPart part = part_of(joint.role);
+        if (part == BodyPart::trunk && joint.role != JointRole::neck && joint.role != JointRole::head) continue;
+        if (least && !(skeleton.joints[j].confidence < least->confidence)) continue;
+        least = &skeleton.joints[j];
+        name = part == BodyPart::trunk ? "head"
+                                       : std::string(joint.side == Side::left ? "left " : "right ") +
+                                             (part == BodyPart::arm ? "arm" : "leg");
+    }
+    if (!least) return "";
+    const bool is_there = least->is_present;
+    while (!least->is_present) least = &skeleton.joints[static_cast<std::size_t>(least->parent)];
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text.precision(3);
+    text << "the " << name << (is_there ? " is the least certain, at " : " is not found beyond ") << least->position[0]
+         << ", " << least->position[1] << ", " << least->position[2];
+    return text.str();
+}
+
 /// Why the likeliest skeleton is no answer, or why there is none.
 template <typename Scalar>
 Failure failure_of(const search::Climb<Scalar>& climb, const SkeletonTemplate& wanted) {
     if (climb.found.empty()) return climb.failure;
+    const search::Found<Scalar>& found = climb.found.front();
+    const std::string limb = least_certain_limb(search::skeleton_in_input(found), wanted);
+    const std::string where = limb.empty() ? "" : " (" + limb + ")";
     if (wanted.plan == BodyPlan::quadruped)
-        return {Refusal::unlikely, "no four-legged animal: its parts have unlikely lengths, directions or girths"};
+        return {Refusal::unlikely,
+                "no four-legged animal: its parts have unlikely lengths, directions or girths" + where};
     return {Refusal::unlikely,
-            std::string("no human body: ") + search::strongest_doubt(climb.found.front().candidate.evidence)};
+            std::string("no human body: ") + search::strongest_doubt(found.candidate.evidence) + where};
 }
 
 template <typename Scalar>
@@ -101,6 +139,7 @@ Extraction<Scalar> extraction_of(search::Climb<Scalar> climb, const search::Foun
         out.timings.curve += stage.lap();
     }
     out.body = *found.whole;
+    out.body.repairs = found.body->repairs; // also what was opened and taken off
     out.trail = std::move(climb.trail);
     return out;
 }

@@ -32,6 +32,22 @@ inline std::vector<int> hints_by_joint(const SkeletonTemplate& skeleton_template
     return out;
 }
 
+/// Hints far from a mesh are of another one, or in another unit. \throws Error usage.
+template <typename Scalar>
+void require_hints_near(const std::vector<Hint>& hints, const TriangleMesh<Scalar>& mesh) {
+    constexpr double far = 0.25; // of the size: farther than a limb that the mesh lacks
+    if (mesh.vertices.rows() == 0) return;
+    const Vector3<double> least = mesh.vertices.colwise().minCoeff().transpose().template cast<double>();
+    const Vector3<double> most = mesh.vertices.colwise().maxCoeff().transpose().template cast<double>();
+    for (const Hint& hint : hints) {
+        const double distance = (hint.position - hint.position.cwiseMax(least).cwiseMin(most)).norm();
+        if (distance > far * (most - least).norm())
+            throw Error(ErrorCode::usage, "hint " + hint.joint +
+                                              ": its place is far outside of the mesh; give it in the mesh's own "
+                                              "coordinates and unit");
+    }
+}
+
 /// Is a joint one of the trunk's?
 inline bool is_of_trunk(const TemplateJoint& joint) {
     const BodyPart part = part_of(joint.role);
@@ -148,6 +164,7 @@ Extraction<Scalar> extract_hinted(TriangleMesh<Scalar> mesh, const std::vector<H
     const core::ThreadScope threads(options.threads);
     SkeletonTemplate wanted = search::wanted_template(options);
     const std::vector<int> hint_of = detail::hints_by_joint(wanted, hints);
+    detail::require_hints_near(hints, mesh);
     search::Climb<Scalar> climb = search::climb(mesh, wanted, options, search::Thoroughness::exhaustive);
     if (climb.found.empty()) throw NoSkeleton(climb.failure, std::move(climb.trail));
 

@@ -11,6 +11,7 @@ struct PolygonMesh {
     std::vector<double> coordinates; ///< x, y, z of every vertex in turn
     std::vector<int> corners;        ///< vertex indices, face after face, counter-clockwise seen from outside
     std::vector<int> sizes;          ///< number of corners of each face, 3 or more
+    int placeless = 0; ///< corners of the file that have been left out with their faces: at no finite place
 };
 
 /// Most corners a face may have: a face of n corners takes O(n^2).

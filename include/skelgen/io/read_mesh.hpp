@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,8 @@ struct ReadMeshOptions {
     /// crash on damaged files, or take all that there is. For programs that read strangers' files; a program with
     /// threads of its own has to see to it that none holds a lock meanwhile.
     bool isolated = false;
+    /// Told what of the file is left out, a sentence: of FBX and DAE, corners of faces at no finite place.
+    std::function<void(const std::string&)> tell = {};
 };
 
 /// Reads a triangle mesh: OFF (text, Geomview's binary), OBJ, PLY (text, binary of either byte order), STL (text,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/io/scene_looks.hpp>
+#include <skelgen/io/skeleton_json.hpp>
 
 namespace skelgen::io {
 
@@ -23,12 +25,13 @@ struct ViewedBody {
     CurveSkeleton<double> curve;
     std::vector<applications::BoneSection<double>> sections;
     std::vector<applications::Animation<double>> animations; ///< of the rig
+    std::optional<SourceMesh> source = {};                   ///< what the skeleton's file says of the mesh
 };
 
 /// A body as the page takes it: JSON, an object. The rig is there as a GLB file in base64 ("glb"), its joints in the
 /// GLB's order with their confidence; curve, sections and the ends of bones are in the rig's coordinates, as multiples
-/// of "step". Linear. \throws Error usage as `rig_to_glb`, or when the rig is not in the pose of the skeleton, or was
-/// made of another one.
+/// of "step". "skeleton" is the skeleton's file, "to_input" leads from the rig's coordinates to its own. Linear.
+/// \throws Error usage as `rig_to_glb`, or when the rig is not in the pose of the skeleton, or was made of another one.
 [[nodiscard]] std::string viewed_body_to_json(const ViewedBody& body);
 
 /// The same of what has no skeleton: its `failure` says why. The mesh may be empty where nothing could be read. Linear.

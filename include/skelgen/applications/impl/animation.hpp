@@ -69,8 +69,9 @@ std::vector<RigidMotion<Scalar>> motions(const std::vector<RigJoint<Scalar>>& jo
     std::vector<RigidMotion<Scalar>> out;
     for (std::size_t j = 0; j < joints.size(); ++j) {
         const RigJoint<Scalar>& joint = joints[j];
-        const Vector3<Scalar> place =
+        Vector3<Scalar> place =
             joint.parent < 0 ? pose.root : out[static_cast<std::size_t>(joint.parent)](joint.position);
+        if (joint.parent >= 0 && joint.role == JointRole::pelvis) place[1] += pose.lift;
         RigidMotion<Scalar> motion;
         motion.rotation = (pose.axes[j] * joint.axes.conjugate()).normalized();
         motion.translation = place - motion.rotation * joint.position;
