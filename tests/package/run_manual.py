@@ -22,7 +22,7 @@ TEAPOT = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1
 
 
 def shell(place: Path, line: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(["bash", "-c", line], cwd=place, capture_output=True, text=True, timeout=120)
+    return subprocess.run(["bash", "-c", line], cwd=place, capture_output=True, text=True, timeout=600)
 
 
 def prepare(place: Path, program: Path, root: Path) -> None:
@@ -85,7 +85,7 @@ def fault(line: str, expected: list[str], done: subprocess.CompletedProcess[str]
     return ""
 
 
-def check(page: Path, program: Path, root: Path, parts: set[str], left_out: list[str]) -> list[str]:
+def check(page: Path, prepared: Path, program: Path, root: Path, parts: set[str], left_out: list[str]) -> list[str]:
     """What is wrong with the commands of a page."""
     faults = []
     lines = [each for each in commands(page) if each[0].split()[1] in parts or each[0].split()[1].startswith("-")]
@@ -93,8 +93,8 @@ def check(page: Path, program: Path, root: Path, parts: set[str], left_out: list
     if not lines:
         return faults
     with tempfile.TemporaryDirectory() as folder:
-        place = Path(folder)
-        prepare(place, program, root)
+        place = Path(folder) / "work"
+        shutil.copytree(prepared, place)
         bin_folder = place / ".bin"
         bin_folder.mkdir()
         (bin_folder / "skelgen").symlink_to(program)
@@ -119,12 +119,11 @@ def main() -> int:
     )
     pages = [root / "README.md", *sorted((root / "docs").rglob("*.md"))]
     left_out: list[str] = []
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        faults = [
-            line
-            for found in pool.map(lambda page: check(page, program, root, parts, left_out), pages)
-            for line in found
-        ]
+    faults: list[str] = []
+    with tempfile.TemporaryDirectory() as prepared, ThreadPoolExecutor(os.cpu_count()) as pool:
+        prepare(Path(prepared), program, root)
+        for found in pool.map(lambda page: check(page, Path(prepared), program, root, parts, left_out), pages):
+            faults += found
     shown = {page.stem for page in (root / "docs/commands").glob("*.md")}
     used = {line.split()[1] for line in RUN}
     faults += [f"no page shows an example of {name}" for name in sorted(parts - used)]

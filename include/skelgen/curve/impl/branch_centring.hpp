@@ -183,8 +183,8 @@ BranchedCurve<Scalar> centring_round(BranchedCurve<Scalar> branched, const Body<
     branched = resampled(std::move(branched), coarse ? 2 * spacing : spacing);
     const auto sections = all_sections(branched, body, spacing);
     const auto junctions = meeting_axes(branched, sections, body, coarse ? straight_at_first : straight_at_last);
-    branched = smoothing_spline(std::move(branched), beyond_junctions(sections, branched, body, junctions), tips,
-                                junctions, options.stiffness);
+    auto beyond = beyond_junctions(sections, branched, body, junctions); // arguments are evaluated in any order
+    branched = smoothing_spline(std::move(branched), std::move(beyond), tips, junctions, options.stiffness);
     return ends_on_axes(std::move(branched), sections, body);
 }
 
