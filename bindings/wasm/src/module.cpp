@@ -424,12 +424,12 @@ public:
             io::SceneLooks looks = io::with_credits(
                 io::looks_of(kept_.looks, body->part),
                 {text_in(options, "title", ""), text_in(options, "author", ""), text_in(options, "license", "")});
-            auto made = std::make_unique<Character>(cli::rig_of(body->mesh(), body->found,
+            auto made = std::make_shared<Character>(cli::rig_of(body->mesh(), body->found,
                                                                 builtin_template(body->skeleton().template_name), how,
                                                                 fingers_in(options, "auto")),
                                                     std::move(looks), kept_.warning);
             val out = val::object();
-            out.set("character", val(made.release(), emscripten::allow_raw_pointers()));
+            out.set("character", std::move(made));
             return out;
         });
     }
@@ -516,6 +516,7 @@ EMSCRIPTEN_BINDINGS(skelgen) {
         .function("faces", &Mesh::faces)
         .function("glb", &Mesh::glb);
     emscripten::class_<Character>("Character")
+        .smart_ptr<std::shared_ptr<Character>>("CharacterPointer")
         .function("file", &Character::file)
         .function("follow", &Character::follow)
         .function("positions", &Character::positions)
