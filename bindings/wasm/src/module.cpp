@@ -204,7 +204,7 @@ std::vector<Hint> hints_in(const val& options) {
     for (unsigned i = 0; i < names["length"].as<unsigned>(); ++i) {
         Hint hint;
         hint.joint = names[i].as<std::string>();
-        for (unsigned axis = 0; axis < 3; ++axis) hint.position[axis] = given[hint.joint][axis].as<double>();
+        for (int axis = 0; axis < 3; ++axis) hint.position[axis] = given[hint.joint][axis].as<double>();
         hints.push_back(std::move(hint));
     }
     return hints;
