@@ -18,6 +18,7 @@ await build({
   bundle: true, minify: true, format: "esm", target: "es2022", charset: "ascii", outdir: out,
   legalComments: "linked", // licences of others' code in a file beside it
   plugins: [made_core],
+  nodePaths: [here("../view/node_modules")],
 });
 const copies = {
   "index.html": here("page.html"), "style.css": here("style.css"), "icon.svg": here("icon.svg"), "skelgen.wasm": join(wasm, "skelgen.wasm"),

@@ -241,9 +241,10 @@ public:
             const auto clip = io::read_bvh(path);
             if (const auto body = applications::find_body(clip); !body)
                 throw Error(ErrorCode::bad_input, body.failure().what);
-            auto followed = applications::retarget(clip, rig_, builtin_template("human21"));
+            auto followed = applications::retarget(clip, without_fingers(rig_), builtin_template("human21"));
             if (!followed) throw Error(ErrorCode::bad_input, followed.failure().what);
             followed->name = name;
+            hold_fingers(*followed);
             std::erase_if(animations_, [&](const auto& one) { return one.name == name; });
             animations_.push_back(*std::move(followed));
             return done();
@@ -300,6 +301,25 @@ public:
     }
 
 private:
+    /// Clips are followed by the template's joints; those of fingers are behind them, parents before children.
+    static applications::Rig<double> without_fingers(applications::Rig<double> rig) {
+        const auto own = static_cast<int>(builtin_template("human21").joints.size());
+        for (Eigen::Index i = 0; i < rig.skin.joints.size(); ++i)
+            while (rig.skin.joints.data()[i] >= own)
+                rig.skin.joints.data()[i] = rig.joints[static_cast<std::size_t>(rig.skin.joints.data()[i])].parent;
+        rig.joints.resize(std::min(rig.joints.size(), static_cast<std::size_t>(own)));
+        return rig;
+    }
+
+    /// Fingers stay as they are in the hand.
+    void hold_fingers(applications::Animation<double>& animation) const {
+        for (auto& frame : animation.frames)
+            for (std::size_t j = frame.axes.size(); j < rig_.joints.size(); ++j) {
+                const auto parent = static_cast<std::size_t>(rig_.joints[j].parent);
+                frame.axes.push_back(frame.axes[parent] * rig_.joints[parent].axes.conjugate() * rig_.joints[j].axes);
+            }
+    }
+
     std::string text_of(io::RigFormat format, io::JointNames names, const std::string& stem,
                         bool with_animations) const {
         const auto& animations = with_animations ? animations_ : no_animations_;
