@@ -152,9 +152,9 @@ class App {
       this.forget();
       this.clips = [];
       if (["fbx", "dae"].includes(extension(name)))
-        throw new SkelgenError({ code: "bad_input", message: `is ${extension(name).toUpperCase()}, which this page does not read` });
+        throw new SkelgenError({ code: "bad_input", message: `is ${extension(name).toUpperCase()}, which this page does not read; export it as GLB` });
       if (extension(name) === "bvh")
-        throw new SkelgenError({ code: "bad_input", message: "is a motion: drop a character first, then the motion" });
+        throw new SkelgenError({ code: "bad_input", message: "is a motion; drop a character first, then the motion" });
       const files = Object.fromEntries(others.map((other) => [other.webkitRelativePath || other.name, other]));
       const mesh = await this.worker.open({ name, bytes: file, files }, { signal, glb: true });
       if (signal.aborted) return mesh.delete();
@@ -421,5 +421,8 @@ class App {
   }
 }
 
-window.skelgen_app = new App(); // for those who look with a console
+// The page is seen before the graphics card is asked for a context, which takes longer.
+requestAnimationFrame(() => setTimeout(() => {
+  window.skelgen_app = new App(); // for those who look with a console
+}));
 if ("serviceWorker" in navigator && location.protocol.startsWith("http")) navigator.serviceWorker.register(here("offline.js")).catch(() => {});

@@ -29,7 +29,7 @@ export class Viewer {
     this.joints = figure.data.joints ?? [];
     this.has_looks = Boolean(figure.data.has_looks);
     this.shown = { body: true, skeleton: true, names: false, ...state.shown };
-    this.scheme = state.scheme ?? (this.has_looks ? "looks" : "sides");
+    this.scheme = state.scheme ?? "sides"; // its own looks would hide the skeleton
     if (this.scheme === "looks" && !this.has_looks) this.scheme = "sides";
     this.opacity = state.opacity ?? 0.6;
     this.joint = Math.max(0, this.joints.findIndex(({ name }) => name === state.joint));

@@ -35,8 +35,16 @@ export function told_error(name, { code, message, refusal }) {
       reason: sentence(message),
       advice: advice[refusal] ?? "Export it in a plain pose, as T or A, and try again.",
     };
-  // Messages go on after the file's name: "is empty; export it again".
-  return { title: `${name} cannot be used`, reason: sentence(`It ${/^(is|has|have|holds|cannot|needs|ends|lacks|contains)\b/.test(message) ? message : `could not be read: ${message}`}`), advice: file_advice[code] ?? file_advice.bad_input };
+  // Messages go on after the file's name, and most say what to do: "is empty; export it again".
+  if (/known format/.test(message))
+    return { title: `${name} cannot be used`, reason: "It is no mesh that is known here.", advice: "Drop a GLB, VRM, glTF, OBJ, PLY, STL or OFF." };
+  const [what, ...todo] = message.split("; ");
+  const goes_on = /^(is|has|have|holds|cannot|needs|ends|lacks|contains|shows)\b/.test(what);
+  return {
+    title: `${name} cannot be used`,
+    reason: sentence(goes_on ? `It ${what}` : `It could not be read: ${what}`),
+    advice: todo.length > 0 ? sentence(todo.join("; ")) : file_advice[code] ?? file_advice.bad_input,
+  };
 }
 
 const surfaces = { largest_piece: "the largest piece", all_pieces: "all pieces", joined: "pieces joined", envelope: "an envelope around all" };

@@ -23,7 +23,7 @@ const megabytes = (bytes) => `${Math.round(bytes / 2 ** 20)} MB`;
 
 function refuseSize(bytes) {
   if (bytes > mostBytes)
-    fail("bad_input", `has ${megabytes(bytes)}, and ${megabytes(mostBytes)} is the most: simplify the mesh first`);
+    fail("bad_input", `has ${megabytes(bytes)}, and ${megabytes(mostBytes)} is the most; simplify the mesh first`);
 }
 
 /// What a file compressed by gzip holds; no more than may be.
@@ -78,7 +78,7 @@ function requireArrays({ positions, faces }) {
     fail("usage", "a mesh is {positions, faces}, typed arrays, or a file as {name, bytes}, or a File");
   if (positions.length % 3 !== 0 || faces.length % 3 !== 0)
     fail("usage", "positions and faces have three entries for each vertex and each face");
-  if (faces.length / 3 > mostFaces) fail("bad_input", `has more than ${mostFaces / 1e6} million faces: simplify it first`);
+  if (faces.length / 3 > mostFaces) fail("bad_input", `has more than ${mostFaces / 1e6} million faces; simplify it first`);
   const vertices = positions.length / 3;
   for (const index of faces) if (!(index < vertices && index >= 0)) fail("bad_input", `a face names vertex ${index}, and there are ${vertices}`);
   for (const value of positions) if (!Number.isFinite(value)) fail("bad_input", "a coordinate is no finite number");
