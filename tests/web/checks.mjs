@@ -45,6 +45,10 @@ export function apart(a, b) {
   }));
 }
 
+/// How far apart the directions of two bodies' frames are.
+export const turned = (a, b) =>
+  Math.max(...["left", "forward", "up"].flatMap((name) => a.frame[name].map((x, axis) => Math.abs(x - b.frame[name][axis]))));
+
 /// A GLB's JSON, and the numbers of its accessors.
 export class Glb {
   constructor(bytes) {
