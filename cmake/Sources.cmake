@@ -546,6 +546,12 @@ set(skelgen_io_sources
     src/io/write_mesh.cpp
 )
 
+# Of these, whose helpers are named as another file's: they are not compiled together with others.
+set(skelgen_io_sources_alone
+    axis_json curve_json fbx_writer gltf_file gltf_parser mesh_format ply_header read_clip read_mesh rig_formats rig_scene scene_clip scene_pose
+    skeleton_json template_json transform_json truth_json vrm_reader vrm_writer)
+list(TRANSFORM skelgen_io_sources_alone REPLACE "(.+)" "src/io/\\1.cpp")
+
 # What needs libraries that may be missing; each file says then what cannot be read.
 set(skelgen_codec_sources
     src/io/assimp_importer.cpp

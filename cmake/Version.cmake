@@ -1,6 +1,6 @@
 # skelgen_read_version(VARIABLE): "major.minor.patch" from the one header that holds it.
 function(skelgen_read_version variable)
-  set(header "${CMAKE_CURRENT_LIST_DIR}/include/skelgen/version.hpp")
+  set(header "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../include/skelgen/version.hpp")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${header}")
   file(READ "${header}" text)
   set(numbers "")

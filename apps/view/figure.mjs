@@ -9,8 +9,15 @@ import * as colours from "./colours.mjs";
 const usual_height = 1.7; // of what is in no known unit, beside bodies in metres
 const in_front = 5; // the order in which what is not surface is drawn: behind all surfaces
 
-function bytes_of(base64) {
-  return Uint8Array.from(atob(base64), (character) => character.charCodeAt(0)).buffer;
+/// A GLB file, which pages hold as base64 and programs as bytes.
+function buffer_of(glb) {
+  const bytes = typeof glb === "string" ? Uint8Array.from(atob(glb), (character) => character.charCodeAt(0)) : glb;
+  return bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
+}
+
+function dispose_material(material) {
+  for (const value of Object.values(material)) if (value?.isTexture) (value.dispose(), value.source.data?.close?.());
+  material.dispose();
 }
 
 function segments(places, colour, width) {
@@ -55,9 +62,9 @@ export class Figure {
     if (data.glb) await figure.add_surface();
     if (data.joints) {
       figure.add_skeleton();
-      figure.add_curve();
-      figure.add_sections();
-      figure.add_frame();
+      if (data.curve) figure.add_curve();
+      if (data.sections) figure.add_sections();
+      if (data.frame) figure.add_frame();
       figure.inner.add(curtain());
     }
     figure.settle();
@@ -75,7 +82,7 @@ export class Figure {
   }
 
   async add_surface() {
-    const gltf = await new GLTFLoader().parseAsync(bytes_of(this.data.glb), "");
+    const gltf = await new GLTFLoader().parseAsync(buffer_of(this.data.glb), "");
     this.clips = gltf.animations;
     this.inner = gltf.scene;
     this.root.add(gltf.scene);
@@ -310,6 +317,17 @@ export class Figure {
       if (bends[j]) bone.quaternion.multiply(new THREE.Quaternion().setFromEuler(new THREE.Euler(...bends[j], "XZY")));
     });
     this.follow();
+  }
+
+  /// Lets go of what the graphics card holds; the figure is not shown any longer.
+  dispose() {
+    this.root.removeFromParent();
+    this.root.traverse(({ geometry, material, skeleton }) => {
+      geometry?.dispose();
+      skeleton?.dispose();
+      if (material) dispose_material(material);
+    });
+    for (const { userData } of this.meshes) for (const material of [userData.looks, userData.plain]) dispose_material(material);
   }
 
   /// What the GPU does not move goes where the bones are.

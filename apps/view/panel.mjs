@@ -32,10 +32,11 @@ const degrees = (radians) => Math.round((radians * 180) / Math.PI);
 const on_click = (id, act) => element(id).addEventListener("click", act);
 
 export class Panel {
-  /// `viewer` has the state and does what is asked for.
-  constructor(viewer) {
+  /// `viewer` has the state and does what is asked for. `keys_from`: where keys are heard.
+  constructor(viewer, { keys_from = window, is_folded = window.innerWidth <= 700 } = {}) {
     this.viewer = viewer;
-    this.layer_buttons = this.buttons("layers", layers, (name) => viewer.toggle(name));
+    const own_layers = layers.filter(([name]) => name in viewer.shown);
+    this.layer_buttons = this.buttons("layers", own_layers, (name) => viewer.toggle(name));
     this.colour_buttons = this.buttons("colours", viewer.has_looks ? schemes : schemes.slice(1), (name) => viewer.colour(name));
     element("opacity").addEventListener("input", (event) => viewer.set_opacity(Number(event.target.value)));
     for (const { name } of viewer.joints) add(element("joint"), "option", name.replaceAll("_", " "), { value: name });
@@ -55,8 +56,8 @@ export class Panel {
     on_click("fold", () => this.fold());
     this.rows = viewer.figures.map((figure) => this.list(figure));
     this.offer_clips();
-    window.addEventListener("keydown", (event) => this.key(event));
-    if (window.innerWidth <= 700) this.fold(); // bodies first
+    keys_from.addEventListener("keydown", (event) => this.key(event));
+    if (is_folded) this.fold(); // bodies first
   }
 
   buttons(id, names, act) {
@@ -161,7 +162,7 @@ export class Panel {
     }
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const on_control = ["INPUT", "SELECT"].includes(event.target.tagName);
-    const layer = layers.find(([, key]) => key === event.key);
+    const layer = layers.find(([name, key]) => key === event.key && this.layer_buttons.has(name));
     const scheme = schemes.find(([, key]) => key === event.key);
     const acts = {
       "[": () => viewer.select(viewer.joint - 1), "]": () => viewer.select(viewer.joint + 1),

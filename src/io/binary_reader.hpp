@@ -9,6 +9,8 @@
 
 #include <skelgen/core/error.hpp>
 
+#include "bit_cast.hpp"
+
 namespace skelgen::io::detail {
 
 /// Walks once through binary data of either byte order, never past its end.
@@ -24,7 +26,7 @@ public:
         std::memcpy(raw.data(), need(sizeof(T)), sizeof(T));
         if (order_ != std::endian::native) std::reverse(raw.begin(), raw.end());
         at_ += sizeof(T);
-        return std::bit_cast<T>(raw);
+        return bit_cast<T>(raw);
     }
 
     void skip(std::size_t count) {

@@ -1,7 +1,8 @@
 #include <skelgen/io/curve_formats.hpp>
 
-#include <charconv>
 #include <cmath>
+
+#include <fast_float/fast_float.h>
 
 #include <skelgen/core/error.hpp>
 
@@ -63,7 +64,7 @@ void append_json_number(std::string& text, Scalar value) {
     std::string shortest;
     detail::append_number(shortest, value);
     double read = 0;
-    std::from_chars(shortest.data(), shortest.data() + shortest.size(), read);
+    fast_float::from_chars(shortest.data(), shortest.data() + shortest.size(), read);
     // Of all floats this is so for +-7.038531e-26 alone: rounded twice, its text becomes its neighbour.
     if (static_cast<Scalar>(read) != value) {
         shortest.clear();

@@ -6,12 +6,14 @@
 #include <string>
 #include <string_view>
 
+#include "bit_cast.hpp"
+
 namespace skelgen::io::detail {
 
 /// Appends the bytes of a number, the least significant first.
 template <typename T>
 void append_little_endian(std::string& bytes, T value) {
-    auto raw = std::bit_cast<std::array<char, sizeof(T)>>(value);
+    auto raw = bit_cast<std::array<char, sizeof(T)>>(value);
     if constexpr (std::endian::native != std::endian::little) std::reverse(raw.begin(), raw.end());
     bytes.append(raw.data(), raw.size());
 }

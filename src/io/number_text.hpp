@@ -3,6 +3,13 @@
 #include <array>
 #include <charconv>
 #include <string>
+#include <type_traits>
+#include <version>
+#ifndef __cpp_lib_to_chars
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#endif
 
 namespace skelgen::io::detail {
 
@@ -10,8 +17,22 @@ namespace skelgen::io::detail {
 template <typename Number>
 void append_number(std::string& text, Number value) {
     std::array<char, 32> buffer; // the longest double takes 24
-    const std::to_chars_result result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    text.append(buffer.data(), result.ptr);
+#ifndef __cpp_lib_to_chars       // libc++ has it for whole numbers alone
+    if constexpr (std::is_floating_point_v<Number>) {
+        int digits = std::numeric_limits<Number>::digits10;
+        int length = 0;
+        do {
+            length = std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, static_cast<double>(value));
+        } while (static_cast<Number>(std::strtod(buffer.data(), nullptr)) != value &&
+                 ++digits <= std::numeric_limits<Number>::max_digits10);
+        text.append(buffer.data(), static_cast<std::size_t>(length));
+        return;
+    } else
+#endif
+    {
+        const std::to_chars_result result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+        text.append(buffer.data(), result.ptr);
+    }
 }
 
 /// Appends the three coordinates of a point (any Eigen vector), `separator` between them.

@@ -11,7 +11,8 @@ FloatRows tangents(const FloatRows& positions, const FloatRows& normals, const s
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
     Rows along_first = Rows::Zero(positions.rows(), 3), along_second = along_first;
     for (std::size_t i = 0; i + 2 < faces.size(); i += 3) {
-        const std::array<Eigen::Index, 3> corner{faces[i], faces[i + 1], faces[i + 2]};
+        const auto vertex = [&](std::size_t k) { return static_cast<Eigen::Index>(faces[i + k]); };
+        const std::array<Eigen::Index, 3> corner{vertex(0), vertex(1), vertex(2)};
         const auto edge = [&](std::size_t k) {
             return (positions.row(corner[k]) - positions.row(corner[0])).cast<double>().transpose().eval();
         };

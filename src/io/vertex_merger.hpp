@@ -8,6 +8,8 @@
 
 #include <skelgen/io/polygon_mesh.hpp>
 
+#include "bit_cast.hpp"
+
 namespace skelgen::io::detail {
 
 /// Gives every position one index: a hash table with linear probing, a fraction of the time and memory that
@@ -38,7 +40,7 @@ private:
     [[nodiscard]] static std::uint64_t hash(const double* p) {
         std::uint64_t h = 0;
         for (int axis = 0; axis < 3; ++axis) {
-            h = (h ^ std::bit_cast<std::uint64_t>(p[axis])) * 0x9e3779b97f4a7c15U; // 2^64 / golden ratio
+            h = (h ^ bit_cast<std::uint64_t>(p[axis])) * 0x9e3779b97f4a7c15U; // 2^64 / golden ratio
             h ^= h >> 32U;
         }
         return h;

@@ -1,15 +1,18 @@
 #pragma once
 
 #include <algorithm>
-#include <condition_variable>
 #include <cstddef>
-#include <exception>
 #include <functional>
-#include <mutex>
 #include <optional>
+#include <version>
+#ifdef __cpp_lib_jthread
+#include <condition_variable>
+#include <exception>
+#include <mutex>
 #include <stop_token>
 #include <thread>
 #include <vector>
+#endif
 
 namespace skelgen::core {
 namespace detail {
@@ -22,6 +25,7 @@ inline WorkerPool*& pool_of_this_thread() {
     return pool;
 }
 
+#ifdef __cpp_lib_jthread
 /// Threads that wait for work and share it with those that bring it: a part of a job may bring another one.
 class WorkerPool {
 public:
@@ -101,6 +105,17 @@ private:
     std::vector<Job*> jobs_;            ///< the oldest first
     std::vector<std::jthread> threads_; ///< the last member: what they use is there before them, and after
 };
+#else
+/// Where the standard library has no such threads, as WebAssembly's has not: the one that calls does all.
+class WorkerPool {
+public:
+    explicit WorkerPool(int) {}
+    [[nodiscard]] int helpers() const { return 0; }
+    void run(std::size_t parts, const std::function<void(std::size_t)>& part) {
+        for (std::size_t p = 0; p < parts; ++p) part(p);
+    }
+};
+#endif
 
 } // namespace detail
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include <skelgen/core/skeleton_template.hpp>
 #include <skelgen/curve/find_curve.hpp>
 #include <skelgen/embedding/spectral_matching.hpp>
@@ -21,6 +23,8 @@ struct ExtractOptions {
     int budget = 14;        ///< curves that are looked for at most, counted in drafts (hypothesis.hpp); 1 to 1000
     bool with_curve = true; ///< whether the curve comes out, too: without it, joints are the same, in less time
     int threads = 1;        ///< that work on it, 1 to 1024; what comes out does not depend on it
+    /// Called before each try with what of the budget is spent and the budget: what it throws ends the search.
+    std::function<void(int spent, int budget)> before_try = {};
 };
 
 /// \throws Error usage when an option is out of its range, bad_input when the template breaks a rule

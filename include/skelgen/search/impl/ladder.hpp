@@ -95,6 +95,7 @@ public:
             const Lead<Scalar> lead = next();
             const int cost = cost_of(lead.what.effort);
             if (spent + cost > options_.budget) continue; // a cheaper one may still be within it
+            if (options_.before_try) options_.before_try(spent, options_.budget);
             spent += cost;
             try_lead(lead);
         }
