@@ -544,7 +544,8 @@ def extract(  # noqa: PLR0913
         mesh: vertices (n, 3), an object that has vertices and faces (trimesh, Open3D, PyVista, meshio), or a path.
             C-contiguous float64 is read where it is; other numbers are converted.
         faces: (m, 3) vertex indices, where `mesh` has none. int32 is read where it is.
-        template: a built-in template's name, or a template's file; "human51" is human21 with fingers.
+        template: a built-in template's name, or a template's file; "human51" is human21 with fingers, "quadruped" a
+            four-legged animal's, "auto" a person's or an animal's, whichever is likelier.
         fingers: joints of the fingers: "off", "on" or "auto" (where the surface shows some).
         component: which of several bodies that stand apart, 1 for the largest; 0: there must be one alone.
         threads: that work on it; the result does not depend on their number.

@@ -1,5 +1,6 @@
 #include "found_body.hpp"
 
+#include <string>
 #include <utility>
 
 #include <skelgen/core/parallel.hpp>
@@ -9,10 +10,11 @@
 namespace skelgen::python {
 namespace {
 
-Extraction<double> found_in(const TriangleMesh<double>& mesh, const SkeletonTemplate& wanted,
-                            const FindOptions& options) {
+/// `wanted`: a template's name or file, or auto: a person's or a four-legged animal's, whichever is likelier.
+Extraction<double> found_in(const TriangleMesh<double>& mesh, const std::string& wanted, const FindOptions& options) {
     ExtractOptions how;
-    how.skeleton_template = wanted;
+    how.or_quadruped = wanted == "auto";
+    how.skeleton_template = io::load_template(how.or_quadruped ? "human21" : wanted);
     how.prepare.component = options.component;
     how.threads = options.threads;
     how.with_curve = options.with_curve;
@@ -24,9 +26,9 @@ Extraction<double> found_in(const TriangleMesh<double>& mesh, const SkeletonTemp
 FoundBody::FoundBody(const Vertices& vertices, const Faces& faces, const FindOptions& options)
     : vertices_(vertices), faces_(faces), read_ms_(options.read_ms), component_(options.component) {
     const auto [named, fingers] = cli::template_and_fingers(options.skeleton_template, options.fingers);
-    template_ = io::load_template(named);
     const LentMesh mesh(vertices, faces);
-    found_ = found_in(*mesh, template_, options);
+    found_ = found_in(*mesh, named, options);
+    template_ = found_.skeleton_template;
     const core::ThreadScope threads(options.threads);
     shown_ = cli::with_fingers(*mesh, found_, fingers);
     source_ = {options.name, (*mesh).vertices.rows(), (*mesh).faces.rows(), found_.geodesic_diameter};
