@@ -88,8 +88,8 @@ struct SetSummary {
 [[nodiscard]] MeshScore evaluate_file(const std::filesystem::path& truth, const std::filesystem::path& prediction,
                                       const std::optional<std::filesystem::path>& mesh = {});
 
-/// Scores `PREDICTION/<set>/<name>.json` against every `TRUTH/<set>/<name>.json`; a body's missing one is not complete. A
-/// truth folder without folders in it is one set. `meshes` (optional) holds `<set>/<name>` with a mesh's extension.
+/// Scores `PREDICTION/<set>/<name>.json` against every `TRUTH/<set>/<name>.json`; a body's missing one is not complete.
+/// A truth folder without folders in it is one set. `meshes` (optional) holds `<set>/<name>` with a mesh's extension.
 /// \throws Error bad_input as `evaluate_file`, and when there is no truth at all.
 [[nodiscard]] std::vector<SetScore> evaluate_folders(const std::filesystem::path& truth,
                                                      const std::filesystem::path& prediction,
