@@ -305,9 +305,10 @@ RefinedJoints<Scalar> refine(const Body<Scalar>& body, const std::vector<EndPoin
     placement = raise_crotch(std::move(placement), limbs, body.mesh, options.crotch);
     // Where the limbs look shorter than they are, as those of a body that sits, its fork may be the seat: not so its
     // crotch.
-    if (axis && !skeleton_template.is_adapted)
-        placement = detail::place_shoulders_by_trunk(std::move(placement), limbs, Vector3<Scalar>(placement.at(0)),
-                                                     body, options);
+    if (axis && !skeleton_template.is_adapted) {
+        const Vector3<Scalar> crotch = placement.at(0); // before it is moved from: arguments are evaluated in any order
+        placement = detail::place_shoulders_by_trunk(std::move(placement), limbs, crotch, body, options);
+    }
 
     out.positions = placement.positions();
     out.trunk = detail::trunk_of(placement, slicer);
