@@ -19,7 +19,7 @@ async function open(file, options) {
   page.on("console", (message) => expect(message.type() !== "error", `the page says: ${message.text()}`));
   page.on("pageerror", (error) => expect(false, `the page fails: ${error}`));
   page.on("request", (request) => expect(/^(file|data|blob):/.test(request.url()), `it asks for ${request.url()}`));
-  await page.goto(pathToFileURL(resolve(file)).href);
+  await page.goto(pathToFileURL(resolve(file)).href, { timeout: 120000 }); // others may use the machine
   await page.waitForSelector('body[data-state="ready"]', { timeout: 60000 });
   await settled(page);
   return page;
