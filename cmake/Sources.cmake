@@ -399,6 +399,7 @@ set(skelgen_io_headers
     include/skelgen/io/openmesh_adaptor.hpp
     include/skelgen/io/part_looks.hpp
     include/skelgen/io/polygon_mesh.hpp
+    include/skelgen/io/posix.hpp
     include/skelgen/io/read_clip.hpp
     include/skelgen/io/read_file.hpp
     include/skelgen/io/read_mesh.hpp

@@ -12,9 +12,7 @@
 #include <memory>
 #include <optional>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/signalfd.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -23,6 +21,7 @@
 #include <vector>
 
 #include <skelgen/core/error.hpp>
+#include <skelgen/io/posix.hpp>
 
 namespace skelgen::cli {
 namespace {
@@ -40,7 +39,7 @@ using Job = std::function<std::string(std::size_t)>;
 bool send_all(int socket, const void* data, std::size_t size) {
     const char* bytes = static_cast<const char*>(data);
     while (size > 0) {
-        const ::ssize_t sent = ::send(socket, bytes, size, MSG_NOSIGNAL);
+        const ::ssize_t sent = ::send(socket, bytes, size, io::detail::no_signal);
         if (sent < 0 && errno == EINTR) continue;
         if (sent <= 0) return false;
         bytes += sent;
@@ -108,7 +107,7 @@ public:
     /// Forks; `others` are the sockets that the child must not keep open.
     Worker(const Job& job, const std::vector<int>& others, std::size_t memory) {
         int ends[2];
-        if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) throw_system_error("no socket");
+        if (!io::detail::make_sockets(ends)) throw_system_error("no socket");
         const ::pid_t parent = ::getpid();
         std::fflush(nullptr); // or the child would print it again
         process_ = ::fork();
@@ -118,7 +117,8 @@ public:
             throw_system_error("no worker process");
         }
         if (process_ == 0) {
-            ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+            io::detail::end_with_parent();
+            for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_IGN);
             if (::getppid() != parent) ::_exit(0); // it died before that
             ::close(ends[0]);
             for (const int socket : others) ::close(socket);
@@ -188,37 +188,46 @@ private:
     std::string received_;
 };
 
-/// Turns SIGINT and SIGTERM into something to poll. Workers inherit the blocked signals: an interrupt from the terminal
-/// goes to all processes, and it is the parent that has to end them.
+/// Turns SIGINT and SIGTERM into something to poll: a pipe that their handler writes to. Workers ignore them: an
+/// interrupt from the terminal goes to all processes, and it is the parent that has to end them. One at a time.
 class SignalWatch {
 public:
     SignalWatch() {
-        ::sigset_t signals;
-        ::sigemptyset(&signals);
-        ::sigaddset(&signals, SIGINT);
-        ::sigaddset(&signals, SIGTERM);
-        ::sigprocmask(SIG_BLOCK, &signals, &before_);
-        descriptor_ = ::signalfd(-1, &signals, SFD_CLOEXEC | SFD_NONBLOCK);
-        if (descriptor_ < 0) throw_system_error("no signal descriptor");
+        if (!io::detail::make_pipe(ends_)) throw_system_error("no pipe for signals");
+        ::fcntl(ends_[0], F_SETFL, O_NONBLOCK);
+        written_to = ends_[1];
+        struct ::sigaction action = {};
+        action.sa_handler = [](int signal) {
+            const int before = errno;
+            const auto byte = static_cast<unsigned char>(signal);
+            [[maybe_unused]] const ::ssize_t written = ::write(written_to, &byte, 1);
+            errno = before;
+        };
+        action.sa_flags = SA_RESTART;
+        ::sigemptyset(&action.sa_mask);
+        ::sigaction(SIGINT, &action, &before_[0]);
+        ::sigaction(SIGTERM, &action, &before_[1]);
     }
     SignalWatch(const SignalWatch&) = delete;
     SignalWatch& operator=(const SignalWatch&) = delete;
     ~SignalWatch() {
-        ::close(descriptor_);
-        ::sigprocmask(SIG_SETMASK, &before_, nullptr);
+        ::sigaction(SIGINT, &before_[0], nullptr);
+        ::sigaction(SIGTERM, &before_[1], nullptr);
+        for (const int end : ends_) ::close(end);
     }
 
-    [[nodiscard]] int descriptor() const { return descriptor_; }
+    [[nodiscard]] int descriptor() const { return ends_[0]; }
 
     /// The signal that has come, or 0.
     [[nodiscard]] int take() const {
-        ::signalfd_siginfo info{};
-        return ::read(descriptor_, &info, sizeof info) == sizeof info ? static_cast<int>(info.ssi_signo) : 0;
+        unsigned char byte = 0;
+        return ::read(ends_[0], &byte, 1) == 1 ? byte : 0;
     }
 
 private:
-    ::sigset_t before_{};
-    int descriptor_ = -1;
+    static inline int written_to = -1;
+    int ends_[2] = {-1, -1};
+    struct ::sigaction before_[2] = {};
 };
 
 class WorkerPool {

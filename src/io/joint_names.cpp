@@ -145,7 +145,9 @@ std::string name_of(const applications::RigJoint<double>& joint, JointNames name
         return name.empty() ? joint.name : with_side(convention_of(names), joint.side, name);
     }
     if (const std::string name = digit_name(joint, names); !name.empty()) return name;
-    const std::string_view role = convention_of(names).roles.at(static_cast<std::size_t>(joint.role));
+    const auto index = static_cast<std::size_t>(joint.role);
+    const auto& roles = convention_of(names).roles;
+    const std::string_view role = index < roles.size() ? roles[index] : ""; // what people have none of
     return role.empty() ? joint.name : with_side(convention_of(names), joint.side, role);
 }
 

@@ -12,13 +12,13 @@
 #include <new>
 #include <poll.h>
 #include <string_view>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
 
 #include <skelgen/core/error.hpp>
+#include <skelgen/io/posix.hpp>
 
 namespace skelgen::io::detail {
 namespace {
@@ -41,7 +41,7 @@ void set_limit(decltype(RLIMIT_AS) resource, std::size_t value) {
 }
 
 void set_limits(const ProcessLimits& limits) {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    end_with_parent();
     set_limit(RLIMIT_CORE, 0);
     set_limit(RLIMIT_CPU, static_cast<std::size_t>(std::ceil(limits.seconds)) + 1);
     if (has_memory_limit()) set_limit(RLIMIT_AS, address_space_in_use() + limits.bytes);
@@ -87,7 +87,7 @@ class Process {
 public:
     Process(const std::function<std::string()>& work, const ProcessLimits& limits) {
         int ends[2];
-        if (::pipe2(ends, O_CLOEXEC) != 0) throw_system_error("no pipe");
+        if (!make_pipe(ends)) throw_system_error("no pipe");
         std::fflush(nullptr); // or the other process would print it again
         process_ = ::fork();
         if (process_ < 0) {
