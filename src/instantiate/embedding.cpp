@@ -29,10 +29,12 @@ namespace skelgen::embedding {
     template int contact_count(const CurveSkeleton<Scalar>&);                                                          \
     template std::vector<LoopCuts> find_loop_cuts(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,               \
                                                   const MatchingOptions&);                                             \
-    template Outcome<FittingTemplate> fitting_template(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,          \
-                                                       const MatchingOptions&);                                        \
-    template std::vector<FittingTemplate> fitting_without_limb(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,  \
-                                                               std::size_t, const MatchingOptions&);
+    template Proportions proportions_of(const CurveSkeleton<Scalar>&, const Embedding&, const SkeletonTemplate&);      \
+    template bool legs_go_on(const CurveSkeleton<Scalar>&, const Embedding&, const SkeletonTemplate&);                 \
+    template Outcome<FittingTemplate> fitting_proportions(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,       \
+                                                          const MatchingOptions&);                                     \
+    template std::vector<FittingTemplate> other_fitting_templates(                                                     \
+        const CurveSkeleton<Scalar>&, const SkeletonTemplate&, std::size_t, const MatchingOptions&);
 
 SKELGEN_INSTANTIATE(SKELGEN_SCALAR)
 

@@ -349,12 +349,14 @@ def ablate(meshes, witnesses, penalty):
         "bodies at rest": lambda row: row["hypothesis"][4] != "rest_fit",
         "whole curves": lambda row: row["hypothesis"][4] in ("draft", "quick", "rest_fit"),
         "finer curves": lambda row: row["hypothesis"][4] not in ("finer", "finest"),
+        "few rounds of centring": lambda row: row["hypothesis"][4] != "less_centred",
         "cuts at contacts": lambda row: row["hypothesis"][2] == 0,
         "things held": lambda row: row["hypothesis"][3] == "nothing",
         "surfaces as given": lambda row: row["hypothesis"][1] != "as_given",
         "envelopes": lambda row: row["hypothesis"][0] != "envelope",
         "rounded surfaces": lambda row: row["hypothesis"][0] != "rounded",
         "limbs that are lacking": lambda row: row["evidence"]["lacks_head"] + row["evidence"]["lacks_limbs"] == 0,
+        "adapted proportions": lambda row: row["evidence"]["adapted"] == 0 or row["evidence"]["fitted"] == 1,
     }
     right, false, loss = measures(meshes, penalty)
     print(f"left out: nothing: right {right}, things above .5: {false}, log loss {loss:.4f}")

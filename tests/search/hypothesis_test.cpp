@@ -12,8 +12,8 @@ using namespace skelgen::search;
 
 namespace {
 
-constexpr std::array efforts{Effort::draft,  Effort::quick,    Effort::whole,   Effort::finer,
-                             Effort::finest, Effort::detailed, Effort::rest_fit};
+constexpr std::array efforts{Effort::draft,  Effort::quick,        Effort::whole,    Effort::finer,
+                             Effort::finest, Effort::less_centred, Effort::detailed, Effort::rest_fit};
 
 /// How many different spellings these values have, empty ones not counted.
 template <typename Values>
@@ -46,18 +46,17 @@ TEST_CASE("a quick curve has a draft's proxy and is centred") {
     CHECK(quick.contraction.medial_weight == draft.contraction.medial_weight);
 }
 
-TEST_CASE("a whole curve is as the options have it, a detailed one has finer branches") {
+TEST_CASE("a whole curve is as the options have it, also one that is centred less") {
     curve::CurveOptions options;
     options.proxy.vertices = 2222;
     options.contraction.medial_weight *= 2;
     options.is_draft = true; // a draft that nobody asked for
-    for (const Effort effort : {Effort::whole, Effort::detailed}) {
+    for (const Effort effort : {Effort::whole, Effort::less_centred}) {
         const curve::CurveOptions whole = curve_options(effort, options);
         CHECK(whole.proxy.vertices == 2222);
         CHECK(whole.contraction.medial_weight == options.contraction.medial_weight);
         CHECK(whole.centring.rounds == options.centring.rounds);
         CHECK_FALSE(whole.is_draft);
-        CHECK(whole.detail == (effort == Effort::whole ? curve::Detail::limbs : curve::Detail::digits));
     }
 }
 
@@ -88,6 +87,8 @@ TEST_CASE("whatever is allowed to be wanted, every effort's options are allowed,
 
 TEST_CASE("a curve costs a draft or more, and the more the finer it is") {
     for (const Effort effort : efforts) CHECK(cost_of(effort) >= 1);
+    CHECK(curve_options(Effort::whole, {}).detail == curve::Detail::limbs);
+    CHECK(curve_options(Effort::detailed, {}).detail == curve::Detail::digits);
     CHECK(cost_of(Effort::draft) == 1);
     CHECK(cost_of(Effort::draft) < cost_of(Effort::quick));
     CHECK(cost_of(Effort::quick) < cost_of(Effort::whole));
@@ -101,7 +102,7 @@ TEST_CASE("every part of a hypothesis has a name of its own, as trails spell it"
     CHECK(spellings(std::array{Remedy::largest_piece, Remedy::envelope, Remedy::rounded}) == 3);
     CHECK(spellings(std::array{Opening::opened, Opening::as_given}) == 2);
     CHECK(spellings(std::array{Held::nothing, Held::all, Held::all_but_fist}) == 3);
-    CHECK(to_string(Effort::detailed) == "detailed");
+    CHECK(to_string(Effort::less_centred) == "less_centred");
     CHECK(to_string(Remedy::largest_piece) == "largest_piece");
     CHECK(to_string(Opening::as_given) == "as_given");
     CHECK(to_string(Held::all_but_fist) == "all_but_fist");

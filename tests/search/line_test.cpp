@@ -136,7 +136,7 @@ TEST_CASE("a skeleton of the same body, curve and template is the same, to the l
 
 TEST_CASE("a template that was laid into the curve before gives the same skeleton") {
     const auto& [known, body, curve] = walker();
-    const auto laid = embedding::fitting_template(curve.curve, builtin_template("human21"));
+    const auto laid = embedding::fitting_proportions(curve.curve, builtin_template("human21"));
     REQUIRE(laid);
     const auto from_laid = skeleton_of(body, curve, *laid);
     const auto at_once = skeleton_of(body, curve, builtin_template("human21"));
@@ -249,7 +249,7 @@ TEST_CASE("a curve that no template can be laid into is refused for what it is")
 TEST_CASE("where both legs are one, the hips have no extent") {
     const auto& [known, body, curve] = walker();
     const SkeletonTemplate& human = builtin_template("human21");
-    auto laid = embedding::fitting_template(curve.curve, human);
+    auto laid = embedding::fitting_proportions(curve.curve, human);
     REQUIRE(laid);
     const auto leg_of = [&](Side side) -> embedding::Chain& {
         const int foot = find_joint(human, JointRole::foot, side);

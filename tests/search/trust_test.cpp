@@ -200,7 +200,7 @@ TEST_CASE("the strongest doubt is the one of the witness that speaks most agains
                                                  {Witness::support, "outside of it"},
                                                  {Witness::legs_go_on, "four legs"},
                                                  {Witness::four_legged, "four legs"},
-                                                 {Witness::head_size, "no person's"},
+                                                 {Witness::adapted, "no person's"},
                                                  {Witness::distortion, "no person's"}};
     int heard = 0;
     for (const auto& [witness, clause] : clauses) {

@@ -210,6 +210,15 @@ TEST_CASE("head and trunk tell the sides where feet and knees say nothing") {
     }
 }
 
+TEST_CASE("heads and trunks of drawn figures count half, limbs as much as ever") {
+    const SidesOptions person, figure = sides_of_figures(person);
+    CHECK(figure.foot == person.foot);
+    CHECK(figure.knee == person.knee);
+    CHECK(figure.elbow == person.elbow);
+    CHECK(figure.head == person.head / 2);
+    CHECK(figure.trunk == person.trunk / 2);
+}
+
 TEST_CASE("the skeleton has the template's names, order and parents, and the end points in a fixed order") {
     const PosedBody body = posed(test_poses()[0]);
     const SkeletonTemplate& human = builtin_template("human21");

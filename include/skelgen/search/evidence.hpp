@@ -26,6 +26,7 @@ enum class Witness {
     contacts,        ///< loops that the curve has
     fitted,          ///< 1 where a body at rest was laid into the surface, not a template into a curve
     fit_cost,        ///< log of what the surface costs that this does not explain
+    adapted,         ///< 1 where the template's proportions had to be changed
     lacks_head,      ///< 1 where the template lacks a head
     lacks_limbs,     ///< how many limbs it lacks
     cut_limbs,       ///< how many limbs' ends the surface shows to be cut off

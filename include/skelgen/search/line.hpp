@@ -6,7 +6,7 @@
 #include <skelgen/core/outcome.hpp>
 #include <skelgen/core/stage_timings.hpp>
 #include <skelgen/curve/find_curve.hpp>
-#include <skelgen/embedding/missing_limbs.hpp>
+#include <skelgen/embedding/proportions.hpp>
 #include <skelgen/search/evidence.hpp>
 #include <skelgen/search/extract_options.hpp>
 #include <skelgen/search/rest_fit.hpp>
@@ -69,7 +69,7 @@ template <typename Scalar>
                                                      const embedding::FittingTemplate& laid,
                                                      const ExtractOptions& options = {});
 
-/// The same with the template laid into the curve (embedding::fitting_template): the paper's
+/// The same with the template laid into the curve in the likeliest way (embedding::fitting_proportions): the paper's
 /// straight line from a body and its curve to its skeleton. \returns the failure of embed, too. \throws Error usage
 /// when an option is out of its range, bad_input when the template breaks a rule.
 template <typename Scalar>

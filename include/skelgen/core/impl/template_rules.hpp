@@ -188,14 +188,17 @@ SKELGEN_INLINE std::string_view to_string(Side side) {
 }
 
 SKELGEN_INLINE void validate_template(const SkeletonTemplate& skeleton_template) {
+    const bool is_human = skeleton_template.plan == BodyPlan::human;
     core::detail::check_values(skeleton_template);
+    if (is_human) core::detail::check_human_roles(skeleton_template);
     core::detail::check_uniqueness(skeleton_template);
     core::detail::check_completeness(skeleton_template);
     core::detail::check_symmetry(skeleton_template);
     core::detail::check_tree(skeleton_template);
-    if (skeleton_template.plan == BodyPlan::quadruped) return core::detail::check_counts(skeleton_template);
-    core::detail::check_human_roles(skeleton_template);
-    core::detail::check_trunk(skeleton_template);
+    if (is_human)
+        core::detail::check_trunk(skeleton_template);
+    else
+        core::detail::check_counts(skeleton_template);
 }
 
 } // namespace skelgen

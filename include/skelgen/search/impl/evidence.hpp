@@ -355,15 +355,17 @@ void add_pose(Evidence& out, const KinematicSkeleton<Scalar>& skeleton, const Sk
 
 SKELGEN_INLINE std::string_view to_string(Witness witness) {
     constexpr std::array<std::string_view, witness_count> names{
-        "distortion",   "unmatched",    "unmatched_reach", "clutter_head",  "clutter_hands",
-        "clutter_back", "clutter_legs", "contacts",        "fitted",        "fit_cost",
-        "lacks_head",   "lacks_limbs",  "cut_limbs",       "reach",         "envelope",
-        "rounded",      "left_out",     "noisy",           "opened",        "cut",
-        "held",         "doubt",        "misplaced",       "outside",       "apart",
-        "unexplained",  "support",      "slack",           "pairs_lengths", "pairs_girths",
-        "mirror",       "head_size",    "arm_length",      "leg_length",    "shoulder_width",
-        "hip_width",    "trunk_girth",  "below_hips",      "neck_height",   "sides",
-        "legs_go_on",   "four_legged"};
+        "distortion",    "unmatched",     "unmatched_reach", "clutter_head",
+        "clutter_hands", "clutter_back",  "clutter_legs",    "contacts",
+        "fitted",        "fit_cost",      "adapted",         "lacks_head",
+        "lacks_limbs",   "cut_limbs",     "reach",           "envelope",
+        "rounded",       "left_out",      "noisy",           "opened",
+        "cut",           "held",          "doubt",           "misplaced",
+        "outside",       "apart",         "unexplained",     "support",
+        "slack",         "pairs_lengths", "pairs_girths",    "mirror",
+        "head_size",     "arm_length",    "leg_length",      "shoulder_width",
+        "hip_width",     "trunk_girth",   "below_hips",      "neck_height",
+        "sides",         "legs_go_on",    "four_legged"};
     return names[static_cast<std::size_t>(witness)];
 }
 
@@ -388,6 +390,7 @@ Evidence evidence_of(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curv
         out[Witness::clutter_legs] = hanging[3];
         out[Witness::contacts] = embedding::contact_count(curve);
     }
+    out[Witness::adapted] = wanted.is_adapted ? 1 : 0;
     for (std::size_t j = 0; j < wanted.joints.size(); ++j) {
         const TemplateJoint& joint = wanted.joints[j];
         if (!ends_limb(joint.role) || skeleton.joints[j].is_present) continue;

@@ -15,6 +15,7 @@
 #include <skelgen/core/polyline.hpp>
 #include <skelgen/embedding/embed.hpp>
 #include <skelgen/embedding/missing_limbs.hpp>
+#include <skelgen/embedding/proportions.hpp>
 #include <skelgen/surface/without_faces.hpp>
 
 namespace skelgen::search {
@@ -124,16 +125,20 @@ std::optional<Emptied<Scalar>> emptied(const CurveSkeleton<Scalar>& curve, const
                                        const SkeletonTemplate& wanted, const embedding::MatchingOptions& options) {
     constexpr double most_left_over = 0.15; // of the chains' length: what else figures wear
     constexpr double well_enough = 0.01;    // per pair: what is left of it distorts the template, too
+    constexpr double well_fitted = 0.006;   // per pair: registered bodies have no more
     std::vector<bool> is_left_out(curve.radii.size(), false);
     for (const Grip* grip : grips)
         for (const std::vector<int>& branch : grip->held)
             for (const int node : branch) is_left_out[static_cast<std::size_t>(node)] = true;
     const PartOfCurve<Scalar> part = without_nodes(curve, is_left_out);
-    const auto laid = embedding::embed(part.curve, wanted, options);
-    if (!laid) return std::nullopt;
-    const embedding::Embedding& found = *laid;
+    const auto fitting = embedding::fitting_proportions(part.curve, wanted, options);
+    if (!fitting) return std::nullopt;
+    const embedding::Embedding& found = fitting->embedding;
     Emptied<Scalar> out{grips, {}, embedding::distortion_per_pair(found)};
     if (!(out.distortion < well_enough)) return std::nullopt;
+    // Animals' legs do not go on from the trunk, nor does a person's template fit animals well.
+    const bool is_persons = !fitting->is_odd && out.distortion < well_fitted;
+    if (!is_persons && !embedding::legs_go_on(part.curve, found, fitting->skeleton_template)) return std::nullopt;
     if (static_cast<double>(embedding::unmatched_share(part.curve, found)) > most_left_over) return std::nullopt;
     const auto node_of = [&](JointRole role, Side side) { // the part's node, or -1
         const int joint = find_joint(wanted, role, side);

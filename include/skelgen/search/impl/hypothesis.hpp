@@ -28,6 +28,7 @@ SKELGEN_INLINE curve::CurveOptions curve_options(Effort effort, curve::CurveOpti
 SKELGEN_INLINE int cost_of(Effort effort) {
     switch (effort) {
     case Effort::draft:
+    case Effort::less_centred:
     case Effort::rest_fit:
         return 1;
     case Effort::quick:
@@ -79,6 +80,8 @@ SKELGEN_INLINE std::string_view to_string(Effort effort) {
         return "finest";
     case Effort::detailed:
         return "detailed";
+    case Effort::less_centred:
+        return "less_centred";
     case Effort::rest_fit:
         return "rest_fit";
     }

@@ -18,7 +18,7 @@
 #include <skelgen/core/precision.hpp>
 #include <skelgen/core/stopwatch.hpp>
 #include <skelgen/embedding/loop_cuts.hpp>
-#include <skelgen/embedding/missing_limbs.hpp>
+#include <skelgen/embedding/proportions.hpp>
 #include <skelgen/quadruped/limbs.hpp>
 #include <skelgen/quadruped/place_joints.hpp>
 #include <skelgen/search/contacts.hpp>
@@ -105,8 +105,8 @@ public:
 private:
     static constexpr int rungs_per_surface = 100;
     /// On the way up from a surface's draft. Each try that is not sure leads to those above it.
-    static constexpr int for_cuts = 1, for_rest_fit = 25, for_whole = 10, for_held = 20, for_as_given = 30,
-                         for_finer = 40, for_finest = 50;
+    static constexpr int for_cuts = 1, for_rest_fit = 25, for_whole = 10, for_less_centred = 11, for_held = 20,
+                         for_as_given = 30, for_finer = 40, for_finest = 50;
 
     void add(Lead<Scalar> lead) {
         const auto place = std::upper_bound(leads_.begin(), leads_.end(), lead,
@@ -187,28 +187,32 @@ private:
         out_.trail.push_back(entry);
     }
 
-    /// The template in the curve and, where that is not sure, without a limb. \returns the probability
+    /// The template in the curve, in the likeliest way and, where that is not sure, in others. \returns the probability
     /// of the likeliest skeleton.
     double try_templates(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
                          const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
         constexpr std::size_t most_others = 4;
         core::Stopwatch stage;
-        auto whole = embedding::fitting_template(curve->curve, wanted_, options_.matching);
+        auto first = embedding::fitting_proportions(curve->curve, wanted_, options_.matching);
         out_.timings.embed += stage.lap();
         double likeliest = 0;
-        if (whole || curve->is_point)
-            likeliest = try_laid(lead, surface, curve, whole ? *whole : embedding::FittingTemplate{}, entry);
+        if (first || curve->is_point)
+            likeliest = try_laid(lead, surface, curve, first ? *first : embedding::FittingTemplate{}, entry);
         else
-            refuse(entry, whole.failure());
-        if (curve->is_point || (lead.what.effort == Effort::draft && whole) ||
+            refuse(entry, first.failure());
+        if (curve->is_point || (lead.what.effort == Effort::draft && first) ||
             (likeliest >= likely_enough && thoroughness_ == Thoroughness::until_sure))
             return likeliest;
         stage.lap();
-        const std::vector<embedding::FittingTemplate> others =
-            embedding::fitting_without_limb(curve->curve, wanted_, most_others, options_.matching);
+        std::vector<embedding::FittingTemplate> others =
+            embedding::other_fitting_templates(curve->curve, wanted_, most_others, options_.matching);
         out_.timings.embed += stage.lap();
-        for (const embedding::FittingTemplate& other : others)
+        for (const embedding::FittingTemplate& other : others) {
+            if (first && first->embedding.node_of_joint == other.embedding.node_of_joint &&
+                first->is_odd == other.is_odd)
+                continue;
             likeliest = std::max(likeliest, try_laid(lead, surface, curve, other, entry));
+        }
         return likeliest;
     }
 
@@ -357,6 +361,7 @@ private:
                 what.opening = Opening::as_given;
                 lead_to(what, for_as_given, nullptr);
             }
+            follow_centring(lead, curve, rung + for_less_centred);
             what = lead.what;
             what.effort = Effort::finer;
             add({what, finer_after_all + for_finer, lead.body});
@@ -390,6 +395,22 @@ private:
             add({what, rung, std::make_shared<const Body<Scalar>>(std::move(bare))});
             what.held = Held::all_but_fist;
         }
+    }
+
+    /// Where stout arms hang beside the trunk their own sections are few, and centring may draw their junctions down
+    /// the trunk: the curve is left as it was after few rounds of that.
+    void follow_centring(const Lead<Scalar>& lead, const std::shared_ptr<const curve::CurveResult<Scalar>>& curve,
+                         int rung) {
+        constexpr int few = 3; // one coarse round, and two of those that join branches
+        if (!curve->contracted || options_.curve.centring.rounds <= few || core::cycle_count(curve->curve) > 0) return;
+        const auto fitting = embedding::fitting_proportions(curve->curve, wanted_, options_.matching);
+        if (!fitting || !fitting->fits_badly) return;
+        core::Stopwatch stage;
+        Hypothesis what = lead.what;
+        what.effort = Effort::less_centred;
+        add({what, rung, lead.body,
+             std::make_shared<const curve::CurveResult<Scalar>>(recentred(*curve, *lead.body, few))});
+        out_.timings.curve += stage.lap();
     }
 
     static constexpr int finer_after_all = 1000;
@@ -436,7 +457,7 @@ std::vector<std::string> warnings_of(const Found<Scalar>& found, const SkeletonT
                                                                             ? "an arm or part of it"
                                                                             : "a leg or part of it"));
     }
-    if (evidence[Witness::fitted] > 0) out.push_back("unusual proportions: it may be none of a human body");
+    if (evidence[Witness::adapted] > 0) out.push_back("unusual proportions: it may be none of a human body");
     const auto contacts = static_cast<int>(evidence[Witness::contacts]) + found.hypothesis.cuts;
     if (contacts > 0)
         out.push_back("the body touches itself in " + std::to_string(contacts) +

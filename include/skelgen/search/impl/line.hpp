@@ -21,11 +21,14 @@ namespace skelgen::search {
 template <typename Scalar>
 PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found,
                                   const embedding::FittingTemplate& laid, const ExtractOptions& options) {
-    const auto& [wanted, embedding] = laid;
+    const auto& [wanted, embedding, is_odd, fits_badly] = laid;
     const auto ends = refinement::find_end_points(body, found.curve, embedding, wanted);
-    return {wanted,        refinement::refine(body, ends, found.curve, embedding, wanted, options.refinement),
-            &embedding,    refinement::geodesic_diameter(ends),
-            options.sides, {}};
+    return {wanted,
+            refinement::refine(body, ends, found.curve, embedding, wanted, options.refinement),
+            &embedding,
+            refinement::geodesic_diameter(ends),
+            is_odd ? symmetry::sides_of_figures(options.sides) : options.sides,
+            {}};
 }
 
 template <typename Scalar>
@@ -91,7 +94,7 @@ Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>& body, const curve::Cu
     validate(options);
     validate_template(skeleton_template);
     core::Stopwatch stage;
-    const auto laid = embedding::fitting_template(found.curve, skeleton_template, options.matching);
+    const auto laid = embedding::fitting_proportions(found.curve, skeleton_template, options.matching);
     if (!laid && !found.is_point) return laid.failure();
     const double embedding_time = stage.lap();
     auto out = skeleton_of(body, found, laid ? *laid : embedding::FittingTemplate{}, options);

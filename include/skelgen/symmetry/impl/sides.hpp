@@ -129,6 +129,12 @@ inline std::string doubt_of_sides(const std::vector<SideVote>& votes) {
 
 } // namespace detail
 
+SKELGEN_INLINE SidesOptions sides_of_figures(SidesOptions options) {
+    options.head /= 2;
+    options.trunk /= 2;
+    return options;
+}
+
 SKELGEN_INLINE void validate(const SidesOptions& options) {
     constexpr double most = 1000;
     core::require_in_range("sides.foot", options.foot, 0.0, most);
