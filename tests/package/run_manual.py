@@ -39,6 +39,7 @@ def prepare(place: Path, program: Path, root: Path) -> None:
     lines = [f"{program} convert body.off {name}" for name in BODIES]
     lines += [f"{program} animate body.off --clip walk.bvh -q -o walk.glb"]
     lines += [f"{program} convert body.off scans/{name}.ply" for name in ("a", "b")]
+    lines += [f"{program} extract body.off -q -o body.json"]
     for line in lines:
         done = shell(place, line)
         if done.returncode:
