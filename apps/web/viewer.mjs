@@ -2,7 +2,7 @@
 import * as THREE from "three";
 import { sides } from "../view/colours.mjs";
 import { Labels } from "../view/labels.mjs";
-import { Panel } from "../view/panel.mjs";
+import { Panel } from "./panel.mjs";
 import { Poses } from "../view/poses.mjs";
 
 const unsure = new THREE.Color(0xd0432e), middling = new THREE.Color(0xe8a33d), sure = new THREE.Color(0x2b9a78);
