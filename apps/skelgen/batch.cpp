@@ -47,22 +47,6 @@ struct BatchCommand {
 
 // --------------------------------------------------------------------------------------------- in a worker process
 
-std::string to_status(ErrorCode code) {
-    switch (code) {
-    case ErrorCode::internal:
-        break;
-    case ErrorCode::usage:
-        return "usage";
-    case ErrorCode::bad_input:
-        return "bad_input";
-    case ErrorCode::no_skeleton:
-        return "no_skeleton";
-    case ErrorCode::not_written:
-        return "not_written";
-    }
-    return "internal";
-}
-
 std::string to_text(double number) {
     std::ostringstream text;
     text << number;
@@ -152,7 +136,7 @@ SummaryLine process(const BatchItem& item, const Background& background, const s
         line.output = result_fingerprint(skeleton, result.provenance.mesh);
         write_parts(item, result, background.parts, parts, line);
     } catch (const Error& error) {
-        if (line.status.empty()) line.status = to_status(error.code());
+        if (line.status.empty()) line.status = to_string(error.code());
         line.error = error.what();
         if (error.refusal() != Refusal::none) line.code = to_string(error.refusal());
         line.also = draw_failure(item, parts, error);

@@ -92,6 +92,9 @@ void run(const ExtractCommand& command) {
     ExtractOptions options;
     const auto named = template_and_fingers(command.skeleton_template, command.fingers);
     want_template(options, named.first);
+    if (!hints.empty() && options.or_quadruped)
+        throw Error(ErrorCode::usage,
+                    "--hint: name the template whose joints these are, human21 or quadruped, not auto");
     require_joints(hints, options.skeleton_template);
     options.prepare.component = command.component;
     options.threads = command.threads;

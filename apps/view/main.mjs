@@ -3,7 +3,7 @@ import * as THREE from "three";
 import { JointDrag } from "./drag.mjs";
 import { Figure } from "./figure.mjs";
 import { Labels } from "./labels.mjs";
-import { Panel } from "./panel.mjs";
+import { EditingPanel } from "./editing_panel.mjs";
 import { Poses } from "./poses.mjs";
 import { Stage } from "./stage.mjs";
 
@@ -55,7 +55,7 @@ class Viewer {
       taken: (figure, joint) => this.choose(figure, joint),
       changed: () => this.changed(),
     });
-    this.panel = new Panel(this);
+    this.panel = new EditingPanel(this);
     this.follow_pointer();
     for (const layer of Object.keys(this.shown)) this.apply_layer(layer);
     this.select(this.joint);
@@ -181,16 +181,12 @@ class Viewer {
   }
 
   scrub(part) {
-    if (this.poses.clip === null) this.poses.choose(document.getElementById("clip").value);
-    this.poses.playing = false;
-    this.poses.go_to(part * this.poses.duration());
+    this.poses.scrub(part, document.getElementById("clip").value);
     this.changed();
   }
 
   play() {
-    if (this.poses.clips().length === 0) return;
-    if (this.poses.clip === null) this.poses.choose(document.getElementById("clip").value);
-    this.poses.playing = !this.poses.playing;
+    this.poses.play(document.getElementById("clip").value);
     this.changed();
   }
 

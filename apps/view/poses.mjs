@@ -54,6 +54,20 @@ export class Poses {
     this.go_to(0);
   }
 
+  /// Holds them at a part of a clip, the chosen one or else this.
+  scrub(part, name) {
+    if (this.clip === null) this.choose(name);
+    this.playing = false;
+    this.go_to(part * this.duration());
+  }
+
+  /// Plays what is chosen, or else this, or stops.
+  play(name) {
+    if (this.clips().length === 0) return;
+    if (this.clip === null) this.choose(name);
+    this.playing = !this.playing;
+  }
+
   duration() {
     return Math.max(0, ...(this.tracks).map(({ duration }) => duration));
   }

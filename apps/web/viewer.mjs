@@ -2,7 +2,7 @@
 import * as THREE from "three";
 import { sides } from "../view/colours.mjs";
 import { Labels } from "../view/labels.mjs";
-import { Panel } from "./panel.mjs";
+import { Panel, element } from "../view/panel.mjs";
 import { Poses } from "../view/poses.mjs";
 
 const unsure = new THREE.Color(0xd0432e), middling = new THREE.Color(0xe8a33d), sure = new THREE.Color(0x2b9a78);
@@ -11,13 +11,6 @@ const unsure = new THREE.Color(0xd0432e), middling = new THREE.Color(0xe8a33d), 
 export function confidence_colour(confidence) {
   const colour = new THREE.Color();
   return confidence < 0.5 ? colour.lerpColors(unsure, middling, 2 * confidence) : colour.lerpColors(middling, sure, 2 * confidence - 1);
-}
-
-const element = (id) => document.getElementById(id);
-
-/// The panel without its list of bodies: there is one, and the page says more of it.
-class Controls extends Panel {
-  list_bodies() {}
 }
 
 export class Viewer {
@@ -40,8 +33,7 @@ export class Viewer {
     this.labels = new Labels(element("labels"), element("tip"), this.joints.length > 0 ? this.figures : []);
     this.labels.tell(null);
     if (this.joints.length > 0) {
-      element("opacity").value = String(this.opacity);
-      this.panel = new Controls(this, { keys_from: new EventTarget(), is_folded: false }); // the page hears keys
+      this.panel = new Panel(this, { keys_from: new EventTarget(), is_folded: false }); // the page hears keys
       for (const layer of Object.keys(this.shown)) this.apply_layer(layer);
       this.select(this.joint);
     }
@@ -131,15 +123,11 @@ export class Viewer {
     this.changed();
   }
   scrub(part) {
-    if (this.poses.clip === null) this.poses.choose(element("clip").value);
-    this.poses.playing = false;
-    this.poses.go_to(part * this.poses.duration());
+    this.poses.scrub(part, element("clip").value);
     this.changed();
   }
   play() {
-    if (this.poses.clips().length === 0) return;
-    if (this.poses.clip === null) this.poses.choose(element("clip").value);
-    this.poses.playing = !this.poses.playing;
+    this.poses.play(element("clip").value);
     this.changed();
   }
   see_all() {

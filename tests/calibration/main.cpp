@@ -50,8 +50,8 @@ Json steps_along(const Body<double>& body, const CurveSkeleton<double>& curve, c
     constexpr int steps = 20;
     Json out = Json::array();
     for (int i = 0; i <= steps && !way.empty(); ++i)
-        out.push_back(numbers(
-            body.similarity.to_input(quadruped::detail::along(curve, way, static_cast<double>(i) / steps).first)));
+        out.push_back(numbers(body.similarity.to_input(
+            quadruped::detail::WayLine<double>(curve, way).place(static_cast<double>(i) / steps))));
     return out;
 }
 

@@ -149,6 +149,20 @@ TEST_CASE("one file for two results is refused before anything is done") {
     CHECK(run_cli(folder.path(), {"extract", sample_body, "-q", "-o", "out.json", "--curve", "c.json"}).status == 0);
 }
 
+TEST_CASE("a person stays one where an animal is looked for, too, and is none where that alone is") {
+    const TemporaryFolder folder;
+    const CliResult either = run_cli(folder.path(), {"extract", sample_body, "--template", "auto", "-q"});
+    CHECK(either.status == 0);
+    CHECK(nlohmann::json::parse(either.out)["template"] == "human21");
+    const CliResult animal = run_cli(folder.path(), {"extract", sample_body, "--template", "quadruped"});
+    CHECK(animal.status == 4);
+    CHECK(animal.err.find("no four-legged animal: ") != std::string::npos);
+    const CliResult hinted =
+        run_cli(folder.path(), {"extract", sample_body, "--template", "auto", "--hint", "head=0,0,1.5"});
+    CHECK(hinted.status == 2);
+    CHECK(hinted.err.find("not auto") != std::string::npos);
+}
+
 TEST_CASE("several meshes for extract: the message names batch") {
     const TemporaryFolder folder;
     const CliResult several = run_cli(folder.path(), {"extract", "a.off", "b.off"});

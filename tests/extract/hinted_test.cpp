@@ -18,7 +18,7 @@ KinematicSkeleton<double> skeleton_at_rest() {
     KinematicSkeleton<double> out;
     for (const TemplateJoint& joint : human.joints) {
         out.joints.push_back({joint.name, joint.parent, joint.position});
-        if (joint.tip) out.end_points.emplace_back(end_point_name(joint), *joint.tip);
+        if (joint.tip) out.end_points.emplace_back(end_point_name(human, joint), *joint.tip);
     }
     return out;
 }

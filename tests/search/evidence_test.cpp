@@ -34,7 +34,7 @@ const SkeletonTemplate& human() { return builtin_template("human21"); }
 KinematicSkeleton<double> rest_pose() {
     KinematicSkeleton<double> skeleton = rest_skeleton();
     for (const TemplateJoint& joint : human().joints)
-        if (joint.tip) skeleton.end_points.emplace_back(end_point_name(joint), *joint.tip);
+        if (joint.tip) skeleton.end_points.emplace_back(end_point_name(human(), joint), *joint.tip);
     skeleton.frame = {skeleton.joints.front().position, Vec3::UnitX(), Vec3::UnitZ(), Vec3::UnitY()};
     for (Joint<double>& joint : skeleton.joints) joint.radius = 0.04;
     return skeleton;

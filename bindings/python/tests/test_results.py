@@ -83,6 +83,7 @@ def test_fingers(body: skelgen.Extraction, sample: Path, workplace: Path, finger
 
 
 def test_a_template_with_fingers(body: skelgen.Extraction, sample: Path) -> None:
+    assert skelgen.extract(sample, template="auto").template == "human21"
     hands = skelgen.extract(sample, template="human51")
     assert hands.template == "human51"
     assert hands.positions.shape == (51, 3)

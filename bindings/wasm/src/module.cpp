@@ -86,23 +86,7 @@ void fill(Matrix& matrix, const val& array) {
 /// Thrown where the caller does not want the result any longer.
 struct Cancelled {};
 
-const char* name_of(ErrorCode code) {
-    switch (code) {
-    case ErrorCode::usage:
-        return "usage";
-    case ErrorCode::bad_input:
-        return "bad_input";
-    case ErrorCode::no_skeleton:
-        return "no_skeleton";
-    case ErrorCode::not_written:
-        return "not_written";
-    case ErrorCode::internal:
-        break;
-    }
-    return "internal";
-}
-
-val failed(const char* code, const std::string& message) {
+val failed(std::string_view code, const std::string& message) {
     val error = val::object();
     error.set("code", std::string(code));
     error.set("message", message);
@@ -122,7 +106,7 @@ val answered(const Work& work) {
         out["error"].set("trail", io::trail_to_json(refused.trail()));
         return out;
     } catch (const Error& error) {
-        val out = failed(name_of(error.code()), error.what());
+        val out = failed(to_string(error.code()), error.what());
         if (error.refusal() != Refusal::none) out["error"].set("refusal", std::string(to_string(error.refusal())));
         return out;
     } catch (const Cancelled&) {

@@ -6,6 +6,15 @@
 
 namespace skelgen::core {
 
+/// Numbers, each known by its witness: an enumeration that ends in `count`.
+template <typename Witness>
+struct EvidenceOf {
+    std::array<double, static_cast<std::size_t>(Witness::count)> values{};
+
+    [[nodiscard]] double& operator[](Witness witness) { return values[static_cast<std::size_t>(witness)]; }
+    [[nodiscard]] double operator[](Witness witness) const { return values[static_cast<std::size_t>(witness)]; }
+};
+
 /// A tree of questions: is a number (its place among all) above a bound? From question i on to 2 i + 1 where it is not,
 /// to 2 i + 2 where it is. The last answers add their voice to a logarithm of odds.
 struct QuestionTree {

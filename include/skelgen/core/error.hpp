@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include <skelgen/core/refusal.hpp>
 
@@ -15,6 +16,23 @@ enum class ErrorCode {
     no_skeleton = 4, ///< a sound mesh in which no human skeleton could be found
     not_written = 6, ///< the result cannot be stored (a full disk, say): make room
 };
+
+/// As results name it: "usage", "bad_input", "no_skeleton", "not_written"; "internal" for all others.
+[[nodiscard]] constexpr std::string_view to_string(ErrorCode code) {
+    switch (code) {
+    case ErrorCode::usage:
+        return "usage";
+    case ErrorCode::bad_input:
+        return "bad_input";
+    case ErrorCode::no_skeleton:
+        return "no_skeleton";
+    case ErrorCode::not_written:
+        return "not_written";
+    case ErrorCode::internal:
+        break;
+    }
+    return "internal";
+}
 
 /// The one exception type that skelgen throws. `what()` states the violated condition and what to do about it,
 /// without the file's name: the caller knows it and puts it in front.

@@ -100,10 +100,13 @@ struct SkeletonTemplate {
     [[nodiscard]] const TemplateJoint& joint(int j) const { return joints[static_cast<std::size_t>(j)]; }
 };
 
-/// What the end of the limb that this joint ends in is called: head_top, left_fingertip, right_toe. The joint's role
-/// must be one that ends a limb.
-[[nodiscard]] inline std::string end_point_name(const TemplateJoint& joint) {
-    const char* end = joint.role == JointRole::hand ? "fingertip" : joint.role == JointRole::foot ? "toe" : "head_top";
+/// What the end of the limb that a joint ends in is called: head_top, left_fingertip, right_toe; of animals head_tip,
+/// left_fore_toe, right_hind_toe. The joint's role must be one that ends a limb.
+[[nodiscard]] inline std::string end_point_name(const SkeletonTemplate& skeleton_template, const TemplateJoint& joint) {
+    const bool is_human = skeleton_template.plan == BodyPlan::human;
+    const char* end = joint.role == JointRole::hand   ? (is_human ? "fingertip" : "fore_toe")
+                      : joint.role == JointRole::foot ? (is_human ? "toe" : "hind_toe")
+                                                      : (is_human ? "head_top" : "head_tip");
     return std::string(side_prefix(joint.side)) + end;
 }
 

@@ -50,11 +50,6 @@ Scalar diagonal_along(const Similarity<Scalar>& similarity, const Points<Scalar>
     return similarity.scale * core::bounding_diagonal(turned);
 }
 
-inline const char* limb_name(BodyPart part, BodyPlan plan) {
-    if (plan == BodyPlan::quadruped) return part == BodyPart::arm ? "fore leg" : "hind leg";
-    return part == BodyPart::arm ? "arm" : "leg";
-}
-
 /// The limb, or the head, that is not found, or with the least certainty, and where: "the left arm ends at 0.3, 1.4,
 /// 0".
 template <typename Scalar>
@@ -84,16 +79,15 @@ std::string least_certain_limb(const KinematicSkeleton<Scalar>& skeleton, const 
 
 /// Why the likeliest skeleton is no answer, or why there is none.
 template <typename Scalar>
-Failure failure_of(const search::Climb<Scalar>& climb, const SkeletonTemplate& wanted) {
+Failure failure_of(const search::Climb<Scalar>& climb, const SkeletonTemplate& wanted, const ExtractOptions& options) {
     if (climb.found.empty()) return climb.failure;
+    if (wanted.plan == BodyPlan::quadruped || options.or_quadruped)
+        return {Refusal::unlikely, std::string(options.or_quadruped ? "neither a human body nor a" : "no") +
+                                       " four-legged animal: its parts have unlikely lengths, directions or girths"};
     const search::Found<Scalar>& found = climb.found.front();
     const std::string limb = least_certain_limb(search::skeleton_in_input(found), wanted);
-    const std::string where = limb.empty() ? "" : " (" + limb + ")";
-    if (wanted.plan == BodyPlan::quadruped)
-        return {Refusal::unlikely,
-                "no four-legged animal: its parts have unlikely lengths, directions or girths" + where};
-    return {Refusal::unlikely,
-            std::string("no human body: ") + search::strongest_doubt(found.candidate.evidence) + where};
+    return {Refusal::unlikely, std::string("no human body: ") + search::strongest_doubt(found.candidate.evidence) +
+                                   (limb.empty() ? "" : " (" + limb + ")")};
 }
 
 template <typename Scalar>
@@ -154,7 +148,7 @@ Extraction<Scalar> extract_in(const TriangleMesh<Scalar>& mesh, const ExtractOpt
     SkeletonTemplate wanted = search::wanted_template(options);
     search::Climb<Scalar> climb = detail::climb_as_wanted(mesh, wanted, options);
     if (climb.found.empty() || climb.found.front().candidate.probability < search::least_probability)
-        throw NoSkeleton(detail::failure_of(climb, wanted), std::move(climb.trail));
+        throw NoSkeleton(detail::failure_of(climb, wanted, options), std::move(climb.trail));
     const search::Found<Scalar>& found = climb.found.front();
     KinematicSkeleton<Scalar> skeleton = search::skeleton_in_input(found);
     if (const auto mirror = symmetry::exact_mirror(mesh))

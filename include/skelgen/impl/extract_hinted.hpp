@@ -73,8 +73,9 @@ KinematicSkeleton<Scalar> with_exchanged_sides(KinematicSkeleton<Scalar> skeleto
         std::swap(left.confidence, right.confidence);
         std::swap(left.is_present, right.is_present);
         if (!ends_limb(joint.role)) continue;
-        const auto left_end = by_name(skeleton.end_points, end_point_name(joint));
-        const auto right_end = by_name(skeleton.end_points, end_point_name(skeleton_template.joints[other]));
+        const auto left_end = by_name(skeleton.end_points, end_point_name(skeleton_template, joint));
+        const auto right_end =
+            by_name(skeleton.end_points, end_point_name(skeleton_template, skeleton_template.joints[other]));
         if (left_end != skeleton.end_points.end() && right_end != skeleton.end_points.end())
             std::swap(left_end->second, right_end->second);
     }
@@ -144,7 +145,7 @@ KinematicSkeleton<Scalar> bent_to(KinematicSkeleton<Scalar> skeleton, const Skel
         joint.position += move;
         if (ends_limb(known.role))
             for (auto& [name, place] : skeleton.end_points)
-                if (name == end_point_name(known)) place += move;
+                if (name == end_point_name(skeleton_template, known)) place += move;
         const int hint = hint_of[static_cast<std::size_t>(j)];
         if (hint < 0) continue;
         joint.position = hints[static_cast<std::size_t>(hint)].position.template cast<Scalar>();

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include <skelgen/core/boosted_trees.hpp>
 #include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
 
@@ -69,12 +70,7 @@ inline constexpr std::size_t witness_count = static_cast<std::size_t>(Witness::c
 [[nodiscard]] std::string_view to_string(Witness witness);
 
 /// Of one way to see an animal in a curve.
-struct Evidence {
-    std::array<double, witness_count> values{};
-
-    [[nodiscard]] double& operator[](Witness witness) { return values[static_cast<std::size_t>(witness)]; }
-    [[nodiscard]] double operator[](Witness witness) const { return values[static_cast<std::size_t>(witness)]; }
-};
+using Evidence = core::EvidenceOf<Witness>;
 
 /// The probability that an animal's feet, head, tail and sides are where a way to see it has them. Its log odds are
 /// linear in the evidence, plus small trees boosted on that (search/trust.hpp does the same for people).
@@ -99,10 +95,10 @@ struct Limbs {
 /// Most ends of a curve that take part: those that add most to its length. Ears, horns, toes are more.
 inline constexpr std::size_t most_ends = 10;
 
-/// The likeliest ways to see a four-legged animal in a curve, the likeliest first, at most `most`; none where the curve
-/// has fewer than five ends or is in several pieces. Every choice of two pairs of legs, a head and a tail among its
-/// ends is looked at: O(ends^6) of few operations, and the best 150 of them closely. Left and right are told by up,
-/// where the legs do not point, and forward, where the head is.
+/// The likeliest ways to see a four-legged animal in a curve, the likeliest first, at most `most`. None where the curve
+/// has fewer than five ends, more than `embedding::most_reduced_nodes`, or is in several pieces. Every choice of two
+/// pairs of legs, a head and a tail among its ends is looked at: O(ends^6) of few operations, and the best 150 of them
+/// closely. Left and right are told by up, where the legs do not point, and forward, where the head is.
 template <typename Scalar>
 [[nodiscard]] std::vector<Limbs<Scalar>> find_limbs(const CurveSkeleton<Scalar>& curve, std::size_t most);
 

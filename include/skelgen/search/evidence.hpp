@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include <skelgen/anatomy/complete.hpp>
+#include <skelgen/core/boosted_trees.hpp>
 #include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/core/skeleton_template.hpp>
 #include <skelgen/embedding/embed.hpp>
@@ -69,12 +70,7 @@ enum class Witness {
 inline constexpr std::size_t witness_count = static_cast<std::size_t>(Witness::count);
 
 /// Of one candidate.
-struct Evidence {
-    std::array<double, witness_count> values{};
-
-    [[nodiscard]] double& operator[](Witness witness) { return values[static_cast<std::size_t>(witness)]; }
-    [[nodiscard]] double operator[](Witness witness) const { return values[static_cast<std::size_t>(witness)]; }
-};
+using Evidence = core::EvidenceOf<Witness>;
 
 /// Proportions that are unlikely where they are far off an adult's either way.
 inline constexpr std::array curved_witnesses{

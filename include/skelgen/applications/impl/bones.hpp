@@ -20,10 +20,12 @@ void require_same_joints(const KinematicSkeleton<Scalar>& skeleton, const Skelet
 }
 
 template <typename Scalar>
-std::optional<Vector3<Scalar>> end_point_of(const KinematicSkeleton<Scalar>& skeleton, const TemplateJoint& joint) {
+std::optional<Vector3<Scalar>> end_point_of(const KinematicSkeleton<Scalar>& skeleton,
+                                            const SkeletonTemplate& skeleton_template, int j) {
+    const TemplateJoint& joint = skeleton_template.joint(j);
     if (!ends_limb(joint.role)) return std::nullopt;
     for (const auto& [name, place] : skeleton.end_points)
-        if (name == end_point_name(joint)) return place;
+        if (name == end_point_name(skeleton_template, joint)) return place;
     return std::nullopt;
 }
 
@@ -39,7 +41,7 @@ std::vector<Bone<Scalar>> bones_of(const KinematicSkeleton<Scalar>& skeleton,
         for (const Joint<Scalar>& child : skeleton.joints)
             if (child.parent == static_cast<int>(j))
                 bones.push_back({static_cast<int>(j), joint.position, child.position, joint.radius, child.radius});
-        if (const auto end = detail::end_point_of(skeleton, skeleton_template.joints[j]))
+        if (const auto end = detail::end_point_of(skeleton, skeleton_template, static_cast<int>(j)))
             bones.push_back({static_cast<int>(j), joint.position, *end, joint.radius, joint.radius});
     }
     return bones;
@@ -59,7 +61,7 @@ Vector3<Scalar> bone_end(const KinematicSkeleton<Scalar>& skeleton, const Skelet
     detail::require_same_joints(skeleton, skeleton_template);
     if (const int next = next_joint(skeleton_template, joint); next >= 0)
         return skeleton.joints[static_cast<std::size_t>(next)].position;
-    const auto end = detail::end_point_of(skeleton, skeleton_template.joint(joint));
+    const auto end = detail::end_point_of(skeleton, skeleton_template, joint);
     return end ? *end : skeleton.joints[static_cast<std::size_t>(joint)].position;
 }
 
@@ -70,7 +72,8 @@ KinematicSkeleton<Scalar> rest_skeleton(const SkeletonTemplate& skeleton_templat
     for (const TemplateJoint& joint : skeleton_template.joints) {
         out.joints.push_back(
             {joint.name, joint.parent, joint.position.cast<Scalar>(), static_cast<Scalar>(joint.radius)});
-        if (joint.tip) out.end_points.emplace_back(end_point_name(joint), joint.tip->template cast<Scalar>());
+        if (joint.tip)
+            out.end_points.emplace_back(end_point_name(skeleton_template, joint), joint.tip->template cast<Scalar>());
     }
     out.frame.left = Vector3<Scalar>::UnitX();
     out.frame.up = Vector3<Scalar>::UnitY();

@@ -163,7 +163,7 @@ KinematicSkeleton<Scalar> moved(const KinematicSkeleton<Scalar>& skeleton, const
         out.joints[j].position = motions[j](skeleton.joints[j].position);
         const TemplateJoint& joint = skeleton_template.joints[j];
         for (auto& [name, place] : out.end_points)
-            if (ends_limb(joint.role) && name == end_point_name(joint)) place = motions[j](place);
+            if (ends_limb(joint.role) && name == end_point_name(skeleton_template, joint)) place = motions[j](place);
     }
     const RigidMotion<Scalar>& root = motions.front();
     out.frame = {root(skeleton.frame.origin), root.rotation * skeleton.frame.left,

@@ -134,7 +134,7 @@ public:
             out.joints.push_back({joint.name, joint.parent, place});
             const auto last = static_cast<std::size_t>(guides_of(*body_, joint).turned_by.back());
             if (ends_limb(joint.role) && clip.joints[last].end)
-                out.end_points.emplace_back(end_point_name(joint),
+                out.end_points.emplace_back(end_point_name(skeleton_template, joint),
                                             at(static_cast<int>(last)) + pose_->turns[last] * *clip.joints[last].end);
         }
         out.frame.origin = between_hips();

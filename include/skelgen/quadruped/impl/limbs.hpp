@@ -10,12 +10,13 @@
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
+#include <skelgen/embedding/embed.hpp>
 #include <skelgen/quadruped/trust_table.hpp>
 
 namespace skelgen::quadruped {
 namespace detail {
 
-[[nodiscard]] inline std::size_t at(int index) { return static_cast<std::size_t>(index); }
+using embedding::detail::at;
 
 /// Which end is what: numbers of ends, -1 for a tail that is not there.
 struct Roles {
@@ -39,7 +40,7 @@ struct Ends {
     }
 };
 
-/// The `most_ends` ends that add most to the tree between them.
+/// Of two ends or more the `most_ends` that add most to the tree between them.
 template <typename Scalar>
 Ends<Scalar> chosen_ends(const CurveSkeleton<Scalar>& curve, const core::CurveGraph<Scalar>& graph) {
     Ends<Scalar> all, out;
@@ -49,14 +50,11 @@ Ends<Scalar> chosen_ends(const CurveSkeleton<Scalar>& curve, const core::CurveGr
             all.ways.push_back(core::shortest_paths(graph, v));
         }
     const auto count = static_cast<int>(all.nodes.size());
-    std::vector<int> chosen;
-    if (count >= 2) {
-        chosen = {0, 1};
-        for (int a = 0; a < count; ++a)
-            for (int b = 0; b < a; ++b)
-                if (all.distance(b, a) > all.distance(chosen[0], chosen[1])) chosen = {b, a};
-    }
-    const Scalar diameter = count >= 2 ? all.distance(chosen[0], chosen[1]) : Scalar(0);
+    std::vector<int> chosen{0, 1};
+    for (int a = 0; a < count; ++a)
+        for (int b = 0; b < a; ++b)
+            if (all.distance(b, a) > all.distance(chosen[0], chosen[1])) chosen = {b, a};
+    const Scalar diameter = all.distance(chosen[0], chosen[1]);
     while (chosen.size() < std::min(most_ends, at(count))) {
         int best = -1;
         Scalar farthest = 0;
@@ -106,7 +104,7 @@ std::pair<Evidence, double> along(const Ends<Scalar>& ends, const Roles& roles, 
     const std::array shoulders{between(head, fore[0]), between(head, fore[1])};
     const Scalar neck = (shoulders[0] + shoulders[1]) / 2, hips = ends.off(head, hind[0], hind[1]);
     const Scalar leg = std::accumulate(legs.begin(), legs.end(), Scalar(0)) / 4;
-    size = std::max(hips - neck, Scalar(0)) + leg;
+    size = std::max(hips - neck, least) + leg;
     const auto part = [&](Scalar length) { return static_cast<double>(length / size); };
     Evidence out;
     using enum Witness;
@@ -302,7 +300,7 @@ void tell_sides(Limbs<Scalar>& limbs, const CurveSkeleton<Scalar>& curve) {
 /// All choices of roles that are not too odd along the curve, the cheapest first.
 template <typename Scalar>
 std::vector<Roles> cheapest_roles(const Ends<Scalar>& ends, Scalar diameter) {
-    constexpr std::size_t most_looked_at = 150; // enough for 61 of 62 animals
+    constexpr std::size_t most_looked_at = 150; // 60 of 62 animals have a right one among them
     const auto count = static_cast<int>(ends.nodes.size());
     std::vector<std::pair<double, Roles>> found;
     const auto is_free = [](const Roles& roles, int end, bool with_head) {
@@ -366,14 +364,15 @@ template <typename Scalar>
 std::vector<Limbs<Scalar>> find_limbs(const CurveSkeleton<Scalar>& curve, std::size_t most) {
     const core::CurveGraph<Scalar> graph = core::curve_graph(curve);
     std::vector<Limbs<Scalar>> out;
-    if (core::component_count(curve) != 1) return out;
+    const int count = core::end_count(curve);
+    if (core::component_count(curve) != 1 || count < 5 || count > embedding::most_reduced_nodes) return out;
     const detail::Ends<Scalar> ends = detail::chosen_ends(curve, graph);
-    if (ends.nodes.size() < 5) return out;
     const Scalar diameter = ends.distance(0, 1);
+    if (!(diameter > 0)) return out;
     for (const detail::Roles& roles : detail::cheapest_roles(ends, diameter)) {
         Limbs<Scalar> limbs = detail::ways_of(ends, roles);
         limbs.evidence = detail::along(ends, roles, diameter, limbs.size).first;
-        if (limbs.trunk.size() < 2 || !(limbs.size > 0)) continue;
+        if (limbs.trunk.size() < 2) continue;
         limbs.frame = detail::frame_of(curve, limbs);
         detail::add_directions(limbs.evidence, curve, limbs);
         detail::tell_sides(limbs, curve);

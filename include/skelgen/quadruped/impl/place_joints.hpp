@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/polyline.hpp>
 #include <skelgen/quadruped/joint_table.hpp>
 
 namespace skelgen::quadruped {
@@ -32,27 +32,30 @@ const std::vector<int>& way_of(const Limbs<Scalar>& limbs, Way way, Side side) {
     return limbs.tail;
 }
 
-/// The place at a share of a way's length, and the radius there.
+/// A way as a polyline; shares are of its length.
 template <typename Scalar>
-std::pair<Vector3<Scalar>, Scalar> along(const CurveSkeleton<Scalar>& curve, const std::vector<int>& way,
-                                         double share) {
-    Scalar left = static_cast<Scalar>(share) * core::path_length(curve, way);
-    for (std::size_t i = 1; i < way.size(); ++i) {
-        const Vector3<Scalar> from = core::point(curve.nodes, way[i - 1]), to = core::point(curve.nodes, way[i]);
-        const Scalar length = (to - from).norm();
-        if (left <= length && length > 0)
-            return {from + (to - from) * (left / length), curve.radii[static_cast<std::size_t>(way[i])]};
-        left -= length;
+struct WayLine {
+    Points<Scalar> places;
+    Eigen::Matrix<Scalar, Eigen::Dynamic, 1> radii, arc;
+
+    WayLine(const CurveSkeleton<Scalar>& curve, const std::vector<int>& way)
+        : places(curve.nodes(way, Eigen::all)), radii(static_cast<Eigen::Index>(way.size())),
+          arc(core::arc_lengths(places)) {
+        for (std::size_t i = 0; i < way.size(); ++i)
+            radii[static_cast<Eigen::Index>(i)] = curve.radii[static_cast<std::size_t>(way[i])];
     }
-    return {core::point(curve.nodes, way.back()), curve.radii[static_cast<std::size_t>(way.back())]};
-}
+    [[nodiscard]] Scalar length_to(double share) const { return static_cast<Scalar>(share) * arc[arc.size() - 1]; }
+    [[nodiscard]] Vector3<Scalar> place(double share) const { return core::point_at(places, arc, length_to(share)); }
+    [[nodiscard]] Scalar radius(double share) const { return core::value_at(radii, arc, length_to(share)); }
+};
 
 /// The animal's directions at its head, which may be turned and lowered: forward along the end of the neck.
 template <typename Scalar>
 BodyFrame<Scalar> head_frame(const CurveSkeleton<Scalar>& curve, const Limbs<Scalar>& limbs) {
     BodyFrame<Scalar> out = limbs.frame;
     constexpr double before = 0.7;
-    const Vector3<Scalar> way = along(curve, limbs.neck, 1.0).first - along(curve, limbs.neck, before).first;
+    const WayLine<Scalar> neck(curve, limbs.neck);
+    const Vector3<Scalar> way = neck.place(1) - neck.place(before);
     if (!(way.norm() > 0)) return out;
     out.forward = way.normalized();
     const Vector3<Scalar> up = out.forward.cross(limbs.frame.left);
@@ -93,19 +96,23 @@ KinematicSkeleton<Scalar> place_joints(const CurveSkeleton<Scalar>& curve, const
             continue;
         }
         const BodyFrame<Scalar>& frame = wanted.role == JointRole::ear ? head : limbs.frame;
-        const auto [on_way, radius] = detail::along(curve, way, place.share);
+        const detail::WayLine<Scalar> line(curve, way);
         const auto outward = static_cast<Scalar>(sign_of(wanted.side) * place.outward);
-        joint.position = on_way + limbs.size * (static_cast<Scalar>(place.forward) * frame.forward +
-                                                static_cast<Scalar>(place.up) * frame.up + outward * frame.left);
-        joint.radius = radius;
+        joint.position =
+            line.place(place.share) + limbs.size * (static_cast<Scalar>(place.forward) * frame.forward +
+                                                    static_cast<Scalar>(place.up) * frame.up + outward * frame.left);
+        joint.radius = line.radius(place.share);
     }
+    out.quality.matched_nodes = limbs.tail.empty() ? 5 : 6; // feet, head and tail
     out.frame = limbs.frame;
     out.frame.origin = out.joints.front().position;
-    out.end_points.emplace_back("head_tip", core::point(curve.nodes, limbs.neck.back()));
-    for (const Side side : {Side::left, Side::right})
-        for (const auto& [way, name] : {std::pair(Way::fore_leg, "fore_toe"), std::pair(Way::hind_leg, "hind_toe")})
-            out.end_points.emplace_back(std::string(side_prefix(side)) + name,
-                                        core::point(curve.nodes, detail::way_of(limbs, way, side).front()));
+    for (const TemplateJoint& joint : skeleton_template.joints) {
+        if (!ends_limb(joint.role)) continue;
+        const Way way = place_of(joint.role, 0).way;
+        const std::vector<int>& nodes = detail::way_of(limbs, way, joint.side);
+        out.end_points.emplace_back(end_point_name(skeleton_template, joint),
+                                    core::point(curve.nodes, way == Way::neck ? nodes.back() : nodes.front()));
+    }
     if (!limbs.tail.empty()) out.end_points.emplace_back("tail_tip", core::point(curve.nodes, limbs.tail.back()));
     return out;
 }

@@ -114,7 +114,7 @@ KinematicSkeleton<Scalar> mirrored_evenly(KinematicSkeleton<Scalar> skeleton, co
 
     const KinematicSkeleton<Scalar> was = skeleton;
     const auto end_of = [&](const SkeletonTemplate& of, int j) {
-        const std::string name = end_point_name(of.joint(j));
+        const std::string name = end_point_name(of, of.joint(j));
         return std::find_if(was.end_points.begin(), was.end_points.end(),
                             [&](const auto& end) { return end.first == name; });
     };

@@ -213,7 +213,7 @@ KinematicSkeleton<Scalar> assemble(const refinement::RefinedJoints<Scalar>& join
             out.quality.warnings.push_back("joint " + joint.name + " is missing: the surface ends before it");
         }
         for (const auto& [end, tip] : joints.tips)
-            if (end == source) out.end_points.emplace_back(end_point_name(joint), tip);
+            if (end == source) out.end_points.emplace_back(end_point_name(skeleton_template, joint), tip);
     }
     out.frame = sides.frame;
     out.quality.sides_confidence = sides.confidence;
