@@ -183,7 +183,7 @@ SkeletonTemplate parse_template(std::string_view json) {
     SkeletonTemplate result;
     result.name = read_string(document, "name", what);
     if (document.contains("plan"))
-        result.plan = read_enum(document, "plan", what, std::array{BodyPlan::human, BodyPlan::quadruped});
+        result.plan = read_enum(document, "plan", what, std::array{BodyKind::human, BodyKind::quadruped});
     for (std::size_t i = 0; i < document["joints"].size(); ++i)
         result.joints.push_back(read_joint(document["joints"], i, result.joints));
     if (version == left_handed_version) turn_right_handed(result);
@@ -212,7 +212,7 @@ std::string template_to_json(const SkeletonTemplate& skeleton_template) {
     std::string text = "{\n  \"format\": " + json_text(format_name) +
                        ",\n  \"version\": " + std::to_string(current_version) +
                        ",\n  \"name\": " + json_text(skeleton_template.name);
-    if (skeleton_template.plan != BodyPlan::human)
+    if (skeleton_template.plan != BodyKind::human)
         text += ",\n  \"plan\": " + json_text(to_string(skeleton_template.plan));
     text += ",\n  \"joints\": [";
     const char* separator = "\n    ";

@@ -101,7 +101,7 @@ int main(int argc, char** argv) try {
         search::climb(mesh, wanted, search_options,
                       is_exhaustive ? search::Thoroughness::exhaustive : search::Thoroughness::until_sure);
     for (const search::Found<double>& found : climb.found)
-        if (wanted.plan == BodyPlan::quadruped)
+        if (wanted.plan == BodyKind::quadruped)
             describe_animals(found);
         else
             std::cout << described(found, wanted).dump() << '\n';

@@ -32,7 +32,7 @@ enum class JointRole {
 };
 
 /// How a body is made: what is looked for, and how.
-enum class BodyPlan { human, quadruped };
+enum class BodyKind { human, quadruped };
 
 enum class Side { none, left, right };
 
@@ -95,7 +95,7 @@ struct SkeletonTemplate {
     std::string name;
     std::vector<TemplateJoint> joints;
     bool is_adapted = false; ///< head and limbs have lengths that were read off a curve, and are known as well as it is
-    BodyPlan plan = BodyPlan::human;
+    BodyKind plan = BodyKind::human;
 
     [[nodiscard]] const TemplateJoint& joint(int j) const { return joints[static_cast<std::size_t>(j)]; }
 };
@@ -103,7 +103,7 @@ struct SkeletonTemplate {
 /// What the end of the limb that a joint ends in is called: head_top, left_fingertip, right_toe; of animals head_tip,
 /// left_fore_toe, right_hind_toe. The joint's role must be one that ends a limb.
 [[nodiscard]] inline std::string end_point_name(const SkeletonTemplate& skeleton_template, const TemplateJoint& joint) {
-    const bool is_human = skeleton_template.plan == BodyPlan::human;
+    const bool is_human = skeleton_template.plan == BodyKind::human;
     const char* end = joint.role == JointRole::hand   ? (is_human ? "fingertip" : "fore_toe")
                       : joint.role == JointRole::foot ? (is_human ? "toe" : "hind_toe")
                                                       : (is_human ? "head_top" : "head_tip");

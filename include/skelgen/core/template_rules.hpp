@@ -10,7 +10,7 @@ namespace skelgen {
 [[nodiscard]] std::string_view to_string(JointRole role);
 
 /// The spelling in files: "human", "quadruped".
-[[nodiscard]] std::string_view to_string(BodyPlan plan);
+[[nodiscard]] std::string_view to_string(BodyKind plan);
 
 /// The spelling in files: "none", "left", "right".
 [[nodiscard]] std::string_view to_string(Side side);

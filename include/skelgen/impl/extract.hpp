@@ -81,7 +81,7 @@ std::string least_certain_limb(const KinematicSkeleton<Scalar>& skeleton, const 
 template <typename Scalar>
 Failure failure_of(const search::Climb<Scalar>& climb, const SkeletonTemplate& wanted, const ExtractOptions& options) {
     if (climb.found.empty()) return climb.failure;
-    if (wanted.plan == BodyPlan::quadruped || options.or_quadruped)
+    if (wanted.plan == BodyKind::quadruped || options.or_quadruped)
         return {Refusal::unlikely, std::string(options.or_quadruped ? "neither a human body nor a" : "no") +
                                        " four-legged animal: its parts have unlikely lengths, directions or girths"};
     const search::Found<Scalar>& found = climb.found.front();
@@ -101,7 +101,7 @@ template <typename Scalar>
 search::Climb<Scalar> climb_as_wanted(const TriangleMesh<Scalar>& mesh, SkeletonTemplate& wanted,
                                       const ExtractOptions& options) {
     search::Climb<Scalar> out = search::climb(mesh, wanted, options);
-    if (!options.or_quadruped || wanted.plan == BodyPlan::quadruped) return out;
+    if (!options.or_quadruped || wanted.plan == BodyKind::quadruped) return out;
     const SkeletonTemplate& animal = builtin_template("quadruped");
     search::Climb<Scalar> other = search::climb(mesh, animal, options);
     const search::Trail trail = std::move(other.trail);

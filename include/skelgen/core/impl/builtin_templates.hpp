@@ -114,7 +114,7 @@ inline constexpr std::array<TabulatedJoint, 33> quadruped{{
 
 template <std::size_t n>
 SkeletonTemplate from_table(const char* name, const std::array<TabulatedJoint, n>& table,
-                            BodyPlan plan = BodyPlan::human) {
+                            BodyKind plan = BodyKind::human) {
     SkeletonTemplate out{name, {}};
     out.plan = plan;
     for (const TabulatedJoint& row : table) {
@@ -133,7 +133,7 @@ SkeletonTemplate from_table(const char* name, const std::array<TabulatedJoint, n
 inline const std::array<SkeletonTemplate, 3>& builtin_templates() {
     static const std::array<SkeletonTemplate, 3> templates{from_table("human21", human21),
                                                            from_table("pinocchio18", pinocchio18),
-                                                           from_table("quadruped", quadruped, BodyPlan::quadruped)};
+                                                           from_table("quadruped", quadruped, BodyKind::quadruped)};
     return templates;
 }
 

@@ -154,10 +154,10 @@ inline void check_tree(const SkeletonTemplate& t) {
         if (i == 0) continue;
         const auto parent = static_cast<std::size_t>(joint.parent);
         if (parent >= i) refuse(quoted(joint) + " comes before its parent: list parents before children");
-        if (t.plan == BodyPlan::human) check_bone(t.joints[parent], joint);
+        if (t.plan == BodyKind::human) check_bone(t.joints[parent], joint);
         has_child[parent] = true;
     }
-    if (t.plan == BodyPlan::quadruped) return;
+    if (t.plan == BodyKind::quadruped) return;
     for (std::size_t i = 0; i < t.joints.size(); ++i)
         if (has_child[i] == ends_limb(t.joints[i].role))
             refuse(quoted(t.joints[i]) + (has_child[i] ? " must end its branch, and has a child"
@@ -173,7 +173,7 @@ SKELGEN_INLINE std::string_view to_string(JointRole role) {
     return core::detail::role_names[i];
 }
 
-SKELGEN_INLINE std::string_view to_string(BodyPlan plan) { return plan == BodyPlan::human ? "human" : "quadruped"; }
+SKELGEN_INLINE std::string_view to_string(BodyKind plan) { return plan == BodyKind::human ? "human" : "quadruped"; }
 
 SKELGEN_INLINE std::string_view to_string(Side side) {
     switch (side) {
@@ -188,7 +188,7 @@ SKELGEN_INLINE std::string_view to_string(Side side) {
 }
 
 SKELGEN_INLINE void validate_template(const SkeletonTemplate& skeleton_template) {
-    const bool is_human = skeleton_template.plan == BodyPlan::human;
+    const bool is_human = skeleton_template.plan == BodyKind::human;
     core::detail::check_values(skeleton_template);
     if (is_human) core::detail::check_human_roles(skeleton_template);
     core::detail::check_uniqueness(skeleton_template);

@@ -170,7 +170,7 @@ private:
         const auto curve = curve_of(lead, *lead.body);
         out_.timings.curve += stage.lap();
 
-        const double likeliest = wanted_.plan == BodyPlan::quadruped    ? try_quadruped(lead, *surface, curve, entry)
+        const double likeliest = wanted_.plan == BodyKind::quadruped    ? try_quadruped(lead, *surface, curve, entry)
                                  : lead.what.effort == Effort::rest_fit ? try_at_rest(lead, *surface, curve, entry)
                                                                         : try_templates(lead, *surface, curve, entry);
         if (likeliest < sure_enough || thoroughness_ == Thoroughness::exhaustive) follow(lead, *surface, curve);
@@ -334,7 +334,7 @@ private:
         };
         Hypothesis what = lead.what;
         if (effort == Effort::rest_fit || curve->is_point) return;
-        if (wanted_.plan == BodyPlan::quadruped) {
+        if (wanted_.plan == BodyKind::quadruped) {
             for (const auto& [finer, up] :
                  {std::pair(Effort::whole, for_whole), std::pair(Effort::detailed, for_finer)}) {
                 what.effort = finer;
