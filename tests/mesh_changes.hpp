@@ -16,6 +16,7 @@
 #include <Eigen/Geometry>
 
 #include <skelgen/core/mesh.hpp>
+#include <skelgen/surface/manifold_parts.hpp>
 
 namespace skelgen::test {
 
@@ -48,6 +49,10 @@ inline TriangleMesh<double> moved(TriangleMesh<double> mesh, const Motion& motio
     return mesh;
 }
 
+inline TriangleMesh<double> moved_by(const TriangleMesh<double>& mesh, const Vector3<double>& way) {
+    return moved(mesh, {Eigen::Matrix3d::Identity(), 1, way});
+}
+
 /// A permutation of 0 to n - 1, the same on every machine.
 inline std::vector<int> random_permutation(int n, std::mt19937_64& random) {
     std::vector<int> order(static_cast<std::size_t>(n));
@@ -73,15 +78,7 @@ inline TriangleMesh<double> shuffled(const TriangleMesh<double>& mesh, unsigned 
     return out;
 }
 
-/// Both meshes as one, not connected.
-inline TriangleMesh<double> side_by_side(const TriangleMesh<double>& a, const TriangleMesh<double>& b) {
-    TriangleMesh<double> out;
-    out.vertices.resize(a.vertices.rows() + b.vertices.rows(), 3);
-    out.vertices << a.vertices, b.vertices;
-    out.faces.resize(a.faces.rows() + b.faces.rows(), 3);
-    out.faces << a.faces, (b.faces.array() + static_cast<int>(a.vertices.rows())).matrix();
-    return out;
-}
+using surface::side_by_side;
 
 /// Without the faces `first`, `first` + 1, ... `first` + `count` - 1.
 inline TriangleMesh<double> without_faces(const TriangleMesh<double>& mesh, Eigen::Index first, Eigen::Index count) {

@@ -1,6 +1,7 @@
 // The surface stage, compiled once for each scalar.
 
 #include <skelgen/surface/impl/body.hpp>
+#include <skelgen/surface/impl/bridges.hpp>
 #include <skelgen/surface/impl/canonical_form.hpp>
 #include <skelgen/surface/impl/clean.hpp>
 #include <skelgen/surface/impl/contours.hpp>
@@ -12,6 +13,7 @@
 #include <skelgen/surface/impl/fill_holes.hpp>
 #include <skelgen/surface/impl/handle_loops.hpp>
 #include <skelgen/surface/impl/lattice_surface.hpp>
+#include <skelgen/surface/impl/lone_pieces.hpp>
 #include <skelgen/surface/impl/manifold_parts.hpp>
 #include <skelgen/surface/impl/open_handles.hpp>
 #include <skelgen/surface/impl/orientation.hpp>
@@ -64,6 +66,9 @@ namespace skelgen::surface {
                                              const LatticeShape<Scalar>&);                                             \
     template TriangleMesh<Scalar> lattice_surface(const Lattice<Scalar>&, const std::vector<LatticeNode>&,             \
                                                   const LatticeShape<Scalar>&);                                        \
+    template std::optional<PairedPieces> without_lone_pieces(const TriangleMesh<Scalar>&, Twins);                      \
+    template TriangleMesh<Scalar> side_by_side(const TriangleMesh<Scalar>&, const TriangleMesh<Scalar>&);              \
+    template TriangleMesh<Scalar> bridges_between(const std::vector<TriangleMesh<Scalar>>&);                           \
     template TriangleMesh<Scalar> winding_envelope(const TriangleMesh<Scalar>&, const EnvelopeOptions&);               \
     template TriangleMesh<Scalar> smoothed(TriangleMesh<Scalar>, int, const DenoiseOptions&);                          \
     template Scalar bulge_coherence(const TriangleMesh<Scalar>&);                                                      \

@@ -30,8 +30,6 @@ bool is_closed_manifold(const Mesh& mesh) {
     return is_closed(mesh.faces) && vertices == mesh.vertices.rows();
 }
 
-Mesh moved_by(const Mesh& mesh, const Vec3& way) { return moved(mesh, {Eigen::Matrix3d::Identity(), 1, way}); }
-
 /// Without the faces around the highest vertex, up to `depth` below it.
 Mesh without_top(const Mesh& mesh, double depth) {
     const double top = mesh.vertices.col(2).maxCoeff();

@@ -15,12 +15,6 @@ using namespace skelgen::core;
 using namespace skelgen::surface;
 using namespace skelgen::test;
 
-namespace {
-
-Mesh moved_by(const Mesh& mesh, const Vec3& way) { return moved(mesh, {Eigen::Matrix3d::Identity(), 1, way}); }
-
-} // namespace
-
 TEST_CASE("one piece without flat sides keeps all its faces") {
     const Mesh tube = capsule(0.3, 4);
     const BodyFaces body = faces_of_body(tube);

@@ -72,7 +72,7 @@ TEST_CASE("a dog that was turned and moved has its joints turned and moved") {
 }
 
 TEST_CASE("furniture is no animal, and the refusal says what was looked for") {
-    const TriangleMesh<double> chair = synth::synthesize_object("chair", 4000);
+    const TriangleMesh<double> chair = synth::synthesize_object("chair", 6000);
     const auto what = [&](bool or_quadruped) -> std::string {
         try {
             static_cast<void>(found_in(chair, or_quadruped));

@@ -30,6 +30,10 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] ManifoldParts<Scalar> manifold_part_of_sound(const TriangleMesh<Scalar>& mesh);
 
+/// Two meshes as one of both, not connected. O(n).
+template <typename Scalar>
+[[nodiscard]] TriangleMesh<Scalar> side_by_side(const TriangleMesh<Scalar>& one, const TriangleMesh<Scalar>& other);
+
 } // namespace skelgen::surface
 
 #ifdef SKELGEN_HEADER_ONLY

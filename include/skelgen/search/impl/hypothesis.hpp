@@ -52,6 +52,10 @@ SKELGEN_INLINE std::string_view to_string(surface::Remedy remedy) {
         return "envelope";
     case surface::Remedy::rounded:
         return "rounded";
+    case surface::Remedy::alike_pieces:
+        return "alike_pieces";
+    case surface::Remedy::mirrored_pieces:
+        return "mirrored_pieces";
     }
     return "";
 }

@@ -47,6 +47,11 @@ double smoothed_away(const Body<Scalar>& body, const TriangleMesh<Scalar>& mesh)
     return count > 0 && size > 0 ? std::sqrt(static_cast<double>(sum) / static_cast<double>(count)) / size : 0;
 }
 
+/// Do all of its pieces, or some of them, make the surface together?
+inline bool is_envelope(surface::Remedy remedy) {
+    return remedy != surface::Remedy::largest_piece && remedy != surface::Remedy::rounded;
+}
+
 /// So much noise, a centimetre on a person, may have moved joints.
 inline constexpr double much_noise = 0.005;
 
@@ -88,8 +93,7 @@ public:
         remedies_ = material_.remedies;
         const Scalar unit = material_.clean.similarity.scale;
         material_area_ = static_cast<double>(unit * unit * core::surface_area(material_.clean.mesh));
-        for (std::size_t i = 0; i < remedies_.size(); ++i)
-            add({{remedies_[i]}, rungs_per_surface * static_cast<int>(i)});
+        for (std::size_t i = 0; i < remedies_.size(); ++i) add({{remedies_[i]}, static_cast<int>(i)});
         int spent = 0;
         while (!leads_.empty() && !is_sure()) {
             const Lead<Scalar> lead = next();
@@ -103,10 +107,10 @@ public:
     }
 
 private:
-    static constexpr int rungs_per_surface = 100;
-    /// On the way up from a surface's draft. Each try that is not sure leads to those above it.
-    static constexpr int for_cuts = 1, for_rest_fit = 25, for_whole = 10, for_less_centred = 11, for_held = 20,
-                         for_as_given = 30, for_finer = 40, for_finest = 50;
+    /// Each try that is not sure leads to those on higher steps: all surfaces' drafts come first, then what costs more.
+    static constexpr int for_cuts = 1, for_rest_fit_of_pieces = 5, for_whole = 10, for_less_centred = 11, for_held = 20,
+                         for_rest_fit = 25, for_as_given = 30, for_finer = 40, for_finest = 50;
+    static constexpr int rungs_per_step = 16; ///< one for each surface
 
     void add(Lead<Scalar> lead) {
         const auto place = std::upper_bound(leads_.begin(), leads_.end(), lead,
@@ -129,6 +133,8 @@ private:
     const Outcome<PreparedSurface<Scalar>>& surface_by(surface::Remedy remedy) {
         if (const auto known = surfaces_.find(remedy); known != surfaces_.end()) return known->second;
         const bool is_last = surfaces_.size() + 1 == remedies_.size();
+        const auto paired = material_.paired.find(remedy);
+        const double lone_pieces = paired == material_.paired.end() ? 0 : paired->second.left_out;
         const double input_area = material_area_;
         Outcome<Body<Scalar>> body =
             surface::make_body_by(remedy, is_last ? std::move(material_) : material_, options_.prepare);
@@ -141,7 +147,9 @@ private:
         out.noise = smoothed_away(*out.whole, mesh_);
         const double area =
             static_cast<double>(out.whole->similarity.scale * out.whole->similarity.scale); // a body has 1
-        if (remedy != surface::Remedy::envelope && input_area > 0)
+        if (is_envelope(remedy))
+            out.left_out = lone_pieces;
+        else if (input_area > 0)
             out.left_out = std::clamp(1 - area / input_area, 0.0, 1.0);
         return surfaces_.emplace(remedy, std::move(out)).first->second;
     }
@@ -313,7 +321,7 @@ private:
     /// The evidence with what was done to the surface.
     static Evidence with_history(Evidence evidence, const Hypothesis& what, const PreparedSurface<Scalar>& surface) {
         const auto flag = [](bool is) { return is ? 1.0 : 0.0; };
-        evidence[Witness::envelope] = flag(what.surface == surface::Remedy::envelope);
+        evidence[Witness::envelope] = flag(is_envelope(what.surface));
         evidence[Witness::rounded] = flag(what.surface == surface::Remedy::rounded);
         evidence[Witness::left_out] = surface.left_out;
         evidence[Witness::noisy] = flag(surface.noise > much_noise);
@@ -328,9 +336,9 @@ private:
     void follow(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
                 const std::shared_ptr<const curve::CurveResult<Scalar>>& curve) {
         const Effort effort = lead.what.effort;
-        const int rung = lead.rung / rungs_per_surface * rungs_per_surface;
-        const auto lead_to = [&](Hypothesis what, int up, std::shared_ptr<const Body<Scalar>> body) {
-            add({what, rung + up, std::move(body)});
+        const auto rung = [&](int step) { return step * rungs_per_step + lead.rung % rungs_per_step; };
+        const auto lead_to = [&](Hypothesis what, int step, std::shared_ptr<const Body<Scalar>> body) {
+            add({what, rung(step), std::move(body)});
         };
         Hypothesis what = lead.what;
         if (effort == Effort::rest_fit || curve->is_point) return;
@@ -344,29 +352,29 @@ private:
         }
         if (effort == Effort::draft && lead.what.opening == Opening::opened) {
             what.effort = Effort::rest_fit;
-            add({what, rung + for_rest_fit, lead.body, curve});
+            add({what, rung(is_envelope(what.surface) ? for_rest_fit_of_pieces : for_rest_fit), lead.body, curve});
             what = lead.what;
         }
         if (effort == Effort::draft || effort == Effort::quick) {
             what.effort = Effort::whole;
-            lead_to(what, for_whole + lead.rung % rungs_per_surface, lead.body);
+            lead_to(what, for_whole + lead.rung / rungs_per_step, lead.body);
         }
         follow_contacts(lead, curve);
         if (effort != Effort::whole) return;
         if (lead.what.held == Held::nothing && lead.what.cuts == 0) {
-            follow_held(lead, curve, rung + for_held);
+            follow_held(lead, curve, rung(for_held));
             if (lead.what.opening == Opening::opened && (surface.handles || surface.closed != surface.whole)) {
                 what = lead.what;
                 what.effort = Effort::draft;
                 what.opening = Opening::as_given;
                 lead_to(what, for_as_given, nullptr);
             }
-            follow_centring(lead, curve, rung + for_less_centred);
+            follow_centring(lead, curve, rung(for_less_centred));
             what = lead.what;
             what.effort = Effort::finer;
-            add({what, finer_after_all + for_finer, lead.body});
+            lead_to(what, for_finer, lead.body);
             what.effort = Effort::finest;
-            add({what, finer_after_all + for_finest, lead.body});
+            lead_to(what, for_finest, lead.body);
         }
     }
 
@@ -374,7 +382,7 @@ private:
     /// are the whole curve's to tell.
     void follow_contacts(const Lead<Scalar>& lead, const std::shared_ptr<const curve::CurveResult<Scalar>>& curve) {
         const int contacts = embedding::contact_count(curve->curve);
-        const bool is_envelopes_draft = curve->is_draft && lead.what.surface == surface::Remedy::envelope;
+        const bool is_envelopes_draft = curve->is_draft && is_envelope(lead.what.surface);
         if (contacts == 0 || contacts >= lead.most_contacts || is_envelopes_draft) return;
         core::Stopwatch stage;
         const auto with_regions =
@@ -383,7 +391,8 @@ private:
         ++what.cuts;
         if (what.effort == Effort::draft) what.effort = Effort::quick;
         for (Body<Scalar>& cut : cut_at_contacts(*lead.body, with_regions->curve, wanted_, options_.matching))
-            add({what, lead.rung + for_cuts, std::make_shared<const Body<Scalar>>(std::move(cut)), nullptr, contacts});
+            add({what, lead.rung + for_cuts * rungs_per_step, std::make_shared<const Body<Scalar>>(std::move(cut)),
+                 nullptr, contacts});
         out_.timings.curve += stage.lap();
     }
 
@@ -412,8 +421,6 @@ private:
              std::make_shared<const curve::CurveResult<Scalar>>(recentred(*curve, *lead.body, few))});
         out_.timings.curve += stage.lap();
     }
-
-    static constexpr int finer_after_all = 1000;
 
     const TriangleMesh<Scalar>& mesh_;
     const SkeletonTemplate& wanted_;

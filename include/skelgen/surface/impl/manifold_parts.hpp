@@ -175,4 +175,15 @@ ManifoldParts<Scalar> largest_manifold_part(const TriangleMesh<Scalar>& mesh) {
     return out;
 }
 
+template <typename Scalar>
+TriangleMesh<Scalar> side_by_side(const TriangleMesh<Scalar>& one, const TriangleMesh<Scalar>& other) {
+    TriangleMesh<Scalar> out;
+    out.vertices.resize(one.vertices.rows() + other.vertices.rows(), 3);
+    out.vertices << one.vertices, other.vertices;
+    out.faces.resize(one.faces.rows() + other.faces.rows(), 3);
+    out.faces << one.faces, other.faces;
+    out.faces.bottomRows(other.faces.rows()).array() += static_cast<int>(one.vertices.rows());
+    return out;
+}
+
 } // namespace skelgen::surface

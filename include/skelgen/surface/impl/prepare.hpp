@@ -21,10 +21,12 @@
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/options.hpp>
 #include <skelgen/core/parallel.hpp>
+#include <skelgen/surface/bridges.hpp>
 #include <skelgen/surface/canonical_form.hpp>
 #include <skelgen/surface/clean.hpp>
 #include <skelgen/surface/denoise.hpp>
 #include <skelgen/surface/fill_holes.hpp>
+#include <skelgen/surface/lone_pieces.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
 #include <skelgen/surface/pieces.hpp>
 #include <skelgen/surface/rounded.hpp>
@@ -186,7 +188,15 @@ ChosenPiece<Scalar> choose_piece(const CleanMesh<Scalar>& clean) {
     return out;
 }
 
-/// The surface that encloses most of those that an envelope consists of, none where none does, and how many others
+/// The surfaces that an envelope consists of.
+template <typename Scalar>
+std::vector<TriangleMesh<Scalar>> closed_parts(const TriangleMesh<Scalar>& envelope) {
+    std::vector<TriangleMesh<Scalar>> out;
+    for (ManifoldParts<Scalar>& part : manifold_parts(envelope)) out.push_back(std::move(part.mesh));
+    return out;
+}
+
+/// The surface that encloses most of those, none where none does, and how many others
 /// enclose half of that or more.
 template <typename Scalar>
 struct LargestEnvelope {
@@ -195,13 +205,13 @@ struct LargestEnvelope {
 };
 
 template <typename Scalar>
-LargestEnvelope<Scalar> largest_of(const TriangleMesh<Scalar>& envelope) {
+LargestEnvelope<Scalar> largest_of(std::vector<TriangleMesh<Scalar>> parts) {
     LargestEnvelope<Scalar> out;
     std::vector<Scalar> volumes;
-    for (ManifoldParts<Scalar>& part : manifold_parts(envelope)) {
-        volumes.push_back(core::enclosed_volume(part.mesh));
+    for (TriangleMesh<Scalar>& part : parts) {
+        volumes.push_back(core::enclosed_volume(part));
         if (volumes.back() > 0 && volumes.back() >= *std::max_element(volumes.begin(), volumes.end()))
-            out.mesh = std::move(part.mesh);
+            out.mesh = std::move(part);
     }
     if (volumes.empty()) return out;
     const Scalar half = *std::max_element(volumes.begin(), volumes.end()) / 2;
@@ -338,7 +348,11 @@ template <typename Scalar>
 Outcome<Body<Scalar>> body_of_envelope(const BodyMaterial<Scalar>& material, const PrepareOptions& options) {
     // In canonical form first: the lattice then lies along the body's axes, however the input was turned.
     const CanonicalMesh<Scalar> whole = canonical_form(used_part(material.clean.mesh).mesh);
-    LargestEnvelope<Scalar> largest = largest_of(winding_envelope(whole.mesh, options.envelope));
+    std::vector<TriangleMesh<Scalar>> parts = closed_parts(winding_envelope(whole.mesh, options.envelope));
+    const TriangleMesh<Scalar> bridges = bridges_between(parts);
+    if (bridges.faces.rows() > 0)
+        parts = closed_parts(winding_envelope(side_by_side(whole.mesh, bridges), options.envelope));
+    LargestEnvelope<Scalar> largest = largest_of(std::move(parts));
     TriangleMesh<Scalar>& envelope = largest.mesh;
     if (largest.as_large > 0)
         return Failure{Refusal::several_bodies,
@@ -355,6 +369,42 @@ Outcome<Body<Scalar>> body_of_envelope(const BodyMaterial<Scalar>& material, con
     const std::vector<int> nearest = nearest_on(body, material.clean.mesh);
     body.nearest = material.clean.placed.empty() ? nearest : composed(material.clean.placed, nearest);
     return body;
+}
+
+/// The material in some of its faces alone.
+template <typename Scalar>
+void keep_faces(CleanMesh<Scalar>& clean, Triangles faces) {
+    UsedPart<Scalar> used = used_part(TriangleMesh<Scalar>{clean.mesh.vertices, std::move(faces)});
+    std::vector<int> now(static_cast<std::size_t>(clean.mesh.vertices.rows()), -1);
+    for (std::size_t v = 0; v < used.source.size(); ++v)
+        now[static_cast<std::size_t>(used.source[v])] = static_cast<int>(v);
+    clean.placed = clean.placed.empty() ? std::move(now) : composed(std::move(clean.placed), now);
+    clean.mesh = std::move(used.mesh);
+    clean.is_sound = false;
+}
+
+/// The remedies that leave out what a body holds or wears on one side, where that is pieces of their own.
+template <typename Scalar>
+void add_paired_pieces(BodyMaterial<Scalar>& material) {
+    std::vector<Remedy> found;
+    for (const auto& [remedy, twins] :
+         {std::pair(Remedy::alike_pieces, Twins::alike), std::pair(Remedy::mirrored_pieces, Twins::mirrored)}) {
+        std::optional<PairedPieces> pieces = without_lone_pieces(material.clean.mesh, twins);
+        const bool is_new = pieces && (found.empty() || material.paired[found.front()].dropped != pieces->dropped);
+        if (!is_new) continue;
+        material.paired.emplace(remedy, *std::move(pieces));
+        found.push_back(remedy);
+    }
+    material.remedies.insert(material.remedies.begin() + 1, found.begin(), found.end());
+}
+
+/// An envelope of the pieces that a remedy keeps.
+template <typename Scalar>
+Outcome<Body<Scalar>> body_of_pieces(BodyMaterial<Scalar> material, PairedPieces pieces,
+                                     const PrepareOptions& options) {
+    keep_faces(material.clean, std::move(pieces.faces));
+    material.dropped_pieces += pieces.dropped;
+    return body_of_envelope(material, options);
 }
 
 /// The body of a mesh that is too fine in fewer faces, if `is_sound` then says that it is sound and it has no noise.
@@ -403,15 +453,7 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
     out.bodies = chosen.bodies;
     out.dropped_pieces = chosen.dropped_pieces;
     out.clean.notes.insert(out.clean.notes.end(), chosen.notes.begin(), chosen.notes.end());
-    if (chosen.faces.rows() < out.clean.mesh.faces.rows()) {
-        UsedPart<Scalar> used = used_part(TriangleMesh<Scalar>{out.clean.mesh.vertices, std::move(chosen.faces)});
-        std::vector<int> now(static_cast<std::size_t>(out.clean.mesh.vertices.rows()), -1);
-        for (std::size_t v = 0; v < used.source.size(); ++v)
-            now[static_cast<std::size_t>(used.source[v])] = static_cast<int>(v);
-        out.clean.placed = out.clean.placed.empty() ? std::move(now) : composed(std::move(out.clean.placed), now);
-        out.clean.mesh = std::move(used.mesh);
-        out.clean.is_sound = false;
-    }
+    if (chosen.faces.rows() < out.clean.mesh.faces.rows()) detail::keep_faces(out.clean, std::move(chosen.faces));
 
     const std::vector<Remedy> for_one_piece = out.clean.mesh.vertices.rows() < few_vertices
                                                   ? std::vector<Remedy>{Remedy::largest_piece, Remedy::rounded}
@@ -432,16 +474,19 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
         out.remedies = {Remedy::largest_piece, Remedy::envelope};
     else
         out.remedies = {Remedy::envelope, Remedy::largest_piece};
+    detail::add_paired_pieces(out);
     return out;
 }
 
 template <typename Scalar>
 Outcome<Body<Scalar>> make_body_by(Remedy remedy, BodyMaterial<Scalar> material, const PrepareOptions& options) {
     const Similarity<Scalar> cleaned = material.clean.similarity;
-    Outcome<Body<Scalar>> body = remedy == Remedy::largest_piece
-                                     ? detail::body_of_largest_piece(std::move(material), options)
-                                 : remedy == Remedy::rounded ? detail::body_of_rounded_piece(material, options)
-                                                             : detail::body_of_envelope(material, options);
+    const auto paired = material.paired.find(remedy);
+    Outcome<Body<Scalar>> body =
+        paired != material.paired.end()   ? detail::body_of_pieces(material, paired->second, options)
+        : remedy == Remedy::largest_piece ? detail::body_of_largest_piece(std::move(material), options)
+        : remedy == Remedy::rounded       ? detail::body_of_rounded_piece(material, options)
+                                          : detail::body_of_envelope(material, options);
     if (body) body->similarity = cleaned.then(body->similarity);
     return body;
 }
