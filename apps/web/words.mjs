@@ -47,7 +47,10 @@ export function told_error(name, { code, message, refusal }) {
   };
 }
 
-const surfaces = { largest_piece: "the largest piece", all_pieces: "all pieces", joined: "pieces joined", envelope: "an envelope around all" };
+const surfaces = {
+  largest_piece: "the largest piece", rounded: "the largest piece made rounder", envelope: "an envelope around all",
+  alike_pieces: "an envelope without lone pieces", mirrored_pieces: "an envelope of mirrored pieces",
+};
 const curves = {
   draft: "a quick curve", quick: "a centred curve", whole: "a whole curve", finer: "a finer curve", finest: "the finest curve",
   less_centred: "a curve centred less", rest_fit: "a body at rest laid in",

@@ -99,7 +99,8 @@ TEST_CASE("a curve costs a draft or more, and the more the finer it is") {
 TEST_CASE("every part of a hypothesis has a name of its own, as trails spell it") {
     using surface::Remedy;
     CHECK(spellings(efforts) == efforts.size());
-    CHECK(spellings(std::array{Remedy::largest_piece, Remedy::envelope, Remedy::rounded}) == 3);
+    CHECK(spellings(std::array{Remedy::largest_piece, Remedy::envelope, Remedy::rounded, Remedy::alike_pieces,
+                               Remedy::mirrored_pieces}) == 5);
     CHECK(spellings(std::array{Opening::opened, Opening::as_given}) == 2);
     CHECK(spellings(std::array{Held::nothing, Held::all, Held::all_but_fist}) == 3);
     CHECK(to_string(Effort::less_centred) == "less_centred");
