@@ -159,47 +159,32 @@ def joint_samples(meshes, chosen):
     return found
 
 
-def is_generated(maker):
-    return maker == "skelgen"
-
-
 def scales_of(samples):
-    """Mean and deviation of the features on each kind of way, of real animals where there are some."""
+    """Mean and deviation of the features on each kind of way."""
     by_way = collections.defaultdict(list)
     for (role, ordinal), rows in samples.items():
-        way = next(w for r, o, w, _ in PLACES if (r, o) == (role, ordinal))
-        by_way[way] += rows
-    out = {}
-    for way, rows in by_way.items():
-        real = [r["x"] for r in rows if not is_generated(r["maker"])] or [r["x"] for r in rows]
-        out[way] = np.mean(real, axis=0), np.std([r["x"] for r in rows], axis=0) + 1e-6
-    return out
+        by_way[next(w for r, o, w, _ in PLACES if (r, o) == (role, ordinal))] += [r["x"] for r in rows]
+    return {way: (np.mean(x, axis=0), np.std(x, axis=0) + 1e-6) for way, x in by_way.items()}
 
 
 def fit_places(samples, scales, penalty):
     """Per role and place: means of share and offsets, makers counting by the root of their samples, and how they change
     with the features: by ridge regression, half of each maker's own mean taken off, as makers differ in where they put
-    joints; all of the generated animals' mean, which tell how joints go with shapes alone."""
+    joints. The generator of animals is one of the makers."""
     out = {}
     for (role, ordinal), rows in samples.items():
-        way = next(w for r, o, w, _ in PLACES if (r, o) == (role, ordinal))
-        mean, deviation = scales[way]
+        mean, deviation = scales[next(w for r, o, w, _ in PLACES if (r, o) == (role, ordinal))]
         x, y = (np.array([r["x"] for r in rows]) - mean) / deviation, np.array([r["y"] for r in rows])
         makers = np.array([r["maker"] for r in rows])
         counts = collections.Counter(makers)
         w = np.array([1 / np.sqrt(counts[m]) for m in makers])
-        generated = np.array([is_generated(m) for m in makers])
-        own = ~generated if (~generated).any() else generated
-        centre = np.average(y[own], axis=0, weights=w[own])
-        x = x - np.average(x[own], axis=0, weights=w[own])
-        lift = np.average((np.array([r["x"] for r in rows])[own] - mean) / deviation, axis=0, weights=w[own])
-        y = y - centre
+        w /= w.sum()
+        lift, centre = w @ x, w @ y
+        x, y = x - lift, y - centre
         for maker in counts:
             k = makers == maker
-            part = 1.0 if is_generated(maker) else 0.5
-            x[k] -= part * np.average(x[k], axis=0, weights=w[k])
-            y[k] -= part * np.average(y[k], axis=0, weights=w[k])
-        w = w / w.sum()
+            x[k] -= np.average(x[k], axis=0, weights=w[k]) / 2
+            y[k] -= np.average(y[k], axis=0, weights=w[k]) / 2
         change = np.linalg.solve((x * w[:, None]).T @ x + penalty * np.eye(x.shape[1]), (x * w[:, None]).T @ y)
         out[role, ordinal] = centre - lift @ change, change
     return out
@@ -222,7 +207,7 @@ def error_of(sample, table, scales):
 
 def report_places(samples, penalty):
     """Mean errors per joint of makers left out, without and with what the features tell."""
-    makers = sorted({r["maker"] for rows in samples.values() for r in rows if not is_generated(r["maker"])})
+    makers = sorted({r["maker"] for rows in samples.values() for r in rows} - {"skelgen"})  # of real animals
     for name, strength in (("means alone", 1e9), ("with features", penalty)):
         errors = collections.defaultdict(list)
         for maker in makers:
