@@ -441,6 +441,7 @@ set(skelgen_synth_headers
     include/skelgen/synth/objects.hpp
     include/skelgen/synth/pieces.hpp
     include/skelgen/synth/pose.hpp
+    include/skelgen/synth/quadrupeds.hpp
     include/skelgen/synth/scan_faults.hpp
     include/skelgen/synth/sets.hpp
     include/skelgen/synth/shape.hpp
@@ -602,11 +603,13 @@ set(skelgen_synth_sources
     src/synth/implicit_body.cpp
     src/synth/joints.cpp
     src/synth/kinematics.cpp
+    src/synth/lines.cpp
     src/synth/objects.cpp
     src/synth/pieces.cpp
     src/synth/poses.cpp
     src/synth/primitives.cpp
     src/synth/proportions.cpp
+    src/synth/quadrupeds.cpp
     src/synth/scan_faults.cpp
     src/synth/sets.cpp
     src/synth/skin_places.cpp

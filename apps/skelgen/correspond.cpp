@@ -35,7 +35,9 @@ ComparedFile load(const CorrespondCommand& command) {
     ExtractOptions options;
     options.prepare.component = command.from_component;
     return in_file(command.from, [&] {
-        return compared(fit_file({command.from, {}}, options), command.from_component);
+        MeshInput input{command.from, {}};
+        input.wanted = command.to.wanted;
+        return compared(fit_file(input, options), command.from_component);
     });
 }
 
@@ -143,6 +145,7 @@ void add_correspond_command(CLI::App& app) {
     sub->add_flag("--confidence", command->extras.confidence, "Also how sure each vertex's place is, 0 to 1");
     sub->add_flag("--places", command->extras.places,
                   "Also places between vertices: a face of TO for each vertex, and its corners' weights");
+    add_wanted_option(*sub, command->to.wanted);
     add_components_option(*sub, command->to.component);
     add_component_option(*sub, command->from_component, "--from-component", "The same of FROM");
     sub->add_flag("-q,--quiet", command->to.quiet, "No warnings but that a skeleton is a guess");

@@ -5,7 +5,6 @@
 
 #include <skelgen/core/parallel.hpp>
 #include <skelgen/hands/find_hands.hpp>
-#include <skelgen/io/template_json.hpp>
 
 #include "console.hpp"
 
@@ -32,12 +31,6 @@ std::pair<std::string, Fingers> template_and_fingers(const std::string& skeleton
     if (known->second != Fingers::off && skeleton_template != "human21")
         throw Error(ErrorCode::usage, "fingers " + fingers + ": fingers go with human21 alone");
     return {skeleton_template, known->second};
-}
-
-void want_template(ExtractOptions& options, const std::string& name_or_file) {
-    options.or_quadruped = name_or_file == "auto";
-    options.skeleton_template =
-        in_file("--template", [&] { return io::load_template(options.or_quadruped ? "human21" : name_or_file); });
 }
 
 FileExtraction extract_file(const MeshInput& input, const ExtractOptions& options, Fingers fingers,

@@ -43,10 +43,6 @@ struct FingeredSkeleton {
 [[nodiscard]] std::pair<std::string, Fingers> template_and_fingers(const std::string& skeleton_template,
                                                                    const std::string& fingers);
 
-/// Has a template looked for: a built-in one, a file's, or, named `auto`, a person's or a four-legged animal's,
-/// whichever is likelier. \throws Error as `load_template`.
-void want_template(ExtractOptions& options, const std::string& name_or_file);
-
 /// Reads a mesh and finds its skeleton: what `extract` and `batch` both do, so that they give the same bytes. With
 /// fingers the file's text has those; the skeleton beside it has none. With hints as `extract_hinted`. \throws Error as
 /// `io::read_mesh` and `extract`, without the file's name.

@@ -7,6 +7,7 @@
 
 #include <skelgen/fit_skeleton.hpp>
 #include <skelgen/hands/find_hands.hpp>
+#include <skelgen/io/template_json.hpp>
 
 #include "console.hpp"
 #include "rig_joints.hpp"
@@ -18,9 +19,16 @@ io::SourceMesh source_of(const MeshInput& input, const Extraction<double>& found
             found.geodesic_diameter};
 }
 
+void want_template(ExtractOptions& options, const std::string& name_or_file) {
+    options.or_quadruped = name_or_file == "auto";
+    options.skeleton_template =
+        in_file("--template", [&] { return io::load_template(options.or_quadruped ? "human21" : name_or_file); });
+}
+
 FittedFile fit_file(const MeshInput& input, ExtractOptions options, bool with_curve) {
     FittedFile out;
     options.with_curve = with_curve;
+    want_template(options, input.wanted);
     if (input.use_rig) {
         out.found = extract_with_rig(input, options);
     } else if (input.skeleton.empty()) {

@@ -25,8 +25,12 @@ struct FittedFile {
 /// What files say of the mesh that something was found in.
 [[nodiscard]] io::SourceMesh source_of(const MeshInput& input, const Extraction<double>& found);
 
-/// Reads a mesh and finds the body in it, without its curve where that is not wanted. \throws Error as `io::read_mesh`
-/// and `extract`, without the file's name.
+/// Has a template looked for: a built-in one, a file's, or, named `auto`, a person's or a four-legged animal's,
+/// whichever is likelier. \throws Error as `load_template`.
+void want_template(ExtractOptions& options, const std::string& name_or_file);
+
+/// Reads a mesh and finds the body in it, without its curve where that is not wanted; what is looked for is the
+/// input's, whatever the options have. \throws Error as `io::read_mesh` and `extract`, without the file's name.
 [[nodiscard]] FittedFile fit_file(const MeshInput& input, ExtractOptions options = {}, bool with_curve = false);
 
 /// The same of what belongs to the body that was found, and to no other body that stands apart from it. As

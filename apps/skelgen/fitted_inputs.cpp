@@ -21,6 +21,7 @@ FittedInput fit(const BatchItem& item, const FittedInputs& inputs) {
     options.prepare.component = item.component;
     MeshInput mesh{item.mesh};
     mesh.skeleton = inputs.skeleton;
+    mesh.wanted = inputs.wanted;
     return {fit_file(mesh, options), item};
 }
 
@@ -62,6 +63,7 @@ void add_fitted_inputs(CLI::App& command, FittedInputs& inputs) {
                     "Meshes of one body each (" + io::mesh_extensions_text() +
                         ", also .gz of each), folders of meshes, patterns; - for standard input")
         ->required();
+    add_wanted_option(command, inputs.wanted);
     add_skeleton_option(command, inputs.skeleton);
     add_components_option(command, inputs.component);
     command.add_flag("-q,--quiet", inputs.quiet, "No warnings but that a skeleton is a guess");

@@ -17,9 +17,10 @@ struct FittedInputs {
     bool quiet = false;              ///< no warnings
     std::filesystem::path skeleton;  ///< of a single mesh; empty: it is to be found
     int component = 0;               ///< as `PrepareOptions::component`, or `all_components`
+    std::string wanted = "human21";  ///< as `MeshInput::wanted`
 };
 
-/// Adds the positional MESH..., --skeleton, --component and the flag --quiet.
+/// Adds the positional MESH..., --template, --skeleton, --component and the flag --quiet.
 void add_fitted_inputs(CLI::App& command, FittedInputs& inputs);
 
 /// One of them.

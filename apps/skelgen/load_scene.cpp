@@ -35,8 +35,7 @@ void extract_curve_into(render::Scene& scene, const ExtractOptions& options) {
 }
 
 /// Gives the mesh the colours of its parts, or says in the scene why not.
-void colour_parts(render::Scene& scene, const std::string& parts) {
-    ExtractOptions options;
+void colour_parts(render::Scene& scene, const std::string& parts, ExtractOptions options) {
     options.with_curve = false;
     try {
         scene.colours = vertex_colours(parts_of(extract(scene.mesh, options), parts));
@@ -88,7 +87,7 @@ render::Scene load_scene(const SceneSources& sources) {
     render::Scene scene;
     scene.mesh = in_file(sources.mesh, [&] { return read_mesh<double>(sources.mesh, {.isolated = true}); });
     if (!sources.parts.empty()) {
-        in_file(sources.mesh, [&] { colour_parts(scene, sources.parts); });
+        in_file(sources.mesh, [&] { colour_parts(scene, sources.parts, sources.extraction); });
         return scene;
     }
     scene.colours = own_colours(sources.mesh, scene.mesh.vertices.rows());

@@ -88,6 +88,15 @@ void add_skeleton_option(CLI::App& command, std::filesystem::path& skeleton) {
                        "search for none");
 }
 
+void add_wanted_option(CLI::App& command, std::string& wanted) {
+    command
+        .add_option(
+            "--template", wanted,
+            "What is looked for: human21, a person; quadruped, a four-legged animal; auto, the likelier of both")
+        ->check(CLI::IsMember({"human21", "quadruped", "auto"}))
+        ->capture_default_str();
+}
+
 void add_skeleton_options(CLI::App& command, MeshInput& input) {
     add_skeleton_option(command, input.skeleton);
     command

@@ -17,6 +17,7 @@ struct MeshInput {
     io::ReadMeshOptions options{.isolated = true}; ///< the program reads strangers' files
     std::filesystem::path skeleton = {};           ///< file of the skeleton to take; empty: it is to be found
     bool use_rig = false;                          ///< take the joints of the file's own rig
+    std::string wanted = "human21";                ///< what is looked for: a person, `quadruped` or, of both, `auto`
 };
 
 /// Adds the positional MESH, with `help` as what it says there, and the options --format, --animation and --time.
@@ -35,6 +36,9 @@ void add_components_option(CLI::App& command, int& component);
 
 /// Adds the option --skeleton: the file of the skeleton that is taken instead of searching for one.
 void add_skeleton_option(CLI::App& command, std::filesystem::path& skeleton);
+
+/// Adds the option --template of commands that need the joints of a person or an animal.
+void add_wanted_option(CLI::App& command, std::string& wanted);
 
 /// Adds the options --skeleton and --use-rig, of which one may be given.
 void add_skeleton_options(CLI::App& command, MeshInput& input);

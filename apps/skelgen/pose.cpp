@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <skelgen/applications/body_coordinates.hpp>
 #include <skelgen/applications/pose_transfer.hpp>
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/hands/find_hands.hpp>
@@ -45,7 +46,10 @@ struct Model {
     std::vector<std::string> repairs = {}; ///< of its surface
 };
 
-const SkeletonTemplate& human() { return builtin_template("human21"); }
+/// human21 or, of an animal, quadruped.
+const SkeletonTemplate& template_of(const KinematicSkeleton<double>& skeleton) {
+    return applications::own_template(skeleton);
+}
 
 /// \throws Error bad_input, naming the joint, when one is farther from its parent than in any body.
 void require_bones_of_a_body(const KinematicSkeleton<double>& skeleton) {
@@ -70,16 +74,17 @@ void require_bones_of_a_body(const KinematicSkeleton<double>& skeleton) {
 
 /// Whether a file's skeleton says how someone is held. \throws Error bad_input when it does not.
 void require_pose(const KinematicSkeleton<double>& skeleton) {
-    if (skeleton.template_name != human().name)
-        throw Error(ErrorCode::bad_input,
-                    "is a skeleton of the template " + skeleton.template_name + "; extract it with human21");
-    const auto is_same = [](const Joint<double>& joint, const TemplateJoint& wanted) {
-        return joint.name == wanted.name && joint.parent == wanted.parent;
+    const SkeletonTemplate& wanted = template_of(skeleton);
+    if (skeleton.template_name != wanted.name)
+        throw Error(ErrorCode::bad_input, "is a skeleton of the template " + skeleton.template_name +
+                                              "; extract it with human21, an animal's with quadruped");
+    const auto is_same = [](const Joint<double>& joint, const TemplateJoint& known) {
+        return joint.name == known.name && joint.parent == known.parent;
     };
-    if (!std::equal(skeleton.joints.begin(), skeleton.joints.end(), human().joints.begin(), human().joints.end(),
+    if (!std::equal(skeleton.joints.begin(), skeleton.joints.end(), wanted.joints.begin(), wanted.joints.end(),
                     is_same))
         throw Error(ErrorCode::bad_input,
-                    "its joints are not those of the template " + human().name + "; write it with `skelgen extract`");
+                    "its joints are not those of the template " + wanted.name + "; write it with `skelgen extract`");
     for (const Joint<double>& joint : skeleton.joints)
         if (!(joint.position.cwiseAbs().maxCoeff() <= std::numeric_limits<float>::max()))
             throw Error(ErrorCode::bad_input, "its joint " + joint.name +
@@ -102,9 +107,11 @@ Model load_model(const PoseCommand& command) {
         });
     }
     return in_file(command.like, [&] {
-        const FittedFile other = fit_file({command.like, {}});
+        MeshInput input{command.like, {}};
+        input.wanted = command.mesh.wanted;
+        const FittedFile other = fit_file(input);
         Model model{other.skeleton(), std::nullopt, other.found.body.repairs};
-        const Floor<double> floor = applications::floor_of(other.mesh(), model.skeleton, human());
+        const Floor<double> floor = applications::floor_of(other.mesh(), model.skeleton, template_of(model.skeleton));
         if (floor.is_stood_on) model.floor = floor;
         return model;
     });
@@ -118,7 +125,10 @@ struct Held {
 
 Held held_like_model(const PoseCommand& command, const FittedFile& body, const Model& model) {
     return in_file(command.mesh.file, [&] {
-        auto posed = applications::pose_like(body.mesh(), body.found.body, body.skeleton(), model.skeleton, human());
+        const SkeletonTemplate& own = template_of(body.skeleton());
+        if (model.skeleton.template_name != own.name)
+            throw Error(ErrorCode::usage, "a person is not held as an animal is, nor an animal as a person");
+        auto posed = applications::pose_like(body.mesh(), body.found.body, body.skeleton(), model.skeleton, own);
         if (model.floor) posed = put_on(std::move(posed), *model.floor);
         return Held{std::move(posed.mesh), std::move(posed.turns)};
     });
@@ -136,7 +146,7 @@ ClipInput load_posing_clip(const PoseCommand& command) {
 /// The body as the clip's skeleton is in the frame: +y up, on the floor, in the mesh's unit.
 Held held_as_in_clip(const PoseCommand& command, const FittedFile& body, const ClipInput& clip) {
     const auto rig = in_file(command.mesh.file, [&] {
-        return applications::make_rig(body.mesh(), body.found.body, body.skeleton(), human());
+        return applications::make_rig(body.mesh(), body.found.body, body.skeleton(), template_of(body.skeleton()));
     });
     const auto animation = follow_clip(clip, rig); // all of it: its floor is that of all frames
     const auto& pose = animation.frames[static_cast<std::size_t>(command.frame)];
@@ -196,6 +206,7 @@ void add_pose_command(CLI::App& app) {
         ->capture_default_str();
     sub->add_option("-o,--output", command->output, "Mesh to write: " + io::written_mesh_extensions_text())->required();
     add_component_option(*sub, command->component);
+    add_wanted_option(*sub, command->mesh.wanted);
     add_skeleton_options(*sub, command->mesh);
     sub->add_flag("-q,--quiet", command->quiet, "No warnings but what a licence forbids, and guesses");
     sub->footer("Examples:\n  skelgen pose woman.off --like walking_man.ply -o walking_woman.off\n"

@@ -91,6 +91,7 @@ void add_rig_command(CLI::App& app) {
     sub->add_option("--author", command->credits.author, "Who made it, in place of the input's");
     sub->add_option("--license", command->credits.license,
                     "Its licence or that one's address, in place of the input's");
+    add_wanted_option(*sub, command->mesh.wanted);
     add_skeleton_options(*sub, command->mesh);
     sub->add_option("--fingers", command->fingers, "Bones of the fingers: where the surface shows some, or none")
         ->check(CLI::IsMember({"auto", "off", "on"}))

@@ -8,6 +8,7 @@
 #include <skelgen/synth/body.hpp>
 #include <skelgen/synth/garment.hpp>
 #include <skelgen/synth/objects.hpp>
+#include <skelgen/synth/quadrupeds.hpp>
 #include <skelgen/synth/sets.hpp>
 #include <skelgen/synth/tubes.hpp>
 
@@ -21,6 +22,7 @@ namespace {
 
 constexpr const char* object_set = "not-a-body";
 constexpr const char* tube_set = "tubes";
+constexpr const char* quadruped_set = "quadrupeds";
 
 struct SynthCommand {
     std::string output;
@@ -74,43 +76,53 @@ private:
     std::string set_;
 };
 
-void run_objects(const SynthCommand& command) {
+/// Makes each of the plans and writes it: `make` is given a plan and the writer.
+template <typename Plan, typename Make>
+void write_each(const SynthCommand& command, const std::vector<Plan>& plans, const Make& make) {
     const SetWriter writer(command.output, command.set);
-    const auto names = synth::object_names();
     std::size_t done = 0;
-    ProgressBar bar(names.size(), true, patience_seconds);
-    for (const std::string& name : names) {
-        writer.write(name, synth::synthesize_object(name, command.faces), synth::object_truth_to_json);
+    ProgressBar bar(plans.size(), true, patience_seconds);
+    for (const Plan& plan : plans) {
+        make(plan, writer);
         bar.show(++done, 0);
     }
 }
 
+void run_objects(const SynthCommand& command) {
+    write_each(command, synth::object_names(), [&](const std::string& name, const SetWriter& writer) {
+        writer.write(name, synth::synthesize_object(name, command.faces), synth::object_truth_to_json);
+    });
+}
+
 void run_tubes(const SynthCommand& command) {
-    const SetWriter writer(command.output, command.set);
-    const auto plans = synth::tube_plans(command.seed);
-    std::size_t done = 0;
-    ProgressBar bar(plans.size(), true, patience_seconds);
-    for (const synth::TubePlan& plan : plans) {
+    write_each(command, synth::tube_plans(command.seed), [](const synth::TubePlan& plan, const SetWriter& writer) {
         const synth::SynthTube tube = in_file(plan.name, [&] { return synth::synthesize_tube(plan, plan.faces); });
         writer.write(plan.name, tube.mesh,
                      [&](const std::string& file) { return synth::curve_truth_to_json(tube.truth, file); });
-        bar.show(++done, 0);
-    }
+    });
+}
+
+void run_quadrupeds(const SynthCommand& command) {
+    write_each(
+        command, synth::quadruped_plans(command.seed), [&](const synth::QuadrupedPlan& plan, const SetWriter& writer) {
+            const std::string& name = plan.body.name;
+            const TriangleMesh<double> mesh =
+                in_file(name, [&] { return synth::synthesize_quadruped(plan, command.faces); });
+            writer.write(name, mesh,
+                         [&](const std::string& file) { return synth::quadruped_truth_to_json(plan, mesh, file); });
+        });
 }
 
 void run_set(const SynthCommand& command) {
     if (command.set == object_set) return run_objects(command);
     if (command.set == tube_set) return run_tubes(command);
-    const std::vector<synth::BodyPlan> plans = synth::body_set(command.set, command.seed);
-    const SetWriter writer(command.output, command.set);
-    std::size_t done = 0;
-    ProgressBar bar(plans.size(), true, patience_seconds);
-    for (const synth::BodyPlan& plan : plans) {
-        const synth::SynthBody body = in_file(plan.name, [&] { return synth::synthesize_body(plan); });
-        writer.write(plan.name, body.mesh,
-                     [&](const std::string& file) { return synth::truth_to_json(body.truth, file); });
-        bar.show(++done, 0);
-    }
+    if (command.set == quadruped_set) return run_quadrupeds(command);
+    write_each(command, synth::body_set(command.set, command.seed),
+               [](const synth::BodyPlan& plan, const SetWriter& writer) {
+                   const synth::SynthBody body = in_file(plan.name, [&] { return synth::synthesize_body(plan); });
+                   writer.write(plan.name, body.mesh,
+                                [&](const std::string& file) { return synth::truth_to_json(body.truth, file); });
+               });
 }
 
 void run(SynthCommand& command) {
@@ -162,8 +174,8 @@ void add_synth_command(CLI::App& app) {
     sub->add_option("-o,--output", command->output,
                     "Mesh to write: " + io::written_mesh_extensions_text() + "; a folder for --set")
         ->required();
-    std::string sets =
-        std::string("Make a whole set of meshes with their truth into a folder: ") + object_set + " " + tube_set;
+    std::string sets = std::string("Make a whole set of meshes with their truth into a folder: ") + object_set + " " +
+                       tube_set + " " + quadruped_set;
     for (const std::string& name : synth::set_names()) sets += " " + name;
     sub->add_option("--set", command->set, sets);
     sub->add_option("--truth", command->truth, "JSON to write with joints, end points and the geodesic diameter");

@@ -75,6 +75,7 @@ std::string shown(const ViewCommand& command, const std::optional<ClipInput>& cl
     if (!item.fault.empty()) throw Error(ErrorCode::bad_input, item.fault);
     MeshInput input{item.mesh};
     input.skeleton = command.inputs.skeleton;
+    input.wanted = command.inputs.wanted;
     Viewed found;
     try {
         const WaitingLine waiting(item.mesh.string(), !command.inputs.quiet);

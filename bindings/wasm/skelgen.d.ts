@@ -99,7 +99,7 @@ export interface ExtractOptions extends FindOptions {
 
 export type RestPose = "as-is" | "t-pose" | "a-pose";
 export type RigFormat = "glb" | "vrm" | "fbx" | "bvh";
-export type JointNames = "skelgen" | "smpl" | "smplx" | "mixamo" | "vrm" | "unity" | "godot" | "unreal" | "rigify";
+export type JointNames = "skelgen" | "smpl" | "smplx" | "mixamo" | "vrm" | "unity" | "godot" | "unreal" | "rigify" | "mesh2motion-fox" | "mesh2motion-horse";
 
 export interface RigOptions {
   rest?: RestPose;

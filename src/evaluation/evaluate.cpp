@@ -94,7 +94,7 @@ MeshScore evaluate_file(const fs::path& truth, const fs::path& prediction, const
     score.name = truth.stem().string();
     score.confidences = read_joint_confidences(prediction);
     if (mesh && score.complete)
-        score.outside = naming(*mesh, [&] { return joints_outside(io::read_mesh<double>(*mesh), joints); });
+        score.outside = naming(*mesh, [&] { return joints_outside(io::read_mesh<double>(*mesh), joints, score.plan); });
     return score;
 }
 

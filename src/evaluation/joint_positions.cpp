@@ -19,6 +19,9 @@ JointPositions to_positions(const Json& document) {
         if (!position) return {};
         positions[joint.at("name").get<std::string>()] = *position;
     }
+    if (const auto ends = document.find("end_points"); ends != document.end() && ends->is_object())
+        for (const auto& [name, place] : ends->items())
+            if (const auto position = io::detail::to_point(place)) positions.try_emplace(name, *position);
     return positions;
 }
 

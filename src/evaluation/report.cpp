@@ -44,7 +44,9 @@ std::string table_row(const std::string& joint, const ErrorStatistics& errors) {
 
 /// The joints in template order, which reads better than the alphabet; then those that no template has.
 std::vector<std::pair<std::string, ErrorStatistics>> in_template_order(const SetSummary& summary) {
-    const auto& names = evaluated_joints();
+    std::vector<std::string> names = evaluated_joints();
+    const std::vector<std::string>& of_animals = evaluated_joints(BodyKind::quadruped);
+    names.insert(names.end(), of_animals.begin(), of_animals.end());
     auto joints = summary.per_joint;
     std::stable_sort(joints.begin(), joints.end(), [&](const auto& a, const auto& b) {
         return std::find(names.begin(), names.end(), a.first) < std::find(names.begin(), names.end(), b.first);

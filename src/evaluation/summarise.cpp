@@ -45,7 +45,7 @@ std::optional<double> mean_share_inside(const SetScore& set) {
     for (const MeshScore& mesh : set.meshes)
         if (mesh.outside)
             shares.push_back(1 - static_cast<double>(mesh.outside->size()) /
-                                     static_cast<double>(evaluated_joints().size()));
+                                     static_cast<double>(evaluated_joints(mesh.plan).size()));
     if (shares.empty()) return std::nullopt;
     return mean(shares);
 }

@@ -16,6 +16,8 @@ namespace skelgen::applications {
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
     template std::vector<int> standing_for(const Body<Scalar>&, const Points<Scalar>&);                                \
     template std::vector<int> vertices_of_input(const Body<Scalar>&, const TriangleMesh<Scalar>&);                     \
+    template const SkeletonTemplate& own_template(const KinematicSkeleton<Scalar>&);                                   \
+    template Vector3<Scalar> joint_place(const KinematicSkeleton<Scalar>&, JointRole, Side);                           \
     template Vector3<Scalar> joint_place(const KinematicSkeleton<Scalar>&, const std::string&);                        \
     template Vector3<Scalar> end_place(const KinematicSkeleton<Scalar>&, const std::string&, const std::string&);      \
     template Eigen::MatrixX<core::Accumulator> part_shares(const Body<Scalar>&, const std::vector<int>&, int, double); \

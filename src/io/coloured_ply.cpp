@@ -85,9 +85,19 @@ std::vector<ByteColour> part_colours(const std::vector<std::string>& parts) {
                                                    {"thigh", {46, 106, 78}, {204, 118, 95}},
                                                    {"calf", {107, 243, 161}, {198, 20, 0}},
                                                    {"foot", {66, 121, 170}, {243, 162, 67}}}};
+    // An animal's parts have the colours of a person's.
+    static constexpr std::array<std::array<std::string_view, 2>, 7> alike{{{"fore_upper", "upper_arm"},
+                                                                           {"fore_lower", "forearm"},
+                                                                           {"fore_foot", "hand"},
+                                                                           {"hind_upper", "thigh"},
+                                                                           {"hind_lower", "calf"},
+                                                                           {"hind_foot", "foot"},
+                                                                           {"tail", "shoulder"}}};
     std::vector<ByteColour> out;
     for (const std::string& part : parts) {
-        const SidedName name = split_side(part);
+        SidedName name = split_side(part);
+        for (const auto& [animals, persons] : alike)
+            if (name.plain == animals) name.plain = persons;
         const auto* const found =
             std::find_if(colours.begin(), colours.end(), [&](const Pair& pair) { return pair.part == name.plain; });
         if (found == colours.end()) throw Error(ErrorCode::usage, "there is no colour for the part '" + part + "'");

@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 6> engine_bones{"root",          "upper_c
 /// In the order of JointNames. From: SMPL and SMPL-X, joint_names.py of the smplx package; Mixamo, its skeleton without
 /// the prefix of its files; VRM, its specification of humanoids, 1.0; Unity, the enumeration HumanBodyBones; Godot,
 /// SkeletonProfileHumanoid of 4.x; Unreal, the skeleton of its mannequin; Rigify, its human meta-rig.
-constexpr std::array<Convention, 9> conventions{
+constexpr std::array<Convention, 11> conventions{
     {{"skelgen", {}, {}, {}, {}, {}, {}, {}, {}},
      {"smpl",
       {"left_", "right_"},
@@ -110,7 +110,66 @@ constexpr std::array<Convention, 9> conventions{
       {".01", ".02", ".03"},
       {".01", ".02", ".03"},
       {"root", "spine.003", "shoulder", "", "", ""},
-      "spine.002"}}};
+      "spine.002"},
+     {"mesh2motion-fox", {}, {}, {}, {}, {}, {}, {}, {}}, // of animals, below
+     {"mesh2motion-horse", {}, {}, {}, {}, {}, {}, {}, {}}}};
+
+/// What a convention calls an animal's joints; those of sides with what is behind the names of the left and the right.
+struct AnimalConvention {
+    JointNames names;
+    std::array<std::string_view, 2> behind;
+    std::array<std::array<std::string_view, 2>, 22> joints; ///< skelgen's, without their side, and its own
+};
+
+/// From the rigs of Mesh2Motion's fox and horse.
+constexpr std::array<AnimalConvention, 2> animal_conventions{{{JointNames::mesh2motion_fox,
+                                                               {"_L", "_R"},
+                                                               {{{"hips", "Hips"},
+                                                                 {"spine1", "Spine_1"},
+                                                                 {"spine2", "Spine_2"},
+                                                                 {"chest", "Spine_2.001"},
+                                                                 {"neck1", "Spine_3"},
+                                                                 {"neck2", "Spine_4"},
+                                                                 {"head", "Head"},
+                                                                 {"tail1", "Tail_Base"},
+                                                                 {"tail2", "Tail_Mid"},
+                                                                 {"tail3", "Tail_Mid.001"},
+                                                                 {"tail4", "Tail_End"},
+                                                                 {"ear", "Ear"},
+                                                                 {"fore_girdle", "Front_Leg_Shoulder"},
+                                                                 {"fore_upper", "Front_Leg_Upper"},
+                                                                 {"fore_lower", "Front_Leg_Lower"},
+                                                                 {"fore_ankle", "Front_Leg_Ankle"},
+                                                                 {"fore_foot", "Front_Leg_Foot"},
+                                                                 {"hind_girdle", "Back_Leg_Pelvis"},
+                                                                 {"hind_upper", "Back_Leg_Upper"},
+                                                                 {"hind_lower", "Back_Leg_Lower"},
+                                                                 {"hind_ankle", "Back_Leg_Ankle"},
+                                                                 {"hind_foot", "Back_Leg_Foot_1"}}}},
+                                                              {JointNames::mesh2motion_horse,
+                                                               {"_l", "_r"},
+                                                               {{{"hips", "hips"},
+                                                                 {"spine1", "spine_1"},
+                                                                 {"spine2", "spine_3"},
+                                                                 {"chest", "spine_4"},
+                                                                 {"neck1", "spine_5"},
+                                                                 {"neck2", "spine_6"},
+                                                                 {"head", "head"},
+                                                                 {"tail1", "tail_1"},
+                                                                 {"tail2", "tail_2"},
+                                                                 {"tail3", "tail_3"},
+                                                                 {"tail4", "tail_4"},
+                                                                 {"ear", "ear_1"},
+                                                                 {"fore_girdle", "front_scapula"},
+                                                                 {"fore_upper", "front_humerus"},
+                                                                 {"fore_lower", "front_leg_upper"},
+                                                                 {"fore_ankle", "front_leg_lower"},
+                                                                 {"fore_foot", "front_leg_foot"},
+                                                                 {"hind_girdle", "back_leg_pelvis"},
+                                                                 {"hind_upper", "back_leg_upper"},
+                                                                 {"hind_lower", "back_leg_lower"},
+                                                                 {"hind_ankle", "back_leg_ankle"},
+                                                                 {"hind_foot", "back_leg_toe"}}}}}};
 
 const Convention& convention_of(JointNames names) { return conventions.at(static_cast<std::size_t>(names)); }
 
@@ -118,6 +177,16 @@ std::string with_side(const Convention& convention, Side side, std::string_view 
     if (side == Side::none) return std::string(name);
     const std::size_t which = side == Side::left ? 0 : 1;
     return std::string(convention.before[which]).append(name).append(convention.behind[which]);
+}
+
+/// What an animal's convention calls a joint; empty where the names are no animal's, or have none for it.
+std::string animal_name(const applications::RigJoint<double>& joint, JointNames names) {
+    for (const AnimalConvention& convention : animal_conventions)
+        for (const auto& [own, name] : convention.joints)
+            if (convention.names == names && split_side(joint.name).plain == own)
+                return std::string(name).append(
+                    joint.side == Side::none ? "" : convention.behind[joint.side == Side::left ? 0 : 1]);
+    return "";
 }
 
 /// What conventions call a digit's joint; empty for another one, and where they are skelgen's own.
@@ -140,6 +209,7 @@ std::optional<std::size_t> engine_bone(const applications::RigJoint<double>& joi
 } // namespace
 
 std::string name_of(const applications::RigJoint<double>& joint, JointNames names) {
+    if (std::string name = animal_name(joint, names); !name.empty()) return name;
     if (const auto bone = engine_bone(joint)) {
         const std::string_view name = convention_of(names).extra.at(*bone);
         return name.empty() ? joint.name : with_side(convention_of(names), joint.side, name);

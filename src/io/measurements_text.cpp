@@ -17,10 +17,10 @@ std::string unit_name(double metres) { return metres == 1 ? "m" : metres == 0.01
 
 /// All measures of a body in the order in which they are written.
 std::vector<std::pair<std::string, std::optional<double>>> columns(const applications::Measurements& measures) {
-    std::vector<std::pair<std::string, std::optional<double>>> out{{"height", measures.height},
-                                                                   {"arm_span", measures.arm_span},
-                                                                   {"area", measures.area},
-                                                                   {"volume", measures.volume}};
+    std::vector<std::pair<std::string, std::optional<double>>> out{{"height", measures.height}};
+    if (measures.arm_span > 0) out.emplace_back("arm_span", measures.arm_span); // an animal has none
+    out.emplace_back("area", measures.area);
+    out.emplace_back("volume", measures.volume);
     for (const auto& [name, value] : measures.lengths) out.emplace_back("length_" + name, value);
     for (const auto& [name, value] : measures.girths) out.emplace_back("girth_" + name, value);
     for (const auto& [name, value] : out)
@@ -64,16 +64,18 @@ std::string measurements_to_json(const std::vector<MeasuredBody>& bodies) {
         Json lengths = Json::object(), girths = Json::object();
         for (const auto& [name, value] : body.measures.lengths) lengths[name] = value;
         for (const auto& [name, value] : body.measures.girths) girths[name] = value ? Json(*value) : Json();
-        list.push_back({{"mesh", detail::to_json(body.mesh)},
-                        {"unit", unit_of(body.measures)},
-                        {"height", body.measures.height},
-                        {"arm_span", body.measures.arm_span},
-                        {"area", body.measures.area},
-                        {"volume", body.measures.volume},
-                        {"lengths", lengths},
-                        {"girths", girths},
-                        {"girth_places", places_of(body.measures)},
-                        {"quality", detail::to_json(body.quality)}});
+        Json measured{{"mesh", detail::to_json(body.mesh)},
+                      {"unit", unit_of(body.measures)},
+                      {"height", body.measures.height},
+                      {"arm_span", body.measures.arm_span},
+                      {"area", body.measures.area},
+                      {"volume", body.measures.volume},
+                      {"lengths", lengths},
+                      {"girths", girths},
+                      {"girth_places", places_of(body.measures)},
+                      {"quality", detail::to_json(body.quality)}};
+        if (!(body.measures.arm_span > 0)) measured.erase("arm_span");
+        list.push_back(std::move(measured));
     }
     return Json{{"format", "skelgen-measurements"}, {"version", 1}, {"bodies", list}}.dump(1) + "\n";
 }

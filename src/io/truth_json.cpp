@@ -63,6 +63,8 @@ GroundTruth read_ground_truth(const std::filesystem::path& path) {
     for (const auto& [name, point] : read_points(document, "markers")) truth.markers[name] = point;
     truth.scale = read_scale(document);
     truth.missing = read_missing(document);
+    if (const auto expect = document.find("expect"); expect != document.end() && *expect == "quadruped")
+        truth.plan = BodyKind::quadruped;
     return truth;
 }
 

@@ -8,6 +8,7 @@
 
 #include <skelgen/core/error.hpp>
 #include <skelgen/synth/body.hpp>
+#include <skelgen/synth/quadrupeds.hpp>
 
 #include "anatomy.hpp"
 #include "implicit_body.hpp"
@@ -17,6 +18,7 @@ namespace skelgen::synth {
 namespace {
 
 constexpr double far_away = 1e3;
+constexpr const char* dog = "dog"; ///< the first of the animals
 
 ImplicitSurface even_surface(std::function<double(const Vec3&)> field, const Vec3& inside, double radius) {
     return {std::move(field), [](const Vec3&) { return 1.0; }, inside, radius};
@@ -47,31 +49,6 @@ ImplicitSurface surface_of(std::vector<Box> boxes, const Vec3& inside, double ra
             return field;
         },
         inside, radius);
-}
-
-ImplicitSurface dog() {
-    const auto cone = [](const Vec3& a, const Vec3& b, double ra, double rb, double blend) {
-        return Blob{RoundCone{a, b, ra, rb}, blend};
-    };
-    std::vector<Blob> blobs{cone({0, -0.22, 0.50}, {0, 0.05, 0.50}, 0.125, 0.105, 0)};
-    blobs.push_back(cone({0, 0.05, 0.51}, {0, 0.26, 0.52}, 0.095, 0.095, 0.05));
-    blobs.push_back(cone({0, -0.27, 0.56}, {0, -0.40, 0.72}, 0.085, 0.062, 0.06));
-    blobs.push_back(cone({0, -0.41, 0.74}, {0, -0.47, 0.74}, 0.075, 0.058, 0.03));
-    blobs.push_back(cone({0, -0.48, 0.725}, {0, -0.60, 0.70}, 0.042, 0.030, 0.02));
-    blobs.push_back(cone({0, 0.30, 0.57}, {0, 0.42, 0.60}, 0.030, 0.024, 0.03));
-    blobs.push_back(cone({0, 0.42, 0.60}, {0, 0.58, 0.72}, 0.024, 0.014, 0.01));
-    for (const double side : {1.0, -1.0}) {
-        const auto at = [side](double x, double y, double z) { return Vec3(side * x, y, z); };
-        blobs.push_back(cone(at(0.045, -0.39, 0.79), at(0.075, -0.37, 0.85), 0.026, 0.012, 0.015));
-        blobs.push_back(cone(at(0.085, -0.22, 0.44), at(0.090, -0.20, 0.27), 0.062, 0.036, 0.04));
-        blobs.push_back(cone(at(0.090, -0.20, 0.27), at(0.090, -0.23, 0.04), 0.036, 0.024, 0.015));
-        blobs.push_back(cone(at(0.090, -0.23, 0.03), at(0.090, -0.28, 0.028), 0.030, 0.028, 0.015));
-        blobs.push_back(cone(at(0.085, 0.25, 0.48), at(0.095, 0.20, 0.29), 0.080, 0.042, 0.04));
-        blobs.push_back(cone(at(0.095, 0.20, 0.29), at(0.095, 0.32, 0.17), 0.042, 0.027, 0.015));
-        blobs.push_back(cone(at(0.095, 0.32, 0.17), at(0.095, 0.28, 0.04), 0.027, 0.024, 0.015));
-        blobs.push_back(cone(at(0.095, 0.28, 0.03), at(0.095, 0.23, 0.028), 0.030, 0.028, 0.015));
-    }
-    return surface_of(std::move(blobs), {0, 0, 0.5}, 0.95);
 }
 
 std::vector<Box> four_legs(double x, double y, double height, double thick) {
@@ -144,8 +121,7 @@ struct NamedObject {
     ImplicitSurface (*surface)();
 };
 
-constexpr std::array<NamedObject, 9> objects{{{"dog", dog},
-                                              {"chair", chair},
+constexpr std::array<NamedObject, 8> objects{{{"chair", chair},
                                               {"table", table},
                                               {"hand", single_hand},
                                               {"head", single_head},
@@ -157,7 +133,7 @@ constexpr std::array<NamedObject, 9> objects{{{"dog", dog},
 } // namespace
 
 std::vector<std::string> object_names() {
-    std::vector<std::string> names;
+    std::vector<std::string> names{dog};
     for (const NamedObject& object : objects) names.emplace_back(object.name);
     return names;
 }
@@ -166,6 +142,7 @@ TriangleMesh<double> synthesize_object(std::string_view name, int faces) {
     if (faces < least_faces || faces > most_faces)
         throw Error(ErrorCode::usage, std::to_string(faces) + " faces is out of range: give " +
                                           std::to_string(least_faces) + " to " + std::to_string(most_faces));
+    if (name == dog) return synthesize_quadruped(quadruped_plans(1, 1).front(), faces);
     for (const NamedObject& object : objects)
         if (name == object.name) return mesh_surface(object.surface(), faces, false);
     std::string what = "there is no object " + std::string(name) + ": give one of";

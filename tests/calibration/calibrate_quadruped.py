@@ -7,7 +7,8 @@ Each FOLDER holds truth/NAME.json and candidates/NAME.jsonl, as find_candidates.
 of every way to see an animal in a curve the evidence and the ways of its limbs. A way is RIGHT when each foot's and the
 tail's end lies nearer to its own marker than to the others and within 0.12 of the scale, and the head's end within 0.26 of
 the head's, nose's or crown's. People and things are wrong. The trust is fitted as calibrate.py fits that in people, each
-mesh's right and wrong ways counting once together. What is printed is of folds by maker.
+mesh's right and wrong ways counting once together. Where joints lie is fitted by how the ways run, on generated animals
+(skelgen synth --set quadrupeds), too. What is printed is of folds by maker.
 """
 import argparse
 import collections
@@ -121,33 +122,107 @@ def head_frame(row):
     return {"forward": forward, "up": up, "left": np.cross(up, forward)}
 
 
-def joint_places(meshes, chosen):
-    """Per role and place the mean share and offsets over makers, each counting by the root of its animals."""
-    found = collections.defaultdict(lambda: collections.defaultdict(list))
+# What the place of a joint is told from, beside its role: see quadruped::detail::features_of (place_joints.hpp).
+PLACE_SHARES, RADIUS_SHARES, BUILD = (0, 4, 8, 12, 16), (2, 6, 10, 14, 18), 12
+
+
+def features(row, way, sign):
+    places, size = np.array(row["ways"][way]), row["size"]
+    is_leg = "leg" in way
+    off = (places[list(PLACE_SHARES)] - places[-1 if is_leg else 0]) / size
+    out = [off @ np.array(row["frame"]["forward"]), off @ np.array(row["frame"]["up"]), sign * (off @ np.array(row["frame"]["left"])) * is_leg]
+    return np.concatenate([np.stack(out, 1).ravel(), np.array(row["radii"][way])[list(RADIUS_SHARES)] / size, list(row["evidence"].values())[:BUILD]])
+
+
+def joint_samples(meshes, chosen):
+    """Per role and place among its joints: maker, features and the share and offsets that the true joint has."""
+    found = collections.defaultdict(list)
     for m, (i, _) in zip(meshes, chosen):
         if i < 0 or not m.right[i] or "joints" not in m.truth:
             continue
         row = m.rows[i]
         for role, ordinal, way, name in PLACES:
             for side, sign in (("left_", 1), ("right_", -1), ("", 0)):
-                if side + name not in m.truth["joints"]:
+                nodes = side + way if "leg" in way else way
+                if side + name not in m.truth["joints"] or not row["ways"][nodes]:
                     continue
                 place = np.array(m.truth["joints"][side + name])
-                nodes = row["ways"][side + way if "leg" in way else way]
-                if not nodes:
-                    continue
                 if role == "ear":
                     frame = head_frame(row)
-                    off = (place - np.array(nodes[-1])) / row["size"]
+                    off = (place - np.array(row["ways"][nodes][-1])) / row["size"]
                     value = [1.0] + [float(off @ frame[d]) for d in ("forward", "up")] + [sign * float(off @ frame["left"])]
                 else:
-                    value = place_on(nodes, place, row["frame"], row["size"], sign)
-                found[role, ordinal][m.group].append(value)
+                    value = place_on(row["ways"][nodes], place, row["frame"], row["size"], sign)
+                if not sign:
+                    value[3] = 0.0  # in the middle
+                found[role, ordinal].append({"mesh": m, "row": row, "way": nodes, "sign": sign, "maker": m.group, "x": features(row, nodes, sign), "y": np.array(value), "place": place})
+    return found
+
+
+def scales_of(samples):
+    """Mean and deviation of the features on each kind of way."""
+    by_way = collections.defaultdict(list)
+    for (role, ordinal), rows in samples.items():
+        by_way[next(w for r, o, w, _ in PLACES if (r, o) == (role, ordinal))] += [r["x"] for r in rows]
+    return {way: (np.mean(x, axis=0), np.std(x, axis=0) + 1e-6) for way, x in by_way.items()}
+
+
+def fit_places(samples, scales, penalty):
+    """Per role and place: means of share and offsets, makers counting by the root of their samples, and how they change
+    with the features: by ridge regression, half of each maker's own mean taken off, as makers differ in where they put
+    joints. The generator of animals is one of the makers."""
     out = {}
-    for key, makers in found.items():
-        w = np.array([np.sqrt(len(v)) for v in makers.values()])
-        out[key] = np.average([np.mean(v, axis=0) for v in makers.values()], axis=0, weights=w), sum(map(len, makers.values())), len(makers)
+    for (role, ordinal), rows in samples.items():
+        mean, deviation = scales[next(w for r, o, w, _ in PLACES if (r, o) == (role, ordinal))]
+        x, y = (np.array([r["x"] for r in rows]) - mean) / deviation, np.array([r["y"] for r in rows])
+        makers = np.array([r["maker"] for r in rows])
+        counts = collections.Counter(makers)
+        w = np.array([1 / np.sqrt(counts[m]) for m in makers])
+        w /= w.sum()
+        lift, centre = w @ x, w @ y
+        x, y = x - lift, y - centre
+        for maker in counts:
+            k = makers == maker
+            x[k] -= np.average(x[k], axis=0, weights=w[k]) / 2
+            y[k] -= np.average(y[k], axis=0, weights=w[k]) / 2
+        change = np.linalg.solve((x * w[:, None]).T @ x + penalty * np.eye(x.shape[1]), (x * w[:, None]).T @ y)
+        out[role, ordinal] = centre - lift @ change, change
     return out
+
+
+def error_of(sample, table, scales):
+    """How far the joint comes to lie from the true one, relative to the truth's scale."""
+    way = sample["way"].replace("left_", "").replace("right_", "")
+    mean, deviation = scales[way]
+    value = table[0] + np.clip((sample["x"] - mean) / deviation, -2.5, 2.5) @ table[1]
+    row = sample["row"]
+    frame = head_frame(row) if value[0] == 1.0 and way == "neck" else {d: np.array(row["frame"][d]) for d in ("forward", "up", "left")}
+    nodes = np.array(row["ways"][sample["way"]])
+    along = min(max(value[0], 0), 1) * (len(nodes) - 1)
+    i = min(int(along), len(nodes) - 2)
+    place = nodes[i] + (along - i) * (nodes[i + 1] - nodes[i])
+    place = place + row["size"] * (value[1] * frame["forward"] + value[2] * frame["up"] + sample["sign"] * value[3] * frame["left"])
+    return float(np.linalg.norm(place - sample["place"]) / sample["mesh"].truth["scale"])
+
+
+def report_places(samples, penalty):
+    """Mean errors per joint of makers left out, without and with what the features tell."""
+    makers = sorted({r["maker"] for rows in samples.values() for r in rows} - {"skelgen"})  # of real animals
+    for name, strength in (("means alone", 1e9), ("with features", penalty)):
+        errors = collections.defaultdict(list)
+        for maker in makers:
+            rest = {k: [r for r in rows if r["maker"] != maker] or rows for k, rows in samples.items()}
+            scales = scales_of(rest)
+            tables = fit_places(rest, scales, strength)
+            for key, rows in samples.items():
+                for r in rows:
+                    if r["maker"] == maker:
+                        errors[key].append((r["mesh"].name, error_of(r, tables[key], scales)))
+        animals = collections.defaultdict(list)
+        for rows in errors.values():
+            for mesh, error in rows:
+                animals[mesh].append(error)
+        print(f"joints, makers left out, {name}: {np.mean([np.mean(v) for v in animals.values()]):.4f};", ", ".join(f"{k[0]}{k[1]} {np.mean([e for _, e in v]):.3f}" for k, v in errors.items()))
 
 
 def write_trust(path, table, meshes):
@@ -177,34 +252,41 @@ inline constexpr std::array<core::QuestionTree, {len(table["trees"])}> trust_tre
 """)
 
 
-def write_joints(path, places):
-    """Puts the numbers into the table's rows; the rest of the file stays."""
-    lines = []
-    for line in open(path):
-        if line.strip().startswith("JointPlace{JointRole::"):
-            role, ordinal, way = [word.strip() for word in line.split("JointRole::")[1].split(",")[:3]]
-            if (role, int(ordinal)) in places:
-                value = places[role, int(ordinal)][0]
-                if role in ("pelvis", "waist", "chest", "neck", "head", "tail"):
-                    value[3] = 0  # in the middle
-                line = f"    JointPlace{{JointRole::{role}, {ordinal}, {way}, " + ", ".join(f"{v:.3g}" for v in value) + "},\n"
-        lines.append(line)
-    open(path, "w").writelines(lines)
+def write_joints(path, tables, scales):
+    """Puts the numbers into the table; what is before the first of them stays."""
+    numbers = lambda values: ", ".join(f"{v:.3g}" for v in values)
+    head = open(path).read().split("/// Mean and deviation of the features")[0]
+    with open(path, "w") as f:
+        f.write(head + "/// Mean and deviation of the features on each way, by Way.\ninline constexpr std::array<WayScale, 5> way_scales{{\n")
+        for way in ("fore_leg", "hind_leg", "trunk", "neck", "tail"):
+            f.write("    {{{" + numbers(scales[way][0]) + "}},\n     {{" + numbers(scales[way][1]) + "}}},\n")
+        f.write("}};\n\ninline constexpr std::array<JointPlace, " + str(len(PLACES)) + "> joint_places{{\n")
+        for role, ordinal, way, _ in PLACES:
+            centre, change = tables[role, ordinal]
+            f.write(f"    {{JointRole::{role}, {ordinal}, Way::{way}, {{{{{numbers(centre)}}}}},\n     {{{{")
+            f.write(",\n       ".join("{{" + numbers(column) + "}}" for column in change.T) + "}}},\n")
+        f.write("""}};
+
+/// Of a role; its last one where there are not so many. Templates keep to that (core/template_rules.hpp).
+[[nodiscard]] constexpr const JointPlace& place_of(JointRole role, int ordinal) {
+    const JointPlace* out = joint_places.data();
+    for (const JointPlace& place : joint_places)
+        if (place.role == role && place.ordinal <= ordinal) out = &place;
+    return *out;
+}
+
+} // namespace skelgen::quadruped
+""")
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folders", nargs="+")
-    parser.add_argument("--tables", help="folder of the tables to write: include/skelgen/quadruped")
-    parser.add_argument("--penalty", type=float, default=8.0)
-    parser.add_argument("--trees", type=int, default=100)
-    a = parser.parse_args()
-    meshes = []
-    for folder in a.folders:
-        for file in sorted(os.listdir(folder + "/truth")):
-            truth = json.load(open(f"{folder}/truth/{file}"))
-            if os.path.exists(f"{folder}/candidates/{file[:-5]}.jsonl") and truth.get("expect") != "either" and truth.get("style") != "quadruped":  # animals without truth
-                meshes.append(Mesh(folder, file[:-5], truth))
+def likeliest(mesh):
+    """The likeliest way by the table that the program has, and how likely it is."""
+    p = [row["probability"] for row in mesh.rows]
+    return (int(np.argmax(p)), float(max(p))) if p else (-1, 0.0)
+
+
+def fit_trust(meshes, a):
+    """Fits the trust and writes it; returns which way is the likeliest in each mesh, by what is fitted without its maker."""
     chosen = by_folds(meshes, a.penalty, a.trees)
     scaling = scaling_of(meshes, chosen)
     scaled = [(i, float(calibrate.logistic(scaling[0] * calibrate.log_odds(p) + scaling[1])) if i >= 0 else 0.0) for i, p in chosen]
@@ -214,12 +296,36 @@ def main():
     table["offset"] = scaling[0] * table["offset"] + scaling[1]
     table["weights"] = scaling[0] * table["weights"]
     table["trees"] = [{**tree, "voice": scaling[0] * tree["voice"]} for tree in table["trees"]]
-    places = joint_places(meshes, chosen)
-    for (role, ordinal), (value, count, makers) in places.items():
-        print(f"  {role} {ordinal}: share {value[0]:.3f}, forward {value[1]:.3f}, up {value[2]:.3f}, outward {value[3]:.3f} ({count} of {makers} makers)")
     if a.tables:
         write_trust(a.tables + "/trust_table.hpp", table, meshes)
-        write_joints(a.tables + "/joint_table.hpp", places)
+    return chosen
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folders", nargs="+")
+    parser.add_argument("--tables", help="folder of the tables to write: include/skelgen/quadruped")
+    parser.add_argument("--penalty", type=float, default=8.0)
+    parser.add_argument("--trees", type=int, default=100)
+    parser.add_argument("--place-penalty", type=float, default=0.3)
+    parser.add_argument("--joints-alone", action="store_true", help="the trust's table stays as it is")
+    a = parser.parse_args()
+    meshes = []
+    for folder in a.folders:
+        for file in sorted(os.listdir(folder + "/truth")):
+            truth = json.load(open(f"{folder}/truth/{file}"))
+            if os.path.exists(f"{folder}/candidates/{file[:-5]}.jsonl") and truth.get("expect") != "either" and truth.get("style") != "quadruped":  # animals without truth
+                meshes.append(Mesh(folder, file[:-5], truth))
+    if a.joints_alone:
+        chosen = [likeliest(m) for m in meshes]
+    else:
+        chosen = fit_trust(meshes, a)
+    samples = joint_samples(meshes, chosen)
+    report_places(samples, a.place_penalty)
+    scales = scales_of(samples)
+    tables = fit_places(samples, scales, a.place_penalty)
+    if a.tables:
+        write_joints(a.tables + "/joint_table.hpp", tables, scales)
 
 
 if __name__ == "__main__":

@@ -45,14 +45,18 @@ Json described(const search::Found<double>& found, const SkeletonTemplate& wante
     return out;
 }
 
-/// A way along an animal's curve, in equal steps, in the input's coordinates.
-Json steps_along(const Body<double>& body, const CurveSkeleton<double>& curve, const std::vector<int>& way) {
+/// Puts a way along an animal's curve, in equal steps, in the input's coordinates, and how thick the body is there.
+void put_way(Json& out, const char* name, const Body<double>& body, const CurveSkeleton<double>& curve,
+             const std::vector<int>& way) {
     constexpr int steps = 20;
-    Json out = Json::array();
-    for (int i = 0; i <= steps && !way.empty(); ++i)
-        out.push_back(numbers(body.similarity.to_input(
-            quadruped::detail::WayLine<double>(curve, way).place(static_cast<double>(i) / steps))));
-    return out;
+    Json &places = out["ways"][name] = Json::array(), &radii = out["radii"][name] = Json::array();
+    if (way.empty()) return;
+    const quadruped::detail::WayLine<double> line(curve, way);
+    for (int i = 0; i <= steps; ++i) {
+        const double share = static_cast<double>(i) / steps;
+        places.push_back(numbers(body.similarity.to_input(line.place(share))));
+        radii.push_back(body.similarity.scale * line.radius(share));
+    }
 }
 
 /// All ways to see an animal in the curve of what was found.
@@ -71,11 +75,10 @@ void describe_animals(const search::Found<double>& found) {
                                               std::pair("forward", limbs.frame.forward)})
             out["frame"][name] = numbers((body.similarity.to_input(direction) - zero).normalized());
         const std::array legs{"left_fore_leg", "right_fore_leg", "left_hind_leg", "right_hind_leg"};
-        for (std::size_t leg = 0; leg < legs.size(); ++leg)
-            out["ways"][legs[leg]] = steps_along(body, curve, limbs.legs[leg]);
-        out["ways"]["trunk"] = steps_along(body, curve, limbs.trunk);
-        out["ways"]["neck"] = steps_along(body, curve, limbs.neck);
-        out["ways"]["tail"] = steps_along(body, curve, limbs.tail);
+        for (std::size_t leg = 0; leg < legs.size(); ++leg) put_way(out, legs[leg], body, curve, limbs.legs[leg]);
+        put_way(out, "trunk", body, curve, limbs.trunk);
+        put_way(out, "neck", body, curve, limbs.neck);
+        put_way(out, "tail", body, curve, limbs.tail);
         std::cout << out.dump() << '\n';
     }
 }

@@ -121,9 +121,19 @@ TEST_CASE("completion: bash", "[cli][documentation]") {
     CHECK(completed("skelgen --v") == Words{"--version"});
     CHECK(completed("skelgen ''").size() >= commands(folder).size());
     CHECK(completed("skelgen rig --na") == Words{"--names"});
-    const Words joint_names{"godot", "mixamo", "rigify", "skelgen", "smpl", "smplx", "unity", "unreal", "vrm"};
+    const Words joint_names{"godot",
+                            "mesh2motion-fox",
+                            "mesh2motion-horse",
+                            "mixamo",
+                            "rigify",
+                            "skelgen",
+                            "smpl",
+                            "smplx",
+                            "unity",
+                            "unreal",
+                            "vrm"};
     CHECK(completed("skelgen rig body.off --names ''") == joint_names);
-    CHECK(completed("skelgen rig body.off --names = m") == Words{"mixamo"});
+    CHECK(completed("skelgen rig body.off --names = m") == Words{"mesh2motion-fox", "mesh2motion-horse", "mixamo"});
     CHECK(completed("skelgen rig --names =") == joint_names);
     CHECK(completed("skelgen rig bo") == Words{"body.off"});
     CHECK(completed("skelgen extract body.off -o bo") == Words{"body.off"});
@@ -160,7 +170,8 @@ TEST_CASE("completion: zsh", "[cli][documentation]") {
     for (const std::string& command : commands(folder)) CHECK(first.find(command + ":") != std::string::npos);
     const std::string rig = given("argument rig");
     CHECK(rig.find("--names[Whose names the joints get; VRM's own in .vrm]"
-                   ":TEXT:(skelgen smpl mixamo vrm smplx unity godot unreal rigify)\n") != std::string::npos);
+                   ":TEXT:(skelgen smpl mixamo vrm smplx unity godot unreal rigify "
+                   "mesh2motion-fox mesh2motion-horse)\n") != std::string::npos);
     CHECK(rig.find("(-o --output)--output[") != std::string::npos);
     CHECK(rig.find("*:file:_files\n") != std::string::npos);
 }

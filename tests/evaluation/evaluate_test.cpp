@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/evaluation/report.hpp>
 
@@ -282,6 +283,66 @@ TEST_CASE("truth that cannot be read is an error that names the file") {
         CHECK(error.code() == ErrorCode::bad_input);
         CHECK(std::string(error.what()).find(file.string()) == 0);
     }
+}
+
+/// The template's own animal, its tail's tip and the truth of it.
+std::pair<JointPositions, GroundTruth> drawn_animal() {
+    JointPositions joints;
+    GroundTruth truth;
+    truth.plan = BodyKind::quadruped;
+    truth.scale = 0.8;
+    for (const TemplateJoint& joint : builtin_template("quadruped").joints) {
+        joints[joint.name] = joint.position;
+        truth.joints.emplace_back(joint.name, joint.position);
+    }
+    for (const char* end : {"left_fore_foot", "right_fore_foot", "left_hind_foot", "right_hind_foot", "head"})
+        truth.markers[end] = joints.at(end);
+    truth.markers["tail"] = joints["tail_tip"] = {0, 0.3, -0.36};
+    return {joints, truth};
+}
+
+TEST_CASE("an animal is solved with its tail; without it the tail is a wrong limb") {
+    auto [joints, truth] = drawn_animal();
+    CHECK(score_joints(truth, joints).solved());
+    CHECK(score_joints(truth, joints).errors.size() == truth.joints.size());
+    for (const char* gone : {"tail_tip", "tail1", "tail2", "tail3", "tail4"}) joints.erase(gone);
+    const MeshScore without = score_joints(truth, joints);
+    CHECK(without.complete);
+    CHECK(without.wrong_limbs == std::vector<std::string>{"tail"});
+    CHECK(without.errors.size() == truth.joints.size() - 4);
+    truth.markers.erase("tail"); // of which nothing is known
+    CHECK(score_joints(truth, joints).solved());
+    joints.erase("left_fore_ankle");
+    CHECK_FALSE(score_joints(truth, joints).complete);
+}
+
+TEST_CASE("an animal seen in a mirror, or as a person, is not solved") {
+    auto [joints, truth] = drawn_animal();
+    for (const char* joint : {"fore_foot", "fore_lower", "fore_upper", "hind_foot", "hind_lower", "hind_upper"})
+        std::swap(joints[std::string("left_") + joint], joints[std::string("right_") + joint]);
+    const MeshScore mirrored = score_joints(truth, joints);
+    CHECK(mirrored.flipped.size() == 12);
+    CHECK(mirrored.wrong_limbs.size() == 4);
+    CHECK_FALSE(score_joints(truth, stick_body()).complete);
+}
+
+TEST_CASE("an animal's truth says so, and its skeleton's file has the tail's tip") {
+    const TemporaryFolder folder;
+    const auto [joints, truth] = drawn_animal();
+    const fs::path truth_file = folder.path() / "truth.json", skeleton_file = folder.path() / "skeleton.json";
+    write_truth(truth, truth_file);
+    auto document = Json::parse(std::ifstream(truth_file));
+    document["expect"] = "quadruped";
+    std::ofstream(truth_file) << document;
+    JointPositions without_tip = joints;
+    without_tip.erase("tail_tip");
+    write_skeleton_of(without_tip, skeleton_file);
+    CHECK(evaluate_file(truth_file, skeleton_file).plan == BodyKind::quadruped);
+    CHECK_FALSE(evaluate_file(truth_file, skeleton_file).limbs); // the last joint is too far from the tip
+    document = Json::parse(std::ifstream(skeleton_file));
+    document["end_points"] = {{"tail_tip", {0, 0.3, -0.36}}};
+    std::ofstream(skeleton_file) << document;
+    CHECK(evaluate_file(truth_file, skeleton_file).solved());
 }
 
 TEST_CASE("a folder without truth is refused") {

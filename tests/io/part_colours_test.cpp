@@ -32,8 +32,9 @@ Eigen::Vector3d lab(const io::ByteColour& colour) {
 } // namespace
 
 TEST_CASE("part colours: any two parts of a set can be told apart", "[io]") {
-    for (const auto set : {applications::PartSet::bones, applications::PartSet::body}) {
-        const std::vector<std::string> names = applications::part_names(set);
+    const auto set = GENERATE(applications::PartSet::bones, applications::PartSet::body);
+    for (const BodyPlan plan : {BodyKind::human, BodyKind::quadruped}) {
+        const std::vector<std::string> names = applications::part_names(set, plan);
         const std::vector<io::ByteColour> colours = io::part_colours(names);
         REQUIRE(colours.size() == names.size());
         for (std::size_t a = 0; a < names.size(); ++a)
@@ -42,5 +43,5 @@ TEST_CASE("part colours: any two parts of a set can be told apart", "[io]") {
                 CHECK((lab(colours[a]) - lab(colours[b])).norm() > 25); // 2.3 can just be told apart
             }
     }
-    CHECK_THROWS_AS(io::part_colours({"tail"}), Error);
+    CHECK_THROWS_AS(io::part_colours({"wing"}), Error);
 }

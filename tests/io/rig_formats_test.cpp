@@ -347,7 +347,7 @@ TEST_CASE("names: each convention's own, for all joints", "[io][rig]") {
     CHECK(named("godot") == Names{"Hips", "Chest", "LeftLowerArm", "LeftMiddleProximal", "RightUpperLeg", "RightToes"});
     CHECK(named("unreal") == Names{"pelvis", "spine_03", "lowerarm_l", "middle_01_l", "thigh_r", "ball_r"});
     CHECK(named("rigify") == Names{"spine", "spine.003", "forearm.L", "f_middle.01.L", "thigh.R", "toe.R"});
-    CHECK(io::joint_names().size() == 9);
+    CHECK(io::joint_names().size() == 11);
     CHECK_FALSE(io::joint_names_named("maya"));
 }
 

@@ -11,6 +11,7 @@
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/template_rules.hpp>
+#include <skelgen/quadruped/impl/place_joints.hpp>
 #include <skelgen/quadruped/joint_table.hpp>
 #include <skelgen/quadruped/limbs.hpp>
 #include <skelgen/quadruped/place_joints.hpp>
@@ -163,6 +164,24 @@ TEST_CASE("quadruped: no animal in fewer than five ends, in pieces, or in nothin
     DrawnAnimal pieces = horse();
     pieces.add({5, 5, 5}, -1, 0.1);
     CHECK(quadruped::find_limbs(pieces.curve, 1).empty());
+}
+
+TEST_CASE("quadruped: a mean animal has the table's mean places, and an odd one none beyond what was seen",
+          "[quadruped]") {
+    const DrawnAnimal animal = horse();
+    const auto found = quadruped::find_limbs(animal.curve, 1);
+    REQUIRE(found.size() == 1);
+    quadruped::Limbs<double> odd = found[0];
+    odd.size /= 50; // all features far from those of animals
+    for (const quadruped::JointPlace& place : quadruped::joint_places) {
+        CHECK(quadruped::detail::place_in(place, {}) == place.mean);
+        const auto& way = quadruped::detail::way_of(odd, place.way, Side::left);
+        const quadruped::detail::WayLine<double> line(animal.curve, way);
+        for (const double feature : quadruped::detail::features_of(line, odd, place.way, 1))
+            CHECK(std::abs(feature) <= 2.5);
+        for (const double feature : quadruped::detail::features_of(line, found[0], place.way, 1))
+            CHECK(std::isfinite(feature));
+    }
 }
 
 TEST_CASE("quadruped: every joint of the template has a row of its own in the table", "[quadruped]") {

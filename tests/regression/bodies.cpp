@@ -1,10 +1,11 @@
 #include "bodies.hpp"
 
-#include <utility>
+#include <string>
 
 #include <skelgen/io/atomic_file.hpp>
 #include <skelgen/io/write_mesh.hpp>
 #include <skelgen/synth/objects.hpp>
+#include <skelgen/synth/quadrupeds.hpp>
 #include <skelgen/synth/sets.hpp>
 
 #include "parallel.hpp"
@@ -19,6 +20,24 @@ constexpr std::uint64_t seed = 1;
 constexpr int object_faces = 8000;
 constexpr const char* done = "done"; ///< a file that tells a finished folder from one that was interrupted
 
+struct Made {
+    std::string name;
+    TriangleMesh<double> mesh;
+    std::string truth;
+};
+
+/// Makes `count` things and writes them and what is known of them.
+template <typename Make>
+void make_set(const fs::path& folder, const std::string& set, std::size_t count, unsigned jobs, const Make& make) {
+    fs::create_directories(folder / "meshes" / set);
+    fs::create_directories(folder / "truth" / set);
+    test::for_each_index(count, jobs, [&](std::size_t i) {
+        const Made made = make(i);
+        write_mesh(folder / "meshes" / set / (made.name + ".off"), made.mesh);
+        io::write_file_atomically(folder / "truth" / set / (made.name + ".json"), made.truth);
+    });
+}
+
 } // namespace
 
 const std::vector<SetSample>& body_samples() {
@@ -30,29 +49,25 @@ const std::vector<SetSample>& body_samples() {
 
 void make_bodies(const fs::path& folder, unsigned jobs) {
     fs::remove_all(folder);
-    std::vector<std::pair<std::string, synth::BodyPlan>> bodies;
     for (const SetSample& sample : body_samples()) {
-        fs::create_directories(folder / "meshes" / sample.set);
-        fs::create_directories(folder / "truth" / sample.set);
         const std::vector<synth::BodyPlan> plans = synth::body_set(sample.set, seed);
-        for (std::size_t i = 0; i < plans.size(); i += sample.stride) bodies.emplace_back(sample.set, plans[i]);
+        make_set(folder, sample.set, (plans.size() + sample.stride - 1) / sample.stride, jobs, [&](std::size_t i) {
+            const synth::BodyPlan& plan = plans[i * sample.stride];
+            const synth::SynthBody body = synth::synthesize_body(plan);
+            return Made{plan.name, body.mesh, synth::truth_to_json(body.truth, sample.set + "/" + plan.name + ".off")};
+        });
     }
-    test::for_each_index(bodies.size(), jobs, [&](std::size_t i) {
-        const auto& [set, plan] = bodies[i];
-        const synth::SynthBody body = synth::synthesize_body(plan);
-        write_mesh(folder / "meshes" / set / (plan.name + ".off"), body.mesh);
-        io::write_file_atomically(folder / "truth" / set / (plan.name + ".json"),
-                                  synth::truth_to_json(body.truth, set + "/" + plan.name + ".off"));
+    const std::vector<synth::QuadrupedPlan> animals = synth::quadruped_plans(seed);
+    make_set(folder, quadruped_set, animals.size(), jobs, [&](std::size_t i) {
+        const TriangleMesh<double> mesh = synth::synthesize_quadruped(animals[i], object_faces);
+        const std::string file = animals[i].body.name + ".off";
+        return Made{animals[i].body.name, mesh,
+                    synth::quadruped_truth_to_json(animals[i], mesh, std::string(quadruped_set) + "/" + file)};
     });
-
-    const std::string set = "not-a-body";
-    fs::create_directories(folder / "meshes" / set);
-    fs::create_directories(folder / "truth" / set);
     const std::vector<std::string> objects = synth::object_names();
-    test::for_each_index(objects.size(), jobs, [&](std::size_t i) {
-        write_mesh(folder / "meshes" / set / (objects[i] + ".off"), synth::synthesize_object(objects[i], object_faces));
-        io::write_file_atomically(folder / "truth" / set / (objects[i] + ".json"),
-                                  synth::object_truth_to_json(set + "/" + objects[i] + ".off"));
+    make_set(folder, "not-a-body", objects.size(), jobs, [&](std::size_t i) {
+        return Made{objects[i], synth::synthesize_object(objects[i], object_faces),
+                    synth::object_truth_to_json("not-a-body/" + objects[i] + ".off")};
     });
     make_tubes(folder / "tubes", jobs);
     io::write_file_atomically(folder / done, "");

@@ -15,7 +15,10 @@ struct SetSample {
 /// What the regression looks at: easy sets and hard ones.
 [[nodiscard]] const std::vector<SetSample>& body_samples();
 
-/// Makes the samples and the set of things that are no body: FOLDER/meshes/<set>/<name>.off,
+/// The set of animals.
+inline constexpr const char* quadruped_set = "quadrupeds";
+
+/// Makes the samples, the animals and the set of things that are no body: FOLDER/meshes/<set>/<name>.off,
 /// FOLDER/truth/<set>/<name>.json; and the tubes, in FOLDER/tubes. What was there before goes.
 void make_bodies(const std::filesystem::path& folder, unsigned jobs);
 

@@ -15,6 +15,7 @@
 #include <skelgen/io/read_mesh.hpp>
 #include <skelgen/io/skeleton_json.hpp>
 
+#include "bodies.hpp"
 #include "parallel.hpp"
 #include "tubes.hpp"
 
@@ -37,11 +38,18 @@ std::vector<fs::path> meshes_below(const fs::path& folder) {
     return files;
 }
 
+/// Animals are looked for as one of two: a person in their place is as wrong as nothing.
+ExtractOptions options_for(const fs::path& mesh) {
+    ExtractOptions options;
+    options.or_quadruped = mesh.parent_path().filename() == quadruped_set;
+    return options;
+}
+
 /// Writes the skeleton to the file if there is one. A fault on the way is no refusal: it leaves a file that scores as
 /// no skeleton of a body, and as one of what is no body.
 void extract(const fs::path& mesh, const fs::path& skeleton) {
     try {
-        write_skeleton(skeleton, extract_skeleton(read_mesh<double>(mesh)).skeleton);
+        write_skeleton(skeleton, extract_skeleton(read_mesh<double>(mesh), options_for(mesh)).skeleton);
         return;
     } catch (const Error& error) {
         if (error.code() == ErrorCode::no_skeleton || error.code() == ErrorCode::bad_input) return;

@@ -17,22 +17,23 @@ struct PelvisDirections {
 
 /// Left is from the right hip to the left one. Up is a mean of the directions from between the hips to crotch, waist
 /// and chest: where the trunk bends, their errors point against each other. The waist, the nearest that is apart from
-/// the hips, counts twice, the chest, beyond the bend, half. \throws Error usage when a joint of human21 is missing.
-/// O(joints).
+/// the hips, counts twice, the chest, beyond the bend, half. An animal's trunk lies: up is across the line from its
+/// hips to its chest, and left is that of hips and shoulders. \throws Error usage when a joint of human21 or quadruped
+/// is missing. O(joints).
 template <typename Scalar>
 [[nodiscard]] PelvisDirections<Scalar> pelvis_directions(const KinematicSkeleton<Scalar>& skeleton);
 
 /// As above, but left is the normal of the plane in which the pelvis's back mirrors itself (`mirror_plane`): hips
 /// follow thighs that are drawn up or back, buttocks and loins do so less. Up is at right angles to it. Where the
-/// surface says nothing, or is 35 degrees and more from the hips, their line stays. `skeleton` in the input's
-/// coordinates, and so the result. O(n log n).
+/// surface says nothing, or is 35 degrees and more from the hips, their line stays; an animal's always does. `skeleton`
+/// in the input's coordinates, and so the result. O(n log n).
 template <typename Scalar>
 [[nodiscard]] PelvisDirections<Scalar> pelvis_directions(const Body<Scalar>& body,
                                                          const KinematicSkeleton<Scalar>& skeleton);
 
 /// Where an aligned body's origin lies.
 enum class AlignedOrigin {
-    crotch, ///< in the crotch joint
+    crotch, ///< in the crotch joint, of an animal in its hips
     floor,  ///< below the crotch joint, as low as the lowest vertex
 };
 

@@ -5,6 +5,7 @@
 
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
+#include <skelgen/core/skeleton_template.hpp>
 #include <skelgen/surface/body.hpp>
 
 namespace skelgen::applications {
@@ -30,6 +31,16 @@ template <typename Scalar>
 /// vertex of the body's own.
 template <typename Scalar>
 [[nodiscard]] std::vector<int> vertices_of_input(const Body<Scalar>& body, const TriangleMesh<Scalar>& input);
+
+/// The built-in template that a skeleton is of: `quadruped` an animal's, human21 all others'. O(1).
+template <typename Scalar>
+[[nodiscard]] const SkeletonTemplate& own_template(const KinematicSkeleton<Scalar>& skeleton);
+
+/// Place of the first joint of a role and side in the skeleton's own template. \throws Error usage when the skeleton
+/// has no joint of its name.
+template <typename Scalar>
+[[nodiscard]] Vector3<Scalar> joint_place(const KinematicSkeleton<Scalar>& skeleton, JointRole role,
+                                          Side side = Side::none);
 
 /// Place of a joint. \throws Error usage when the skeleton has no joint of that name.
 template <typename Scalar>

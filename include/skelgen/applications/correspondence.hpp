@@ -26,11 +26,13 @@ void validate(const CorrespondenceOptions& options);
 template <typename Scalar = double>
 struct ComparableBody {
     LaplaceBasis basis;
-    Points<Scalar> common;  ///< n x 3, the vertices in human21's rest pose and size: x to the left, y up, z forward
+    Points<Scalar> common;  ///< n x 3, the vertices in the rest pose and size of human21, of an animal of quadruped: x
+                            ///< to the left, y up, z forward
     Points<Scalar> normals; ///< n x 3 unit normals in that pose
     Eigen::VectorX<Scalar> sides; ///< n, from -1 on the right limbs to 1 on the left ones
     Triangles faces;
-    Segmentation parts; ///< of the set `bones`
+    Segmentation parts;     ///< of the set `bones`
+    double rest_height = 0; ///< of the template at rest
 };
 
 /// Where the vertices of one body are on another one.
@@ -56,9 +58,9 @@ struct Landmark {
 };
 
 /// Brings a body into the common pose: each part is turned, and scaled along its bone, from where its bone is to where
-/// human21 has it; where parts meet the places are blended. `skeleton` has the joints of human21 and is in the input's
-/// coordinates. \throws Error usage when a joint is missing, an option is out of its range, or the body has too few
-/// vertices. O(n^1.5).
+/// its template has it; where parts meet the places are blended. `skeleton` has the joints of human21 or quadruped and
+/// is in the input's coordinates. \throws Error usage when a joint is missing, an option is out of its range, or the
+/// body has too few vertices. O(n^1.5).
 template <typename Scalar>
 [[nodiscard]] ComparableBody<Scalar> comparable(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
                                                 const CorrespondenceOptions& options = {});
@@ -66,8 +68,8 @@ template <typename Scalar>
 /// For each vertex of one body (`from`) the vertex of the other one in the same place. Places in the common pose come
 /// first, then functional maps (OBS12) that grow from coarse to fine (MRR19). Together with these the one body is bent
 /// smoothly to the other in the common pose (ELC20). Sides and fronts are those of the skeletons, whatever way the
-/// bodies stand. O(n m functions). \throws Error usage when an option is out of its range or a body was made comparable
-/// with fewer functions.
+/// bodies stand. O(n m functions). \throws Error usage when an option is out of its range, a body was made comparable
+/// with fewer functions, or one is a person and one an animal.
 template <typename Scalar>
 [[nodiscard]] Correspondence correspond(const ComparableBody<Scalar>& from, const ComparableBody<Scalar>& to,
                                         const CorrespondenceOptions& options = {});

@@ -21,7 +21,7 @@ struct GirthPlane {
 /// What is read off a body, in the input's unit, its square and its cube.
 struct Measurements {
     double height = 0;   ///< of the body stood upright, see `standing_height`
-    double arm_span = 0; ///< from fingertip to fingertip along the bones, as with the arms spread
+    double arm_span = 0; ///< from fingertip to fingertip along the bones, as with the arms spread; of an animal 0
     double area = 0;     ///< of the surface
     double volume = 0;
     std::vector<std::pair<std::string, double>> lengths; ///< of bones, by name: left_upper_arm, ...
@@ -32,7 +32,8 @@ struct Measurements {
 
 /// Height of the body stood upright, in the input's unit: from the crown along the bones to the soles, by the mean of
 /// both legs. How high an ankle stands above its sole is measured where the foot would stand on it: with the angle
-/// between calf and foot that human21 has. `skeleton` has the joints of human21, in the input's coordinates. \throws
+/// between calf and foot that human21 has. Of an animal its height at the withers: from the shoulder blades along the
+/// fore legs' bones to the toes. `skeleton` has the joints of human21 or quadruped, in the input's coordinates. \throws
 /// Error usage when a joint is missing. O(log n).
 template <typename Scalar>
 [[nodiscard]] double standing_height(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton);
@@ -46,8 +47,9 @@ template <typename Scalar>
 /// These are head, neck, chest, waist and hip. On each side they are upper_arm (in its middle), elbow, forearm, wrist,
 /// thigh (the most below the buttocks), mid_thigh, knee, calf and ankle. Of chest, hip, head, forearm, thigh and calf
 /// it is the largest one nearby, of neck, waist, wrist and ankle the smallest. A section that runs through another part
-/// (an arm beside the chest) does not count. `parts` are the body's own, of the set `bones`. \throws Error usage when a
-/// joint of human21 is missing or `parts` are another body's. O(log n) for each face that is cut.
+/// (an arm beside the chest) does not count. Of an animal the girths are of chest, waist, neck and lower legs. `parts`
+/// are the body's own, of the set `bones`. \throws Error usage when a joint of human21 or quadruped is missing or
+/// `parts` are another body's. O(log n) for each face that is cut.
 template <typename Scalar>
 [[nodiscard]] Measurements measure(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
                                    const Segmentation& parts);

@@ -3,13 +3,27 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
+#include <skelgen/core/skeleton_template.hpp>
 
 namespace skelgen::applications {
+
+/// Which parts a body is divided into.
+enum class PartSet {
+    bones, ///< head, neck, chest, abdomen, pelvis; on each side shoulder, upper_arm, forearm, hand, thigh, calf, foot.
+           ///< Of an animal tail; on each side upper, lower and foot of fore and hind leg: left_fore_upper
+    body,  ///< head (with the neck), torso; on each side upper_arm, forearm, hand, thigh, calf, foot; of an animal
+           ///< tail, and legs as above
+};
+
+/// The names of the parts, in the order in which they are counted.
+[[nodiscard]] std::vector<std::string> part_names(PartSet set, BodyKind plan = BodyKind::human);
+
 namespace detail {
 
 inline constexpr std::array<std::string_view, 5> trunk_parts{"head", "neck", "chest", "abdomen", "pelvis"};
@@ -17,7 +31,49 @@ inline constexpr std::array<std::string_view, 7> sided_parts{"shoulder", "upper_
                                                              "thigh",    "calf",      "foot"};
 inline constexpr std::array<std::string_view, 2> sides{"left_", "right_"};
 
-/// Index of a part of `PartSet::bones`; `side` 0 for left. The name must be one of those above.
+/// An animal's, likewise.
+inline constexpr std::array<std::string_view, 6> animal_trunk_parts{"head",    "neck",   "chest",
+                                                                    "abdomen", "pelvis", "tail"};
+inline constexpr std::array<std::string_view, 6> animal_sided_parts{"fore_upper", "fore_lower", "fore_foot",
+                                                                    "hind_upper", "hind_lower", "hind_foot"};
+
+/// The animal's part around a bone that begins in a joint of this role.
+[[nodiscard]] constexpr std::string_view animal_part(JointRole role) {
+    switch (role) {
+    case JointRole::pelvis:
+    case JointRole::hip_girdle:
+        return "pelvis";
+    case JointRole::waist:
+        return "abdomen";
+    case JointRole::chest:
+    case JointRole::shoulder_girdle:
+        return "chest";
+    case JointRole::neck:
+        return "neck";
+    case JointRole::head:
+    case JointRole::ear:
+        return "head";
+    case JointRole::shoulder:
+        return "fore_upper";
+    case JointRole::elbow:
+        return "fore_lower";
+    case JointRole::wrist:
+    case JointRole::hand:
+        return "fore_foot";
+    case JointRole::hip:
+        return "hind_upper";
+    case JointRole::knee:
+        return "hind_lower";
+    case JointRole::ankle:
+    case JointRole::foot:
+        return "hind_foot";
+    case JointRole::tail:
+        break;
+    }
+    return "tail";
+}
+
+/// Index of a person's part of `PartSet::bones`; `side` 0 for left. The name must be one of those above.
 inline int trunk_part(std::string_view name) {
     return static_cast<int>(std::find(trunk_parts.begin(), trunk_parts.end(), name) - trunk_parts.begin());
 }
@@ -28,8 +84,8 @@ inline int sided_part(std::string_view name, std::size_t side) {
 
 } // namespace detail
 
-/// Which end of the body a part is on; a part of the trunk is on none.
-enum class LimbEnd { none, head, left_hand, right_hand, left_foot, right_foot };
+/// Which end of the body a part is on; a part of the trunk is on none. Fore legs end as arms do.
+enum class LimbEnd { none, head, left_hand, right_hand, left_foot, right_foot, tail };
 
 /// A place on the skeleton and how thick the body is there.
 template <typename Scalar>
@@ -48,8 +104,9 @@ struct PartAxis {
 };
 
 /// The axes of all parts of `PartSet::bones`, in the skeleton's coordinates. Pelvis, abdomen and chest share the way
-/// from between the hips over the waist to the neck as they do in people who stand. \throws Error usage when a joint of
-/// human21 is missing. O(joints).
+/// from between the hips over the waist to the neck as they do in people who stand. An animal's parts are around the
+/// bones that begin in the joints of a role (`animal_part`). \throws Error usage when a joint of
+/// human21 or quadruped is missing. O(joints^2).
 template <typename Scalar>
 [[nodiscard]] std::vector<PartAxis<Scalar>> part_axes(const KinematicSkeleton<Scalar>& skeleton);
 

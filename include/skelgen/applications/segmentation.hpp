@@ -3,17 +3,12 @@
 #include <string>
 #include <vector>
 
+#include <skelgen/applications/part_axes.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/surface/body.hpp>
 
 namespace skelgen::applications {
-
-/// Which parts a body is divided into.
-enum class PartSet {
-    bones, ///< head, neck, chest, abdomen, pelvis; on each side shoulder, upper_arm, forearm, hand, thigh, calf, foot
-    body,  ///< head (with the neck), torso; on each side upper_arm, forearm, hand, thigh, calf, foot
-};
 
 struct SegmentationOptions {
     /// Over which length borders are smoothed, relative to the square root of the area, 0.001 to 0.2: 3 cm on an
@@ -40,18 +35,16 @@ struct Segmentation {
     std::vector<int> face_part;     ///< m indices: of the part that most of a face's corners belong to
 };
 
-/// The names of the parts, in the order in which they are counted.
-[[nodiscard]] std::vector<std::string> part_names(PartSet set);
-
 /// The body's parts (LF20 section 5.3). Each vertex belongs to the nearest bone of those that it can belong to, so that
 /// borders are where the joints' bisecting planes cut the surface. A limb's bones have the vertices alone that are
 /// nearest to the limb's end along the surface, so that a hand at the thigh stays a hand. Where a knee or an elbow is
 /// bent so far that the bones come near each other, they have those alone that are as far from the end as the bone is.
 /// Arms begin below the shoulder, which is where the trunk ends beyond its joint; thighs where the legs fork, across
 /// the direction between the thigh's and the pelvis's own. Borders are then smoothed by random walks that start at
-/// these labels (Gra05) and laid where they are shortest (KT03), and each part is in one piece. `skeleton` has the
-/// joints of human21 and is in the input's coordinates. \returns the parts of the body's own vertices and faces.
-/// \throws Error usage when a joint is missing or an option is out of its range. O(n log n + n^1.5).
+/// these labels (Gra05) and laid where they are shortest (KT03), and each part is in one piece. Of an animal's, limbs
+/// begin where its bones do. `skeleton` has the joints of human21 or quadruped and is in the input's coordinates.
+/// \returns the parts of the body's own vertices and faces. \throws Error usage when a joint is missing or an option is
+/// out of its range. O(n log n + n^1.5).
 template <typename Scalar>
 [[nodiscard]] Segmentation segment(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
                                    PartSet set = PartSet::bones, const SegmentationOptions& options = {});

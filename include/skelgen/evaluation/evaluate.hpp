@@ -13,7 +13,7 @@
 
 namespace skelgen::evaluation {
 
-/// Joint positions by joint name, as far as a skeleton file has them.
+/// Positions of joints and of the limbs' ends by name, as far as a skeleton file has them.
 using JointPositions = std::map<std::string, Vector3<double>>;
 
 /// Confidences by joint name, 0 to 1, as far as a skeleton file has them.
@@ -22,8 +22,9 @@ using JointConfidences = std::map<std::string, double>;
 /// How well one skeleton agrees with the truth. Of what is no body, `refused` alone says something.
 struct MeshScore {
     std::string name;
-    bool complete = false; ///< all 21 joints are there and finite; what follows is empty and false otherwise
-    bool limbs = false;    ///< head, hands and feet: each is nearest to its own marker, and within 0.12 of it
+    BodyKind plan = BodyKind::human; ///< the truth's
+    bool complete = false; ///< all joints are there and finite (a tail's need not); what follows is empty otherwise
+    bool limbs = false;    ///< head, hands and feet, an animal's tail: each is nearest to its own marker, within 0.12
     bool sides = false;    ///< hands, feet, elbows, knees, shoulders: each nearer to its own side's marker
     std::vector<std::string> wrong_limbs;               ///< the joints that break `limbs`
     std::vector<std::string> flipped;                   ///< the joints that break `sides`
@@ -64,23 +65,24 @@ struct SetSummary {
     std::optional<double> inside; ///< mean share of joints inside their mesh; none if no mesh was looked at
 };
 
-/// Names of the 21 joints of `human21`, in template order.
-[[nodiscard]] const std::vector<std::string>& evaluated_joints();
+/// Names of the joints of `human21` or `quadruped`, in template order.
+[[nodiscard]] const std::vector<std::string>& evaluated_joints(BodyKind plan = BodyKind::human);
 
-/// Reads the joints of a skeleton file and nothing else of it: a result that breaks the file format elsewhere is still
-/// to be scored. Empty when there is no such file, or nothing to score in it.
+/// Reads the joints and end points of a skeleton file and nothing else of it: a result that breaks the file format
+/// elsewhere is still to be scored. Empty when there is no such file, or nothing to score in it.
 [[nodiscard]] JointPositions read_joint_positions(const std::filesystem::path& path);
 
 /// Reads the confidences of a skeleton file's joints. Empty when there is no such file, or none in it.
 [[nodiscard]] JointConfidences read_joint_confidences(const std::filesystem::path& path);
 
-/// Scores one skeleton. O(1).
+/// Scores one skeleton. An animal's tail counts where the truth marks it, and its sides where it marks both. O(1).
 /// \throws Error bad_input when `truth` is of no body or lacks a marker, or names a joint that a complete `joints` does
-/// not have.
+/// not have, unless that is a tail's.
 [[nodiscard]] MeshScore score_joints(const io::GroundTruth& truth, const JointPositions& joints);
 
-/// The joints, of the 21, at which the mesh's winding number is below one half. O(joints * faces).
-[[nodiscard]] std::vector<std::string> joints_outside(const TriangleMesh<double>& mesh, const JointPositions& joints);
+/// The joints, of the plan's, at which the mesh's winding number is below one half. O(joints * faces).
+[[nodiscard]] std::vector<std::string> joints_outside(const TriangleMesh<double>& mesh, const JointPositions& joints,
+                                                      BodyKind plan = BodyKind::human);
 
 /// Scores one skeleton file against one truth file; `mesh` (optional) is the mesh's file. Where the truth is of no
 /// body, the skeleton file should not exist, and what is in it does not matter. \throws Error bad_input as

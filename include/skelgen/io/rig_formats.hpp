@@ -13,7 +13,19 @@
 namespace skelgen::io {
 
 /// Whose names the joints of a file have.
-enum class JointNames { skelgen, smpl, mixamo, vrm, smplx, unity, godot, unreal, rigify };
+enum class JointNames {
+    skelgen,
+    smpl,
+    mixamo,
+    vrm,
+    smplx,
+    unity,
+    godot,
+    unreal,
+    rigify,
+    mesh2motion_fox,
+    mesh2motion_horse
+};
 
 /// The names of those conventions, as `JointNames` has them: "skelgen", ...
 [[nodiscard]] std::optional<JointNames> joint_names_named(std::string_view name);

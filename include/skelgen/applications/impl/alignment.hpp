@@ -81,17 +81,24 @@ Eigen::Matrix<Scalar, 4, 4> alignment_by(const PelvisDirections<Scalar>& pelvis,
 
 template <typename Scalar>
 PelvisDirections<Scalar> pelvis_directions(const KinematicSkeleton<Scalar>& skeleton) {
-    const Vector3<Scalar> left = joint_place(skeleton, "left_hip"), right = joint_place(skeleton, "right_hip");
+    const Vector3<Scalar> left = joint_place(skeleton, JointRole::hip, Side::left),
+                          right = joint_place(skeleton, JointRole::hip, Side::right);
     const Vector3<Scalar> middle = (left + right) / 2;
+    if (own_template(skeleton).plan == BodyKind::quadruped) {
+        const Vector3<Scalar> across = left - right + joint_place(skeleton, JointRole::shoulder, Side::left) -
+                                       joint_place(skeleton, JointRole::shoulder, Side::right);
+        return {across, (joint_place(skeleton, JointRole::chest) - middle).cross(across)};
+    }
     Vector3<Scalar> up = Vector3<Scalar>::Zero();
-    for (const auto& [joint, weight] :
-         {std::pair("crotch", Scalar(1)), std::pair("waist", Scalar(2)), std::pair("chest", Scalar(0.5))})
-        up += weight * (joint_place(skeleton, joint) - middle).stableNormalized();
+    for (const auto& [role, weight] : {std::pair(JointRole::pelvis, Scalar(1)), std::pair(JointRole::waist, Scalar(2)),
+                                       std::pair(JointRole::chest, Scalar(0.5))})
+        up += weight * (joint_place(skeleton, role) - middle).stableNormalized();
     return {left - right, up};
 }
 
 template <typename Scalar>
 PelvisDirections<Scalar> pelvis_directions(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton) {
+    if (own_template(skeleton).plan == BodyKind::quadruped) return pelvis_directions(skeleton);
     constexpr int rounds = 2; // the pelvis's back is where the directions say
     const Scalar largest_turn = std::cos(Scalar(35 * std::numbers::pi / 180));
     const KinematicSkeleton<Scalar> inside = surface::to_body(body, skeleton);
@@ -125,14 +132,16 @@ template <typename Scalar>
 Eigen::Matrix<Scalar, 4, 4> alignment(const KinematicSkeleton<Scalar>& skeleton, const Points<Scalar>& vertices,
                                       const AlignmentOptions& options) {
     validate(options);
-    return detail::alignment_by(pelvis_directions(skeleton), joint_place(skeleton, "crotch"), vertices, options);
+    return detail::alignment_by(pelvis_directions(skeleton), joint_place(skeleton, JointRole::pelvis), vertices,
+                                options);
 }
 
 template <typename Scalar>
 Eigen::Matrix<Scalar, 4, 4> alignment(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
                                       const Points<Scalar>& vertices, const AlignmentOptions& options) {
     validate(options);
-    return detail::alignment_by(pelvis_directions(body, skeleton), joint_place(skeleton, "crotch"), vertices, options);
+    return detail::alignment_by(pelvis_directions(body, skeleton), joint_place(skeleton, JointRole::pelvis), vertices,
+                                options);
 }
 
 template <typename Scalar>

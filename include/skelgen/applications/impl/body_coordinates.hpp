@@ -6,6 +6,7 @@
 
 #include <nanoflann.hpp>
 
+#include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 
@@ -52,8 +53,21 @@ std::vector<int> vertices_of_input(const Body<Scalar>& body, const TriangleMesh<
 template <typename Scalar>
 Vector3<Scalar> joint_place(const KinematicSkeleton<Scalar>& skeleton, const std::string& name) {
     const int joint = find_joint(skeleton, name);
-    if (joint < 0) throw Error(ErrorCode::usage, "the skeleton has no joint '" + name + "'; take template human21");
+    if (joint < 0)
+        throw Error(ErrorCode::usage,
+                    "the skeleton has no joint '" + name + "'; take template human21, of an animal quadruped");
     return skeleton.joints[static_cast<std::size_t>(joint)].position;
+}
+
+template <typename Scalar>
+const SkeletonTemplate& own_template(const KinematicSkeleton<Scalar>& skeleton) {
+    return builtin_template(skeleton.template_name == "quadruped" ? "quadruped" : "human21");
+}
+
+template <typename Scalar>
+Vector3<Scalar> joint_place(const KinematicSkeleton<Scalar>& skeleton, JointRole role, Side side) {
+    const SkeletonTemplate& own = own_template(skeleton);
+    return joint_place(skeleton, own.joint(find_joint(own, role, side)).name);
 }
 
 template <typename Scalar>

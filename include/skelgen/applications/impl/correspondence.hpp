@@ -41,15 +41,16 @@ template <typename Scalar>
 Scalar total_length(const KinematicSkeleton<Scalar>& skeleton) {
     Scalar sum = 0;
     for (const Joint<Scalar>& joint : skeleton.joints)
-        if (joint.parent >= 0)
+        if (joint.parent >= 0 && joint.is_present)
             sum += (joint.position - skeleton.joints[static_cast<std::size_t>(joint.parent)].position).norm();
     return sum;
 }
 
 template <typename Scalar>
 std::vector<ToRest<Scalar>> to_rest(const KinematicSkeleton<Scalar>& skeleton) {
-    const SkeletonTemplate& wanted = builtin_template("human21");
-    const KinematicSkeleton<Scalar> rest = rest_skeleton<Scalar>(wanted);
+    const SkeletonTemplate& wanted = own_template(skeleton);
+    KinematicSkeleton<Scalar> rest = rest_skeleton<Scalar>(wanted);
+    for (std::size_t j = 0; j < rest.joints.size(); ++j) rest.joints[j].is_present = skeleton.joints[j].is_present;
     const Orientations<Scalar> orientations = bone_orientations(skeleton, wanted);
     const Scalar size = total_length(rest) / total_length(skeleton);
     std::vector<ToRest<Scalar>> out;
@@ -70,25 +71,34 @@ std::vector<ToRest<Scalar>> to_rest(const KinematicSkeleton<Scalar>& skeleton) {
 
 /// The joint that each part of the set `bones` moves with.
 inline std::vector<int> joints_of_parts(const std::vector<std::string>& names, const auto& skeleton) {
-    static constexpr std::array<std::pair<const char*, const char*>, 12> joints{{{"head", "head"},
-                                                                                 {"neck", "neck"},
-                                                                                 {"chest", "chest"},
-                                                                                 {"abdomen", "waist"},
-                                                                                 {"pelvis", "crotch"},
-                                                                                 {"shoulder", "chest"},
-                                                                                 {"upper_arm", "shoulder"},
-                                                                                 {"forearm", "elbow"},
-                                                                                 {"hand", "wrist"},
-                                                                                 {"thigh", "hip"},
-                                                                                 {"calf", "knee"},
-                                                                                 {"foot", "ankle"}}};
+    static constexpr std::array<std::pair<const char*, JointRole>, 19> roles{{{"head", JointRole::head},
+                                                                              {"neck", JointRole::neck},
+                                                                              {"chest", JointRole::chest},
+                                                                              {"abdomen", JointRole::waist},
+                                                                              {"pelvis", JointRole::pelvis},
+                                                                              {"shoulder", JointRole::chest},
+                                                                              {"upper_arm", JointRole::shoulder},
+                                                                              {"forearm", JointRole::elbow},
+                                                                              {"hand", JointRole::wrist},
+                                                                              {"thigh", JointRole::hip},
+                                                                              {"calf", JointRole::knee},
+                                                                              {"foot", JointRole::ankle},
+                                                                              {"tail", JointRole::tail},
+                                                                              {"fore_upper", JointRole::shoulder},
+                                                                              {"fore_lower", JointRole::elbow},
+                                                                              {"fore_foot", JointRole::wrist},
+                                                                              {"hind_upper", JointRole::hip},
+                                                                              {"hind_lower", JointRole::knee},
+                                                                              {"hind_foot", JointRole::ankle}}};
+    const SkeletonTemplate& own = own_template(skeleton);
     std::vector<int> out;
     for (const std::string& name : names) {
         const auto [side, plain] = split_side(name);
-        const auto* const found = std::find_if(joints.begin(), joints.end(),
+        const auto* const found = std::find_if(roles.begin(), roles.end(),
                                                [&plain = plain](const auto& pair) { return plain == pair.first; });
         const bool is_sided_joint = plain != "shoulder"; // a shoulder's part goes with the chest
-        out.push_back(find_joint(skeleton, std::string(is_sided_joint ? side_prefix(side) : "") + found->second));
+        const int joint = find_joint(own, found->second, is_sided_joint ? side : Side::none);
+        out.push_back(find_joint(skeleton, own.joint(joint).name));
     }
     return out;
 }
@@ -154,21 +164,25 @@ inline Eigen::MatrixXf beside(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b
     return out;
 }
 
-/// From how far places are from where they are sent to.
-template <typename Scalar>
-std::vector<double> confidences(const Points<Scalar>& places, const Points<Scalar>& others,
-                                const std::vector<int>& map) {
-    constexpr double breadth = 0.05; // of a hand, relative to the height of human21
-    const SkeletonTemplate& wanted = builtin_template("human21");
+/// How high a template is in its rest pose.
+inline double rest_height(const SkeletonTemplate& wanted) {
     double low = 0, high = 0;
     for (const TemplateJoint& joint : wanted.joints) {
         low = std::min(low, joint.position.y());
         high = std::max(high, joint.tip ? joint.tip->y() : joint.position.y());
     }
+    return high - low;
+}
+
+/// From how far places are from where they are sent to.
+template <typename Scalar>
+std::vector<double> confidences(const Points<Scalar>& places, const Points<Scalar>& others, const std::vector<int>& map,
+                                double height) {
+    constexpr double breadth = 0.05; // of a hand, relative to the height of human21
     std::vector<double> out;
     for (std::size_t v = 0; v < map.size(); ++v) {
         const auto apart = static_cast<double>((places.row(static_cast<Eigen::Index>(v)) - others.row(map[v])).norm());
-        const double relative = apart / (breadth * (high - low));
+        const double relative = apart / (breadth * height);
         out.push_back(std::exp(-2 * relative * relative));
     }
     return out;
@@ -192,6 +206,7 @@ ComparableBody<Scalar> comparable(const Body<Scalar>& body, const KinematicSkele
     out.faces = body.mesh.faces;
     out.basis = laplace_basis(body.mesh, options.functions);
     out.parts = segment(body, skeleton);
+    out.rest_height = detail::rest_height(own_template(skeleton));
     const Segmentation& parts = out.parts;
     const KinematicSkeleton<Scalar> inside = surface::to_body(body, skeleton);
     const std::vector<detail::ToRest<Scalar>> motions = detail::to_rest(inside);
@@ -226,6 +241,8 @@ Correspondence correspond(const ComparableBody<Scalar>& from, const ComparableBo
     validate(options);
     if (options.functions > from.basis.values.size() || options.functions > to.basis.values.size())
         throw Error(ErrorCode::usage, "the bodies were made comparable with fewer functions than are asked for");
+    if (from.parts.parts != to.parts.parts)
+        throw Error(ErrorCode::usage, "a person and an animal have no like places; compare bodies of one plan");
     constexpr int most_samples = 1500; // as many as tell 100 functions apart, many times over (MRR19)
     using Matrix = Eigen::MatrixX<core::Accumulator>;
     const std::vector<int> samples = detail::spread_samples(from.common, most_samples);
@@ -256,7 +273,8 @@ Correspondence correspond(const ComparableBody<Scalar>& from, const ComparableBo
             detail::beside(mapped.cast<float>(),
                            detail::rows_of(detail::pose_features(moved, options.posture), wanted)));
         if (is_last)
-            return {map, detail::confidences(moved.common, to.common, map), moved.common.template cast<double>()};
+            return {map, detail::confidences(moved.common, to.common, map, from.rest_height),
+                    moved.common.template cast<double>()};
     }
 }
 

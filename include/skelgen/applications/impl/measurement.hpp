@@ -27,18 +27,12 @@ struct NamedBone {
     bool from_is_sided, to_is_sided;
 };
 
-inline constexpr std::array<NamedBone, 4> trunk_bones{{{"lower_spine", "crotch", "waist", false, false},
-                                                       {"upper_spine", "waist", "chest", false, false},
-                                                       {"neck_base", "chest", "neck", false, false},
-                                                       {"neck", "neck", "head", false, false}}};
-inline constexpr std::array<NamedBone, 8> sided_bones{{{"clavicle", "chest", "shoulder", false, true},
-                                                       {"upper_arm", "shoulder", "elbow", true, true},
-                                                       {"forearm", "elbow", "wrist", true, true},
-                                                       {"palm", "wrist", "hand", true, true},
-                                                       {"pelvis", "crotch", "hip", false, true},
-                                                       {"thigh", "hip", "knee", true, true},
-                                                       {"calf", "knee", "ankle", true, true},
-                                                       {"foot", "ankle", "foot", true, true}}};
+/// An end of a limb, the joint before it and what the length between is called.
+struct NamedEnd {
+    const char* name;
+    const char* end;
+    const char* joint;
+};
 
 /// Where a girth is taken: across the line from one joint to another or to an end point, from `begin` to `end` along it
 /// (0 and 1: at the joints; hips: between them), and which of the girths there counts.
@@ -55,40 +49,87 @@ struct GirthPlace {
     double share = 0;               ///< of a section's faces that the first of the parts has at least
 };
 
-inline const std::vector<GirthPlace>& trunk_girths() {
+/// What is measured of bodies of one plan.
+struct Measured {
+    std::vector<NamedBone> trunk_bones, sided_bones, trunk_widths;
+    NamedEnd head;
+    std::array<NamedEnd, 2> sided_ends; ///< of arm or fore leg, and of leg or hind leg
+    std::vector<GirthPlace> trunk_girths, sided_girths;
+};
+
+inline const Measured& measured_of_people() {
     using Choice = GirthPlace::Choice;
-    static const std::vector<GirthPlace> places{
-        {"head", "neck", "head_top", 0.35, 0.65, Choice::largest, {"head"}},
-        {"neck", "neck", "head_top", 0.0, 0.4, Choice::smallest, {"head", "neck", "chest"}, nullptr, true},
-        {"chest", "hips", "neck", 0.42, 0.62, Choice::largest, {"abdomen", "chest", "shoulder"}},
-        {"waist", "hips", "neck", 0.22, 0.42, Choice::smallest, {"pelvis", "abdomen", "chest"}},
-        {"hip", "crotch", "waist", -0.3, 0.5, Choice::largest, {"pelvis", "abdomen", "thigh"}}};
-    return places;
+    static const Measured people{
+        {{"lower_spine", "crotch", "waist", false, false},
+         {"upper_spine", "waist", "chest", false, false},
+         {"neck_base", "chest", "neck", false, false},
+         {"neck", "neck", "head", false, false}},
+        {{"clavicle", "chest", "shoulder", false, true},
+         {"upper_arm", "shoulder", "elbow", true, true},
+         {"forearm", "elbow", "wrist", true, true},
+         {"palm", "wrist", "hand", true, true},
+         {"pelvis", "crotch", "hip", false, true},
+         {"thigh", "hip", "knee", true, true},
+         {"calf", "knee", "ankle", true, true},
+         {"foot", "ankle", "foot", true, true}},
+        {{"shoulder_width", "left_shoulder", "right_shoulder", false, false},
+         {"hip_width", "left_hip", "right_hip", false, false}},
+        {"head", "head_top", "head"},
+        {{{"fingers", "fingertip", "hand"}, {"toes", "toe", "foot"}}},
+        {{"head", "neck", "head_top", 0.35, 0.65, Choice::largest, {"head"}},
+         {"neck", "neck", "head_top", 0.0, 0.4, Choice::smallest, {"head", "neck", "chest"}, nullptr, true},
+         {"chest", "hips", "neck", 0.42, 0.62, Choice::largest, {"abdomen", "chest", "shoulder"}},
+         {"waist", "hips", "neck", 0.22, 0.42, Choice::smallest, {"pelvis", "abdomen", "chest"}},
+         {"hip", "crotch", "waist", -0.3, 0.5, Choice::largest, {"pelvis", "abdomen", "thigh"}}},
+        {// Where an arm is thick its begin reaches this far on the inner side.
+         {"upper_arm",
+          "shoulder",
+          "elbow",
+          0.5,
+          0.5,
+          Choice::largest,
+          {"upper_arm", "shoulder", "chest"},
+          nullptr,
+          false,
+          0.5},
+         {"elbow", "elbow", "wrist", 0.0, 0.0, Choice::largest, {"upper_arm", "forearm"}, "shoulder"},
+         {"forearm", "elbow", "wrist", 0.1, 0.4, Choice::largest, {"forearm"}},
+         {"wrist", "elbow", "wrist", 0.85, 1.05, Choice::smallest, {"forearm", "hand"}},
+         {"thigh", "hip", "knee", 0.25, 0.4, Choice::largest, {"thigh"}},
+         {"mid_thigh", "hip", "knee", 0.5, 0.5, Choice::largest, {"thigh"}},
+         {"knee", "knee", "ankle", 0.0, 0.0, Choice::largest, {"thigh", "calf"}, "hip"},
+         {"calf", "knee", "ankle", 0.2, 0.5, Choice::largest, {"calf"}},
+         {"ankle", "knee", "ankle", 0.8, 1.0, Choice::smallest, {"calf", "foot"}}}};
+    return people;
 }
 
-inline const std::vector<GirthPlace>& sided_girths() {
+/// Girths of a chest behind the fore legs, of the flanks, of the neck, and of each leg where it is thinnest.
+inline const Measured& measured_of_animals() {
     using Choice = GirthPlace::Choice;
-    static const std::vector<GirthPlace> places{
-        // Where an arm is thick its begin reaches this far on the inner side.
-        {"upper_arm",
-         "shoulder",
-         "elbow",
-         0.5,
-         0.5,
-         Choice::largest,
-         {"upper_arm", "shoulder", "chest"},
-         nullptr,
-         false,
-         0.5},
-        {"elbow", "elbow", "wrist", 0.0, 0.0, Choice::largest, {"upper_arm", "forearm"}, "shoulder"},
-        {"forearm", "elbow", "wrist", 0.1, 0.4, Choice::largest, {"forearm"}},
-        {"wrist", "elbow", "wrist", 0.85, 1.05, Choice::smallest, {"forearm", "hand"}},
-        {"thigh", "hip", "knee", 0.25, 0.4, Choice::largest, {"thigh"}},
-        {"mid_thigh", "hip", "knee", 0.5, 0.5, Choice::largest, {"thigh"}},
-        {"knee", "knee", "ankle", 0.0, 0.0, Choice::largest, {"thigh", "calf"}, "hip"},
-        {"calf", "knee", "ankle", 0.2, 0.5, Choice::largest, {"calf"}},
-        {"ankle", "knee", "ankle", 0.8, 1.0, Choice::smallest, {"calf", "foot"}}};
-    return places;
+    static const Measured animals{
+        {{"lower_spine", "hips", "spine1", false, false},
+         {"middle_spine", "spine1", "spine2", false, false},
+         {"upper_spine", "spine2", "chest", false, false},
+         {"neck_base", "chest", "neck1", false, false},
+         {"lower_neck", "neck1", "neck2", false, false},
+         {"upper_neck", "neck2", "head", false, false}},
+        {{"shoulder_blade", "fore_girdle", "fore_upper", true, true},
+         {"fore_upper", "fore_upper", "fore_lower", true, true},
+         {"fore_lower", "fore_lower", "fore_ankle", true, true},
+         {"fore_foot", "fore_ankle", "fore_foot", true, true},
+         {"hind_upper", "hind_upper", "hind_lower", true, true},
+         {"hind_lower", "hind_lower", "hind_ankle", true, true},
+         {"hind_foot", "hind_ankle", "hind_foot", true, true}},
+        {{"shoulder_width", "left_fore_upper", "right_fore_upper", false, false},
+         {"hip_width", "left_hind_upper", "right_hind_upper", false, false}},
+        {"head", "head_tip", "head"},
+        {{{"fore_toes", "fore_toe", "fore_foot"}, {"hind_toes", "hind_toe", "hind_foot"}}},
+        {{"neck", "neck1", "head", 0.2, 0.9, Choice::smallest, {"neck", "head", "chest"}},
+         {"chest", "spine2", "chest", 0.2, 0.9, Choice::largest, {"chest", "abdomen", "fore_upper"}},
+         {"waist", "hips", "spine2", 0.3, 0.9, Choice::smallest, {"abdomen", "pelvis", "hind_upper"}}},
+        {{"fore_lower", "fore_lower", "fore_ankle", 0.3, 0.8, Choice::smallest, {"fore_lower"}},
+         {"hind_lower", "hind_lower", "hind_ankle", 0.3, 0.8, Choice::smallest, {"hind_lower"}}}};
+    return animals;
 }
 
 /// The parts that sections of one place may run through, and the one that they are of; one entry for each part.
@@ -119,7 +160,7 @@ std::optional<Scalar> girth_at(const Body<Scalar>& body, const Segmentation& par
 template <typename Scalar>
 Vector3<Scalar> girth_end(const KinematicSkeleton<Scalar>& skeleton, const std::string& name) {
     if (name != "hips") return end_place(skeleton, name, name);
-    return (joint_place(skeleton, "left_hip") + joint_place(skeleton, "right_hip")) / 2;
+    return (joint_place(skeleton, JointRole::hip, Side::left) + joint_place(skeleton, JointRole::hip, Side::right)) / 2;
 }
 
 /// A girth with the plane that it is in, in the body's coordinates and unit.
@@ -150,8 +191,9 @@ std::optional<Girth<Scalar>> girth_of(const Body<Scalar>& body, const KinematicS
     if (place.before != nullptr)
         direction =
             (direction + (from - joint_place(skeleton, side + place.before)).stableNormalized()).stableNormalized();
-    const Vector3<Scalar> left =
-        (joint_place(skeleton, "left_shoulder") - joint_place(skeleton, "right_shoulder")).stableNormalized();
+    const Vector3<Scalar> left = (joint_place(skeleton, JointRole::shoulder, Side::left) -
+                                  joint_place(skeleton, JointRole::shoulder, Side::right))
+                                     .stableNormalized();
     const int last = place.end > place.begin ? steps : 0, tilts = place.is_tilted ? 3 : 0;
     std::optional<Girth<Scalar>> chosen;
     for (int tilt = -tilts; tilt <= tilts; ++tilt) {
@@ -186,6 +228,23 @@ Scalar ankle_height(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& s
     return hit.face >= 0 ? hit.distance : Scalar(0);
 }
 
+/// From the shoulder blades along both fore legs' bones to the toes, the mean of both.
+template <typename Scalar>
+Scalar withers_height(const KinematicSkeleton<Scalar>& skeleton) {
+    Scalar sum = 0;
+    for (const Side side : {Side::left, Side::right}) {
+        Vector3<Scalar> before = joint_place(skeleton, JointRole::shoulder_girdle, side);
+        for (const JointRole role : {JointRole::shoulder, JointRole::elbow, JointRole::wrist, JointRole::hand}) {
+            const Vector3<Scalar> place = joint_place(skeleton, role, side);
+            sum += (place - before).norm() / 2;
+            before = place;
+        }
+        const std::string prefix(side_prefix(side));
+        sum += (end_place(skeleton, prefix + "fore_toe", prefix + "fore_foot") - before).norm() / 2;
+    }
+    return sum;
+}
+
 } // namespace detail
 
 template <typename Scalar>
@@ -217,6 +276,8 @@ Scalar tape_length(const std::vector<Vector3<Scalar>>& points, const Vector3<Sca
 template <typename Scalar>
 double standing_height(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton) {
     const KinematicSkeleton<Scalar> inside = surface::to_body(body, skeleton);
+    if (own_template(skeleton).plan == BodyKind::quadruped)
+        return static_cast<double>(body.similarity.scale * detail::withers_height(inside));
     const auto at = [&](const std::string& name) { return joint_place(inside, name); };
     const auto between = [&](const std::string& a, const std::string& b) { return (at(a) - at(b)).norm(); };
     const Vector3<Scalar> hips = (at("left_hip") + at("right_hip")) / 2;
@@ -232,7 +293,7 @@ double standing_height(const Body<Scalar>& body, const KinematicSkeleton<Scalar>
 template <typename Scalar>
 Measurements measure(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton, const Segmentation& parts) {
     if (parts.face_part.size() != static_cast<std::size_t>(body.mesh.faces.rows()) ||
-        parts.parts != part_names(PartSet::bones))
+        parts.parts != part_names(PartSet::bones, own_template(skeleton).plan))
         throw Error(ErrorCode::usage, "measures need the body's own parts, of the set bones");
     const KinematicSkeleton<Scalar> inside = surface::to_body(body, skeleton);
     const auto unit = static_cast<double>(body.similarity.scale);
@@ -246,20 +307,23 @@ Measurements measure(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& 
     out.height = standing_height(body, skeleton);
     out.area = unit * unit * static_cast<double>(core::surface_area(body.mesh));
     out.volume = unit * unit * unit * static_cast<double>(core::enclosed_volume(body.mesh));
-    for (const detail::NamedBone& bone : detail::trunk_bones)
+    const bool is_human = own_template(skeleton).plan == BodyKind::human;
+    const detail::Measured& measured = is_human ? detail::measured_of_people() : detail::measured_of_animals();
+    for (const detail::NamedBone& bone : measured.trunk_bones)
         out.lengths.emplace_back(bone.name, between(bone.from, bone.to));
-    out.lengths.emplace_back("head", end_bone("head_top", "head"));
-    out.lengths.emplace_back("shoulder_width", between("left_shoulder", "right_shoulder"));
-    out.lengths.emplace_back("hip_width", between("left_hip", "right_hip"));
-    out.arm_span = between("left_shoulder", "right_shoulder");
+    out.lengths.emplace_back(measured.head.name, end_bone(measured.head.end, measured.head.joint));
+    for (const detail::NamedBone& width : measured.trunk_widths)
+        out.lengths.emplace_back(width.name, between(width.from, width.to));
+    if (is_human) out.arm_span = between("left_shoulder", "right_shoulder");
     for (const std::string side : {"left_", "right_"}) {
-        for (const detail::NamedBone& bone : detail::sided_bones)
+        for (const detail::NamedBone& bone : measured.sided_bones)
             out.lengths.emplace_back(side + bone.name, between((bone.from_is_sided ? side : "") + bone.from,
                                                                (bone.to_is_sided ? side : "") + bone.to));
-        out.lengths.emplace_back(side + "fingers", end_bone(side + "fingertip", side + "hand"));
-        out.lengths.emplace_back(side + "toes", end_bone(side + "toe", side + "foot"));
-        out.arm_span += between(side + "shoulder", side + "elbow") + between(side + "elbow", side + "wrist") +
-                        between(side + "wrist", side + "hand") + end_bone(side + "fingertip", side + "hand");
+        for (const detail::NamedEnd& end : measured.sided_ends)
+            out.lengths.emplace_back(side + end.name, end_bone(side + end.end, side + end.joint));
+        if (is_human)
+            out.arm_span += between(side + "shoulder", side + "elbow") + between(side + "elbow", side + "wrist") +
+                            between(side + "wrist", side + "hand") + end_bone(side + "fingertip", side + "hand");
     }
     const auto add_girth = [&](const detail::GirthPlace& place, const std::string& side) {
         const auto girth = detail::girth_of(body, inside, parts, place, side);
@@ -270,9 +334,9 @@ Measurements measure(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& 
         out.girth_planes.back() = {body.similarity.to_input(girth->place).template cast<double>(),
                                    body.similarity.direction_to_input(girth->normal).template cast<double>()};
     };
-    for (const detail::GirthPlace& place : detail::trunk_girths()) add_girth(place, "");
+    for (const detail::GirthPlace& place : measured.trunk_girths) add_girth(place, "");
     for (const std::string side : {"left_", "right_"})
-        for (const detail::GirthPlace& place : detail::sided_girths()) add_girth(place, side);
+        for (const detail::GirthPlace& place : measured.sided_girths) add_girth(place, side);
     return out;
 }
 

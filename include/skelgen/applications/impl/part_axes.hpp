@@ -7,6 +7,7 @@
 
 #include <skelgen/applications/body_coordinates.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/header_only.hpp>
 
 namespace skelgen::applications {
 namespace detail {
@@ -16,10 +17,87 @@ AxisPoint<Scalar> between(const AxisPoint<Scalar>& a, const AxisPoint<Scalar>& b
     return {a.place + along * (b.place - a.place), a.radius + along * (b.radius - a.radius)};
 }
 
+/// The end that a joint of this role leads to.
+[[nodiscard]] constexpr LimbEnd end_of(JointRole role, Side side) {
+    if (role == JointRole::tail) return LimbEnd::tail;
+    if (part_of(role) == BodyPart::arm) return side == Side::left ? LimbEnd::left_hand : LimbEnd::right_hand;
+    if (part_of(role) == BodyPart::leg) return side == Side::left ? LimbEnd::left_foot : LimbEnd::right_foot;
+    return LimbEnd::none;
+}
+
+inline const TemplateJoint& last_of(const SkeletonTemplate& own, JointRole role) {
+    return *std::find_if(own.joints.rbegin(), own.joints.rend(), [&](const auto& joint) { return joint.role == role; });
+}
+
+template <typename Scalar>
+std::vector<PartAxis<Scalar>> animal_axes(const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& own) {
+    const std::vector<std::string> names = part_names(PartSet::bones, own.plan);
+    const auto part = [&](const TemplateJoint& joint) {
+        const std::string_view plain = animal_part(joint.role);
+        const bool is_sided = part_of(joint.role) != BodyPart::trunk;
+        const std::string name = std::string(is_sided ? side_prefix(joint.side) : "").append(plain);
+        return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+    };
+    const auto at = [&](const TemplateJoint& joint) {
+        const int found = find_joint(skeleton, joint.name);
+        return AxisPoint<Scalar>{joint_place(skeleton, joint.name),
+                                 skeleton.joints[static_cast<std::size_t>(found)].radius};
+    };
+    const auto is_there = [&](const TemplateJoint& joint) {
+        const int found = find_joint(skeleton, joint.name);
+        return found < 0 || skeleton.joints[static_cast<std::size_t>(found)].is_present; // what is missing is refused
+    };
+    std::vector<PartAxis<Scalar>> axes;
+    for (const TemplateJoint& joint : own.joints) {
+        if (!is_there(joint)) continue;
+        if (joint.parent >= 0) {
+            const TemplateJoint& before = own.joint(joint.parent);
+            // Ribs reach as far back as the bone before the chest's joint.
+            const TemplateJoint& owner = joint.role == JointRole::chest ? joint : before;
+            axes.push_back({part(owner), end_of(owner.role, owner.side), at(before), at(joint)});
+        }
+        const std::string tip = joint.role == JointRole::tail ? "tail_tip"
+                                : ends_limb(joint.role)       ? end_point_name(own, joint)
+                                                              : "";
+        const bool is_last = joint.role != JointRole::tail || &joint == &last_of(own, JointRole::tail);
+        if (!tip.empty() && is_last)
+            axes.push_back({part(joint),
+                            end_of(joint.role, joint.side),
+                            at(joint),
+                            {end_place(skeleton, tip, joint.name), Scalar(0)}});
+    }
+    return axes;
+}
+
 } // namespace detail
+
+SKELGEN_INLINE std::vector<std::string> part_names(PartSet set, BodyKind plan) {
+    const bool is_human = plan == BodyKind::human;
+    std::vector<std::string> names;
+    if (set == PartSet::body)
+        names =
+            is_human ? std::vector<std::string>{"head", "torso"} : std::vector<std::string>{"head", "torso", "tail"};
+    else if (is_human)
+        names.assign(detail::trunk_parts.begin(), detail::trunk_parts.end());
+    else
+        names.assign(detail::animal_trunk_parts.begin(), detail::animal_trunk_parts.end());
+    for (const std::string_view side : detail::sides) {
+        const auto add = [&](const auto& parts) {
+            for (const std::string_view part : parts)
+                if (set == PartSet::bones || part != "shoulder") names.push_back(std::string(side) + std::string(part));
+        };
+        if (is_human)
+            add(detail::sided_parts);
+        else
+            add(detail::animal_sided_parts);
+    }
+    return names;
+}
 
 template <typename Scalar>
 std::vector<PartAxis<Scalar>> part_axes(const KinematicSkeleton<Scalar>& skeleton) {
+    if (const SkeletonTemplate& own = own_template(skeleton); own.plan == BodyKind::quadruped)
+        return detail::animal_axes(skeleton, own);
     using detail::between, detail::sided_part, detail::trunk_part;
     using Point = AxisPoint<Scalar>;
     const auto at = [&](const std::string& name) {

@@ -30,10 +30,15 @@ namespace detail {
 template <typename Scalar>
 std::vector<int> end_vertices(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton) {
     std::vector<int> out{-1}; // of `none`
-    for (const auto& [name, joint] : {std::pair("head_top", "head"), std::pair("left_fingertip", "left_hand"),
-                                      std::pair("right_fingertip", "right_hand"), std::pair("left_toe", "left_foot"),
-                                      std::pair("right_toe", "right_foot")})
-        out.push_back(body.tree.nearest_corner(body.mesh, end_place(skeleton, name, joint)));
+    const SkeletonTemplate& own = own_template(skeleton);
+    for (const auto& [role, side] : {std::pair(JointRole::head, Side::none), std::pair(JointRole::hand, Side::left),
+                                     std::pair(JointRole::hand, Side::right), std::pair(JointRole::foot, Side::left),
+                                     std::pair(JointRole::foot, Side::right)}) {
+        const TemplateJoint& joint = own.joint(find_joint(own, role, side));
+        out.push_back(body.tree.nearest_corner(body.mesh, end_place(skeleton, end_point_name(own, joint), joint.name)));
+    }
+    for (const auto& [name, place] : skeleton.end_points)
+        if (name == "tail_tip") out.push_back(body.tree.nearest_corner(body.mesh, place));
     return out;
 }
 
@@ -50,11 +55,13 @@ EndDistances<Scalar> end_distances(const Body<Scalar>& body, const std::vector<i
 }
 
 /// May a vertex belong to the limb that ends there? No other end is nearer; of arms, which are as far from the hand at
-/// their roots as from the crown, the head does not count.
+/// their roots as from the crown, the head does not count, and tails, of all lengths, have no say.
 template <typename Scalar>
 bool may_be_of(LimbEnd limb, const EndDistances<Scalar>& distances, std::size_t v) {
     const bool is_arm = limb == LimbEnd::left_hand || limb == LimbEnd::right_hand;
+    if (limb == LimbEnd::tail) return true;
     for (std::size_t end = 1; end < distances.size(); ++end) {
+        if (static_cast<LimbEnd>(end) == LimbEnd::tail) continue;
         if (is_arm && static_cast<LimbEnd>(end) == LimbEnd::head) continue;
         if (distances[end][v] < distances[static_cast<std::size_t>(limb)][v]) return false;
     }
@@ -81,7 +88,7 @@ int nearest_part(const Vector3<Scalar>& place, const std::vector<PartAxis<Scalar
 /// For each vertex the part of the nearest axis. A limb is in one piece: what of a trunk's side is nearer to an arm
 /// that hangs beside it belongs to the trunk all the same.
 template <typename Scalar>
-std::vector<int> nearest_parts(const Body<Scalar>& body, const std::vector<PartAxis<Scalar>>& axes,
+std::vector<int> nearest_parts(const Body<Scalar>& body, const std::vector<PartAxis<Scalar>>& axes, std::size_t count,
                                const std::vector<int>& end_vertices, const EndDistances<Scalar>& distances) {
     const auto place = [&](std::size_t v) { return core::point(body.mesh.vertices, static_cast<Eigen::Index>(v)); };
     std::vector<int> parts;
@@ -89,7 +96,7 @@ std::vector<int> nearest_parts(const Body<Scalar>& body, const std::vector<PartA
         parts.push_back(nearest_part(place(v), axes, [&](const PartAxis<Scalar>& axis) {
             return axis.end == LimbEnd::none || may_be_of(axis.end, distances, v);
         }));
-    std::vector<LimbEnd> end_of_part(part_names(PartSet::bones).size(), LimbEnd::none);
+    std::vector<LimbEnd> end_of_part(count, LimbEnd::none);
     for (const PartAxis<Scalar>& axis : axes) end_of_part[static_cast<std::size_t>(axis.part)] = axis.end;
     const auto limb_of = [&](std::size_t v) { return end_of_part[static_cast<std::size_t>(parts[v])]; };
     std::vector<bool> reached(parts.size(), false);
@@ -229,25 +236,46 @@ template <typename Scalar>
 std::vector<int> without_folds(std::vector<int> parts, const Body<Scalar>& body,
                                const KinematicSkeleton<Scalar>& skeleton, const EndDistances<Scalar>& distances) {
     struct Fold {
-        const char *before, *joint, *after; ///< joints
-        const char *upper, *lower;          ///< parts
+        JointRole before, joint, after;
+        const char *upper, *lower; ///< parts, of people and of animals
+        const char *upper_of_animal, *lower_of_animal;
         std::array<LimbEnd, 2> ends;
     };
-    static constexpr std::array<Fold, 2> folds{
-        {{"shoulder", "elbow", "wrist", "upper_arm", "forearm", {LimbEnd::left_hand, LimbEnd::right_hand}},
-         {"hip", "knee", "ankle", "thigh", "calf", {LimbEnd::left_foot, LimbEnd::right_foot}}}};
+    static constexpr std::array<Fold, 2> folds{{{JointRole::shoulder,
+                                                 JointRole::elbow,
+                                                 JointRole::wrist,
+                                                 "upper_arm",
+                                                 "forearm",
+                                                 "fore_upper",
+                                                 "fore_lower",
+                                                 {LimbEnd::left_hand, LimbEnd::right_hand}},
+                                                {JointRole::hip,
+                                                 JointRole::knee,
+                                                 JointRole::ankle,
+                                                 "thigh",
+                                                 "calf",
+                                                 "hind_upper",
+                                                 "hind_lower",
+                                                 {LimbEnd::left_foot, LimbEnd::right_foot}}}};
+    const BodyKind plan = own_template(skeleton).plan;
+    const std::vector<std::string> names = part_names(PartSet::bones, plan);
+    const auto part = [&](std::string_view side, const char* of_person, const char* of_animal) {
+        const std::string name = std::string(side) + (plan == BodyKind::human ? of_person : of_animal);
+        return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+    };
     constexpr Scalar slack = Scalar(0.7); // of the radius: how far geodesic rings lean where a limb is straight
     for (const Fold& fold : folds)
         for (std::size_t s = 0; s < sides.size(); ++s) {
-            const std::string side(sides[s]);
-            const Vector3<Scalar> joint = joint_place(skeleton, side + fold.joint);
-            const Vector3<Scalar> across = ((joint - joint_place(skeleton, side + fold.before)).stableNormalized() +
-                                            (joint_place(skeleton, side + fold.after) - joint).stableNormalized())
+            const Side side = s == 0 ? Side::left : Side::right;
+            const Vector3<Scalar> joint = joint_place(skeleton, fold.joint, side);
+            const Vector3<Scalar> across = ((joint - joint_place(skeleton, fold.before, side)).stableNormalized() +
+                                            (joint_place(skeleton, fold.after, side) - joint).stableNormalized())
                                                .stableNormalized();
             const std::vector<Scalar>& to_end = distances[static_cast<std::size_t>(fold.ends[s])];
             const auto level = limb_level(body, to_end, joint, across);
             if (!level) continue;
-            const int upper = sided_part(fold.upper, s), lower = sided_part(fold.lower, s);
+            const int upper = part(sides[s], fold.upper, fold.upper_of_animal),
+                      lower = part(sides[s], fold.lower, fold.lower_of_animal);
             for (std::size_t v = 0; v < parts.size(); ++v) {
                 if (parts[v] == lower && to_end[v] > level->distance + slack * level->radius)
                     parts[v] = upper;
@@ -284,8 +312,8 @@ std::vector<int> without_flanks(std::vector<int> parts, const Body<Scalar>& body
 }
 
 /// Each part of the set `bones` as one of the set `body`.
-inline std::vector<int> merged_parts() {
-    const std::vector<std::string> bones = part_names(PartSet::bones), body = part_names(PartSet::body);
+inline std::vector<int> merged_parts(BodyKind plan) {
+    const std::vector<std::string> bones = part_names(PartSet::bones, plan), body = part_names(PartSet::body, plan);
     std::vector<int> out;
     for (const std::string& bone : bones) {
         const auto same = std::find(body.begin(), body.end(), bone);
@@ -317,37 +345,29 @@ SKELGEN_INLINE void validate(const SegmentationOptions& options) {
     core::require_in_range("segmentation.thigh", options.thigh, 0.0, 1.0);
 }
 
-SKELGEN_INLINE std::vector<std::string> part_names(PartSet set) {
-    std::vector<std::string> names;
-    if (set == PartSet::bones)
-        names.assign(detail::trunk_parts.begin(), detail::trunk_parts.end());
-    else
-        names = {"head", "torso"};
-    for (const std::string_view side : detail::sides)
-        for (const std::string_view part : detail::sided_parts)
-            if (set == PartSet::bones || part != "shoulder") names.push_back(std::string(side) + std::string(part));
-    return names;
-}
-
 template <typename Scalar>
 Segmentation segment(const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton, PartSet set,
                      const SegmentationOptions& options) {
     validate(options);
     const KinematicSkeleton<Scalar> inside = surface::to_body(body, skeleton);
+    const BodyKind plan = own_template(skeleton).plan;
     const std::vector<PartAxis<Scalar>> axes = part_axes(inside);
     const std::vector<int> ends = detail::end_vertices(body, inside);
     const detail::EndDistances<Scalar> distances = detail::end_distances(body, ends);
-    std::vector<int> parts = detail::nearest_parts(body, axes, ends, distances);
-    parts = detail::without_flanks(parts, body, inside, distances, options.upper_arm);
-    parts = detail::with_shoulders(parts, body, inside, distances, options);
-    parts = detail::with_thighs(parts, body, inside, distances, options.thigh);
+    std::vector<int> parts =
+        detail::nearest_parts(body, axes, part_names(PartSet::bones, plan).size(), ends, distances);
+    if (plan == BodyKind::human) {
+        parts = detail::without_flanks(parts, body, inside, distances, options.upper_arm);
+        parts = detail::with_shoulders(parts, body, inside, distances, options);
+        parts = detail::with_thighs(parts, body, inside, distances, options.thigh);
+    }
     parts = detail::without_folds(parts, body, inside, distances);
     if (set == PartSet::body) {
-        const std::vector<int> merged = detail::merged_parts();
+        const std::vector<int> merged = detail::merged_parts(plan);
         for (int& part : parts) part = merged[static_cast<std::size_t>(part)];
     }
     Segmentation out;
-    out.parts = part_names(set);
+    out.parts = part_names(set, plan);
     const double size = std::sqrt(static_cast<double>(core::surface_area(body.mesh)));
     const auto count = static_cast<int>(out.parts.size());
     out.vertex_part = in_one_piece(

@@ -3,6 +3,7 @@
 #include <skelgen/quadruped/place_joints.hpp>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -75,6 +76,39 @@ inline int ordinal_of(const SkeletonTemplate& skeleton_template, int joint) {
     return out;
 }
 
+/// What a joint's place on a way is told from, of a mean animal 0: how the way runs and how thick the body is along it,
+/// in parts of the animal's size, and its build. `outward`: 1 on the left, -1 on the right, 0 for ways in the middle.
+template <typename Scalar>
+PlaceFeatures features_of(const WayLine<Scalar>& line, const Limbs<Scalar>& limbs, Way way, int outward) {
+    const bool is_leg = way == Way::fore_leg || way == Way::hind_leg;
+    const Vector3<Scalar> root = line.place(is_leg ? 1 : 0); // where it leaves the trunk
+    PlaceFeatures out{};
+    std::size_t next = 0;
+    for (const double share : {0.0, 0.2, 0.4, 0.6, 0.8}) {
+        const Vector3<Scalar> off = (line.place(share) - root) / limbs.size;
+        out[next++] = static_cast<double>(off.dot(limbs.frame.forward));
+        out[next++] = static_cast<double>(off.dot(limbs.frame.up));
+        out[next++] = outward * static_cast<double>(off.dot(limbs.frame.left));
+    }
+    for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9})
+        out[next++] = static_cast<double>(line.radius(share) / limbs.size);
+    for (std::size_t w = 0; next < out.size(); ++w) out[next++] = limbs.evidence.values[w];
+    const WayScale& scale = way_scales[static_cast<std::size_t>(way)];
+    constexpr double most = 2.5; // deviations: beyond them nothing was seen that tells more
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = std::clamp((out[i] - scale.mean[i]) / scale.deviation[i], -most, most);
+    return out;
+}
+
+/// Share of the way, and forward, up and outward of it, as that animal has them.
+inline std::array<double, 4> place_in(const JointPlace& place, const PlaceFeatures& features) {
+    std::array<double, 4> out = place.mean;
+    for (std::size_t k = 0; k < out.size(); ++k)
+        for (std::size_t i = 0; i < features.size(); ++i) out[k] += place.change[k][i] * features[i];
+    out[0] = std::clamp(out[0], 0.0, 1.0);
+    return out;
+}
+
 } // namespace detail
 
 template <typename Scalar>
@@ -97,11 +131,14 @@ KinematicSkeleton<Scalar> place_joints(const CurveSkeleton<Scalar>& curve, const
         }
         const BodyFrame<Scalar>& frame = wanted.role == JointRole::ear ? head : limbs.frame;
         const detail::WayLine<Scalar> line(curve, way);
-        const auto outward = static_cast<Scalar>(sign_of(wanted.side) * place.outward);
-        joint.position =
-            line.place(place.share) + limbs.size * (static_cast<Scalar>(place.forward) * frame.forward +
-                                                    static_cast<Scalar>(place.up) * frame.up + outward * frame.left);
-        joint.radius = line.radius(place.share);
+        const int side = sign_of(wanted.side);
+        const bool is_leg = place.way == Way::fore_leg || place.way == Way::hind_leg;
+        const auto [share, forward, up, outward] =
+            detail::place_in(place, detail::features_of(line, limbs, place.way, is_leg ? side : 0));
+        joint.position = line.place(share) + limbs.size * (static_cast<Scalar>(forward) * frame.forward +
+                                                           static_cast<Scalar>(up) * frame.up +
+                                                           static_cast<Scalar>(side * outward) * frame.left);
+        joint.radius = line.radius(share);
     }
     out.quality.matched_nodes = limbs.tail.empty() ? 5 : 6; // feet, head and tail
     out.frame = limbs.frame;
