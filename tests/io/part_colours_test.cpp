@@ -33,7 +33,7 @@ Eigen::Vector3d lab(const io::ByteColour& colour) {
 
 TEST_CASE("part colours: any two parts of a set can be told apart", "[io]") {
     const auto set = GENERATE(applications::PartSet::bones, applications::PartSet::body);
-    for (const BodyPlan plan : {BodyKind::human, BodyKind::quadruped}) {
+    for (const BodyKind plan : {BodyKind::human, BodyKind::quadruped}) {
         const std::vector<std::string> names = applications::part_names(set, plan);
         const std::vector<io::ByteColour> colours = io::part_colours(names);
         REQUIRE(colours.size() == names.size());
