@@ -48,7 +48,7 @@ void add_measures(const std::string& text, Row& row) {
     const auto& body = file.at("bodies").at(0);
     std::vector<std::pair<std::string, double>>& out = row.measures;
     for (const char* name : {"height", "arm_span", "area", "volume"})
-        out.emplace_back(name, body.at(name).get<double>());
+        if (body.contains(name)) out.emplace_back(name, body.at(name).get<double>()); // animals have no arms
     for (const auto& [kind, prefix] : {std::pair("lengths", "length_"), std::pair("girths", "girth_")})
         for (const auto& [name, value] : body.at(kind).items())
             out.emplace_back(prefix + name, value.is_null() ? unknown : value.get<double>());

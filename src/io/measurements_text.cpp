@@ -1,5 +1,6 @@
 #include <skelgen/io/measurements_text.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -83,11 +84,15 @@ std::string measurements_to_json(const std::vector<MeasuredBody>& bodies) {
 std::string measurements_to_csv(const std::vector<MeasuredBody>& bodies) {
     std::string text;
     for (const MeasuredBody& body : bodies) {
-        const auto values = columns(body.measures);
+        const auto values = columns(body.measures), first = columns(bodies.front().measures);
         if (text.empty()) {
             text = "file,sides_confidence";
             for (const auto& [name, value] : values) text += "," + name;
             text += ",unit\r\n";
+        } else if (!std::equal(values.begin(), values.end(), first.begin(), first.end(),
+                               [](const auto& one, const auto& other) { return one.first == other.first; })) {
+            throw Error(ErrorCode::usage, "people and animals have not the same measures, and a table one set of "
+                                          "columns: write JSON, or a table of each");
         }
         text += quoted(detail::valid_utf8(body.mesh.file)) + ",";
         detail::append_number(text, body.quality.sides_confidence);

@@ -55,6 +55,13 @@ TEST_CASE("animals: each command takes --template quadruped, and without it says
     CHECK(mixed.status == 2);
     CHECK(mixed.err.find("a person and an animal") != std::string::npos);
     CHECK(run_cli(folder.path(), {"pose", person, "--like", dog, "--template", "auto", "-o", "posed.off"}).status == 2);
+    const CliResult table = run_cli(folder.path(), {"measure", person, dog, "--template", "auto", "-q", "--csv"});
+    CHECK(table.status == 2);
+    CHECK(table.err.find("people and animals have not the same measures") != std::string::npos);
+    const CliResult batch =
+        run_cli(folder.path(), {"batch", dog, "-o", "out", "--template", "quadruped", "--also", "measure", "-q"});
+    INFO(batch.err);
+    CHECK(batch.status == 0);
     CHECK(run_cli(folder.path(), {"rig", dog, "--template", "bird", "-o", "rig.glb"}).status == 2);
 }
 

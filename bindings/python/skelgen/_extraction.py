@@ -87,7 +87,7 @@ class Extraction(Skeleton):
                 thigh, calf, foot) or "body" (head, torso, and the limbs without the shoulder).
 
         Raises:
-            ValueError: there is no such set of parts, or the skeleton's template is not human21.
+            ValueError: there is no such set of parts, or the skeleton's template is neither human21 nor quadruped.
 
         >>> skelgen.extract("body.off").segment().parts[:3]
         ('head', 'neck', 'chest')
@@ -98,7 +98,7 @@ class Extraction(Skeleton):
         """Measure the body: height, arm span, lengths of bones, girths, area and volume, in the mesh's own unit.
 
         Raises:
-            ValueError: the skeleton's template is not human21.
+            ValueError: the skeleton's template is neither human21 nor quadruped.
 
         >>> measures = skelgen.extract("body.off").measure()
         >>> round(measures.height, 2)
@@ -258,7 +258,7 @@ class Measurements:
 
     Attributes:
         height: of the body stood upright.
-        arm_span: from fingertip to fingertip along the bones.
+        arm_span: from fingertip to fingertip along the bones; None of an animal.
         area: of the surface.
         volume: enclosed by it.
         lengths: of bones, by name.
@@ -272,7 +272,7 @@ class Measurements:
         self._document = document
         body = document["bodies"][0]
         self.height: float = body["height"]
-        self.arm_span: float = body["arm_span"]
+        self.arm_span: float | None = body.get("arm_span")
         self.area: float = body["area"]
         self.volume: float = body["volume"]
         self.lengths: dict[str, float] = dict(body["lengths"])
@@ -319,7 +319,8 @@ class Measurements:
         _save_json(path, self._document)
 
     def __repr__(self) -> str:
-        return f"Measurements(height {self.height:.4g}, arm_span {self.arm_span:.4g}, {len(self.girths)} girths)"
+        span = "" if self.arm_span is None else f"arm_span {self.arm_span:.4g}, "
+        return f"Measurements(height {self.height:.4g}, {span}{len(self.girths)} girths)"
 
 
 def _own(mesh: Mesh, sources: tuple[IntArray, IntArray]) -> tuple[IntArray, IntArray]:

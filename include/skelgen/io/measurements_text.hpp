@@ -22,7 +22,7 @@ struct MeasuredBody {
 [[nodiscard]] std::string measurements_to_json(const std::vector<MeasuredBody>& bodies);
 
 /// The same as CSV (RFC 4180), a line for each body below one of names; what is not known is empty, file names are in
-/// quotes. \throws Error internal when a number is not finite.
+/// quotes. \throws Error internal when a number is not finite, usage when some are people and some animals.
 [[nodiscard]] std::string measurements_to_csv(const std::vector<MeasuredBody>& bodies);
 
 } // namespace skelgen::io
