@@ -47,9 +47,13 @@ double smoothed_away(const Body<Scalar>& body, const TriangleMesh<Scalar>& mesh)
     return count > 0 && size > 0 ? std::sqrt(static_cast<double>(sum) / static_cast<double>(count)) / size : 0;
 }
 
+inline bool is_without_lone_pieces(surface::Remedy remedy) {
+    return remedy == surface::Remedy::alike_pieces || remedy == surface::Remedy::mirrored_pieces;
+}
+
 /// Do all of its pieces, or some of them, make the surface together?
 inline bool is_envelope(surface::Remedy remedy) {
-    return remedy != surface::Remedy::largest_piece && remedy != surface::Remedy::rounded;
+    return remedy == surface::Remedy::envelope || is_without_lone_pieces(remedy);
 }
 
 /// So much noise, a centimetre on a person, may have moved joints.
@@ -93,7 +97,10 @@ public:
         remedies_ = material_.remedies;
         const Scalar unit = material_.clean.similarity.scale;
         material_area_ = static_cast<double>(unit * unit * core::surface_area(material_.clean.mesh));
-        for (std::size_t i = 0; i < remedies_.size(); ++i) add({{remedies_[i]}, static_cast<int>(i)});
+        for (std::size_t i = 0; i < remedies_.size(); ++i) {
+            const bool is_later = is_envelope(remedies_[i]) && !is_envelope(remedies_.front());
+            add({{remedies_[i]}, (is_later ? steps_per_group * rungs_per_step : 0) + static_cast<int>(i)});
+        }
         int spent = 0;
         while (!leads_.empty() && !is_sure()) {
             const Lead<Scalar> lead = next();
@@ -108,9 +115,11 @@ public:
 
 private:
     /// Each try that is not sure leads to those on higher steps: all surfaces' drafts come first, then what costs more.
+    /// Where a body seems to be one piece, all that may be tried with that comes before envelopes, which take longer.
     static constexpr int for_cuts = 1, for_rest_fit_of_pieces = 5, for_whole = 10, for_less_centred = 11, for_held = 20,
-                         for_rest_fit = 25, for_as_given = 30, for_finer = 40, for_finest = 50;
+                         for_rest_fit = 25, for_as_given = 30, for_finer_after_all = 1000, for_finest = 1010;
     static constexpr int rungs_per_step = 16; ///< one for each surface
+    static constexpr int steps_per_group = 100;
 
     void add(Lead<Scalar> lead) {
         const auto place = std::upper_bound(leads_.begin(), leads_.end(), lead,
@@ -283,6 +292,8 @@ private:
         out_.timings.refine += stage.lap();
         Outcome<Candidate<Scalar>> candidate = skeleton_of(*lead.body, *curve, placed);
         last_cut_limbs_ = candidate ? candidate->evidence[Witness::cut_limbs] : 0;
+        if (candidate && is_without_lone_pieces(lead.what.surface) && lacks_part(candidate->evidence))
+            return 0; // what it lacks may be what was left out
         if (candidate) {
             candidate->evidence = with_history(candidate->evidence, lead.what, surface);
             candidate->probability = probability_right(candidate->evidence);
@@ -301,9 +312,7 @@ private:
         const double probability = candidate.probability;
         if (probability > entry.probability) {
             entry.probability = probability;
-            entry.lacks_limb = candidate.evidence[Witness::lacks_head] + candidate.evidence[Witness::lacks_limbs] +
-                                   candidate.evidence[Witness::cut_limbs] >
-                               0;
+            entry.lacks_limb = lacks_part(candidate.evidence);
         }
         Found<Scalar> found{std::move(candidate), lead.body, surface.whole, curve, lead.what, surface.noise};
         if (thoroughness_ == Thoroughness::exhaustive || out_.found.empty())
@@ -311,6 +320,10 @@ private:
         else if (probability > out_.found.front().candidate.probability)
             out_.found.front() = std::move(found);
         return probability;
+    }
+
+    static bool lacks_part(const Evidence& evidence) {
+        return evidence[Witness::lacks_head] + evidence[Witness::lacks_limbs] + evidence[Witness::cut_limbs] > 0;
     }
 
     void refuse(Tried& entry, const Failure& failure) {
@@ -336,7 +349,8 @@ private:
     void follow(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
                 const std::shared_ptr<const curve::CurveResult<Scalar>>& curve) {
         const Effort effort = lead.what.effort;
-        const auto rung = [&](int step) { return step * rungs_per_step + lead.rung % rungs_per_step; };
+        const int own_step = lead.rung / rungs_per_step % steps_per_group;
+        const auto rung = [&](int step) { return lead.rung + (step - own_step) * rungs_per_step; };
         const auto lead_to = [&](Hypothesis what, int step, std::shared_ptr<const Body<Scalar>> body) {
             add({what, rung(step), std::move(body)});
         };
@@ -344,7 +358,7 @@ private:
         if (effort == Effort::rest_fit || curve->is_point) return;
         if (wanted_.plan == BodyKind::quadruped) {
             for (const auto& [finer, up] :
-                 {std::pair(Effort::whole, for_whole), std::pair(Effort::detailed, for_finer)}) {
+                 {std::pair(Effort::whole, for_whole), std::pair(Effort::detailed, for_finer_after_all)}) {
                 what.effort = finer;
                 if (effort == Effort::draft) lead_to(what, up, lead.body);
             }
@@ -357,7 +371,7 @@ private:
         }
         if (effort == Effort::draft || effort == Effort::quick) {
             what.effort = Effort::whole;
-            lead_to(what, for_whole + lead.rung / rungs_per_step, lead.body);
+            lead_to(what, own_step + for_whole, lead.body);
         }
         follow_contacts(lead, curve);
         if (effort != Effort::whole) return;
@@ -372,7 +386,7 @@ private:
             follow_centring(lead, curve, rung(for_less_centred));
             what = lead.what;
             what.effort = Effort::finer;
-            lead_to(what, for_finer, lead.body);
+            lead_to(what, for_finer_after_all, lead.body);
             what.effort = Effort::finest;
             lead_to(what, for_finest, lead.body);
         }
