@@ -199,6 +199,7 @@ set(skelgen_core_headers
     include/skelgen/search/trust.hpp
     include/skelgen/search/trust_table.hpp
     include/skelgen/surface/body.hpp
+    include/skelgen/surface/bridges.hpp
     include/skelgen/surface/canonical_form.hpp
     include/skelgen/surface/clean.hpp
     include/skelgen/surface/contours.hpp
@@ -211,6 +212,7 @@ set(skelgen_core_headers
     include/skelgen/surface/handle_loops.hpp
     include/skelgen/surface/lattice.hpp
     include/skelgen/surface/lattice_surface.hpp
+    include/skelgen/surface/lone_pieces.hpp
     include/skelgen/surface/manifold_parts.hpp
     include/skelgen/surface/open_handles.hpp
     include/skelgen/surface/orientation.hpp
@@ -354,6 +356,7 @@ set(skelgen_core_definitions
     include/skelgen/search/impl/rest_fit.hpp
     include/skelgen/search/impl/trust.hpp
     include/skelgen/surface/impl/body.hpp
+    include/skelgen/surface/impl/bridges.hpp
     include/skelgen/surface/impl/canonical_form.hpp
     include/skelgen/surface/impl/clean.hpp
     include/skelgen/surface/impl/contours.hpp
@@ -365,6 +368,7 @@ set(skelgen_core_definitions
     include/skelgen/surface/impl/fill_holes.hpp
     include/skelgen/surface/impl/handle_loops.hpp
     include/skelgen/surface/impl/lattice_surface.hpp
+    include/skelgen/surface/impl/lone_pieces.hpp
     include/skelgen/surface/impl/manifold_parts.hpp
     include/skelgen/surface/impl/open_handles.hpp
     include/skelgen/surface/impl/orientation.hpp
