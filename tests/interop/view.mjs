@@ -327,7 +327,8 @@ const milliseconds = await large.evaluate(() => new Promise((done) => {
   let left = 40;
   const canvas = document.getElementById("canvas"), slider = document.getElementById("bend");
   const turn = () => {
-    if (left-- === 0) return done(times.sort((a, b) => a - b)[Math.floor(times.length / 4)]); // others may use the machine
+    if (left-- <= 0 && (times.length >= 8 || left < -1000)) // others may use the machine
+      return done(times.sort((a, b) => a - b)[Math.floor(times.length / 4)] ?? Infinity);
     canvas.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight", bubbles: true }));
     slider.value = String(left);
     slider.dispatchEvent(new Event("input", { bubbles: true }));
