@@ -212,7 +212,6 @@ set(skelgen_core_headers
     include/skelgen/surface/handle_loops.hpp
     include/skelgen/surface/lattice.hpp
     include/skelgen/surface/lattice_surface.hpp
-    include/skelgen/surface/lone_pieces.hpp
     include/skelgen/surface/manifold_parts.hpp
     include/skelgen/surface/open_handles.hpp
     include/skelgen/surface/orientation.hpp
@@ -224,6 +223,7 @@ set(skelgen_core_headers
     include/skelgen/surface/small_parts.hpp
     include/skelgen/surface/sound_faces.hpp
     include/skelgen/surface/triangulate_rim.hpp
+    include/skelgen/surface/unpaired_pieces.hpp
     include/skelgen/surface/vertex_clusters.hpp
     include/skelgen/surface/visibility.hpp
     include/skelgen/surface/weld.hpp
@@ -368,7 +368,6 @@ set(skelgen_core_definitions
     include/skelgen/surface/impl/fill_holes.hpp
     include/skelgen/surface/impl/handle_loops.hpp
     include/skelgen/surface/impl/lattice_surface.hpp
-    include/skelgen/surface/impl/lone_pieces.hpp
     include/skelgen/surface/impl/manifold_parts.hpp
     include/skelgen/surface/impl/open_handles.hpp
     include/skelgen/surface/impl/orientation.hpp
@@ -378,6 +377,7 @@ set(skelgen_core_definitions
     include/skelgen/surface/impl/rounded.hpp
     include/skelgen/surface/impl/sound_faces.hpp
     include/skelgen/surface/impl/triangulate_rim.hpp
+    include/skelgen/surface/impl/unpaired_pieces.hpp
     include/skelgen/surface/impl/vertex_clusters.hpp
     include/skelgen/surface/impl/visibility.hpp
     include/skelgen/surface/impl/weld.hpp

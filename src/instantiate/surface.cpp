@@ -13,7 +13,6 @@
 #include <skelgen/surface/impl/fill_holes.hpp>
 #include <skelgen/surface/impl/handle_loops.hpp>
 #include <skelgen/surface/impl/lattice_surface.hpp>
-#include <skelgen/surface/impl/lone_pieces.hpp>
 #include <skelgen/surface/impl/manifold_parts.hpp>
 #include <skelgen/surface/impl/open_handles.hpp>
 #include <skelgen/surface/impl/orientation.hpp>
@@ -23,6 +22,7 @@
 #include <skelgen/surface/impl/rounded.hpp>
 #include <skelgen/surface/impl/sound_faces.hpp>
 #include <skelgen/surface/impl/triangulate_rim.hpp>
+#include <skelgen/surface/impl/unpaired_pieces.hpp>
 #include <skelgen/surface/impl/vertex_clusters.hpp>
 #include <skelgen/surface/impl/visibility.hpp>
 #include <skelgen/surface/impl/weld.hpp>

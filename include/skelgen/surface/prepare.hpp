@@ -11,7 +11,7 @@
 #include <skelgen/surface/clean.hpp>
 #include <skelgen/surface/denoise.hpp>
 #include <skelgen/surface/envelope.hpp>
-#include <skelgen/surface/lone_pieces.hpp>
+#include <skelgen/surface/unpaired_pieces.hpp>
 #include <skelgen/surface/vertex_clusters.hpp>
 
 namespace skelgen::surface {
@@ -37,9 +37,9 @@ void require_surface(const TriangleMesh<Scalar>& mesh);
 
 /// A way to make one body of what a mesh consists of.
 enum class Remedy {
-    largest_piece,   ///< the piece with the largest area, its small holes closed, its triangles untouched
-    envelope,        ///< winding_envelope around all pieces
-    alike_pieces,    ///< winding_envelope without lone pieces (lone_pieces.hpp): what a hand holds or one side wears
+    largest_piece, ///< the piece with the largest area, its small holes closed, its triangles untouched
+    envelope,      ///< winding_envelope around all pieces
+    alike_pieces,  ///< winding_envelope without lone pieces (unpaired_pieces.hpp): what a hand holds or one side wears
     mirrored_pieces, ///< the same, of twins those alone that mirror each other
     rounded,         ///< the largest piece, rounder than its faces (surface::rounded): those of a coarse one bend bones
 };

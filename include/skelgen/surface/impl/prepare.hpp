@@ -26,10 +26,10 @@
 #include <skelgen/surface/clean.hpp>
 #include <skelgen/surface/denoise.hpp>
 #include <skelgen/surface/fill_holes.hpp>
-#include <skelgen/surface/lone_pieces.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
 #include <skelgen/surface/pieces.hpp>
 #include <skelgen/surface/rounded.hpp>
+#include <skelgen/surface/unpaired_pieces.hpp>
 #include <skelgen/surface/vertex_clusters.hpp>
 #include <skelgen/surface/weld.hpp>
 

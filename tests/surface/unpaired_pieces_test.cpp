@@ -7,9 +7,9 @@
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/surface/bridges.hpp>
-#include <skelgen/surface/lone_pieces.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
 #include <skelgen/surface/prepare.hpp>
+#include <skelgen/surface/unpaired_pieces.hpp>
 
 #include "catch.hpp"
 #include "mesh_changes.hpp"

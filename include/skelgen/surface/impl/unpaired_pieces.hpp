@@ -1,6 +1,6 @@
 #pragma once
 
-#include <skelgen/surface/lone_pieces.hpp>
+#include <skelgen/surface/unpaired_pieces.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/surface/impl/pieces.hpp>
+#include <skelgen/surface/pieces.hpp>
 
 namespace skelgen::surface {
 namespace detail {

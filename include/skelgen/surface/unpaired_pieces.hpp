@@ -29,5 +29,5 @@ template <typename Scalar>
 } // namespace skelgen::surface
 
 #ifdef SKELGEN_HEADER_ONLY
-#include <skelgen/surface/impl/lone_pieces.hpp>
+#include <skelgen/surface/impl/unpaired_pieces.hpp>
 #endif
