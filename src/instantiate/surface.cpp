@@ -66,9 +66,9 @@ namespace skelgen::surface {
                                              const LatticeShape<Scalar>&);                                             \
     template TriangleMesh<Scalar> lattice_surface(const Lattice<Scalar>&, const std::vector<LatticeNode>&,             \
                                                   const LatticeShape<Scalar>&);                                        \
-    template std::optional<PairedPieces> without_lone_pieces(const TriangleMesh<Scalar>&, Twins);                      \
+    template std::map<Twins, PairedPieces> without_lone_pieces(const TriangleMesh<Scalar>&);                           \
     template TriangleMesh<Scalar> side_by_side(const TriangleMesh<Scalar>&, const TriangleMesh<Scalar>&);              \
-    template TriangleMesh<Scalar> bridges_between(const std::vector<TriangleMesh<Scalar>>&);                           \
+    template std::vector<TriangleMesh<Scalar>> bridges_between(const std::vector<TriangleMesh<Scalar>>&);              \
     template TriangleMesh<Scalar> winding_envelope(const TriangleMesh<Scalar>&, const EnvelopeOptions&);               \
     template TriangleMesh<Scalar> smoothed(TriangleMesh<Scalar>, int, const DenoiseOptions&);                          \
     template Scalar bulge_coherence(const TriangleMesh<Scalar>&);                                                      \

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Runs every command that README.md and the manual show, in a folder that has the files they name.
 
-run_manual.py PROGRAM SOURCES: what stands in `console` blocks below `$ skelgen ...` must be printed (`...`: anything), and
-every command must end well unless a line of it is an error. Of `sh` blocks the lines that begin with skelgen are run.
-Commands of parts that the program was built without are left out.
+run_manual.py PROGRAM SOURCES ANIMAL: what stands in `console` blocks below `$ skelgen ...` must be printed (`...`: anything),
+and every command must end well unless a line of it is an error. Of `sh` blocks the lines that begin with skelgen are run.
+Commands of parts that the program was built without are left out. ANIMAL is a mesh of one with four legs.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ def shell(place: Path, line: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(["bash", "-c", line], cwd=place, capture_output=True, text=True, timeout=600)
 
 
-def prepare(place: Path, program: Path, root: Path) -> None:
-    """The files that the pages' commands take, made of the sample body."""
+def prepare(place: Path, program: Path, root: Path, animal: Path) -> None:
+    """The files that the pages' commands take, made of the sample body and the animal."""
     sample = root / "data/sample"
     (place / "data").mkdir()
     shutil.copytree(sample, place / "data/sample")
@@ -44,6 +44,8 @@ def prepare(place: Path, program: Path, root: Path) -> None:
         done = shell(place, line)
         if done.returncode:
             sys.exit(f"{line}: {done.stderr}")
+    for name in ("fox.off", "running_fox.off"):
+        shutil.copy(animal, place / name)
     for name in ("runner.off", "sitter.off", "dragon.glb"):  # where there is no synth
         source = "body.glb" if name.endswith("glb") else "body.off"
         shutil.copy(place / source, place / name)
@@ -111,7 +113,7 @@ RUN: list[str] = []
 
 
 def main() -> int:
-    program, root = (Path(argument).resolve() for argument in sys.argv[1:3])
+    program, root, animal = (Path(argument).resolve() for argument in sys.argv[1:])
     help_text = subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
     parts = set(
         re.findall(
@@ -122,7 +124,7 @@ def main() -> int:
     left_out: list[str] = []
     faults: list[str] = []
     with tempfile.TemporaryDirectory() as prepared, ThreadPoolExecutor(os.cpu_count()) as pool:
-        prepare(Path(prepared), program, root)
+        prepare(Path(prepared), program, root, animal)
         for found in pool.map(lambda page: check(page, Path(prepared), program, root, parts, left_out), pages):
             faults += found
     shown = {page.stem for page in (root / "docs/commands").glob("*.md")}

@@ -49,17 +49,18 @@ TEST_CASE("what one hand holds is left out, what has a twin and what lies in the
                                  moved_by(sphere(0.15, 2), Vec3(0, -0.6, 0.5))};
     const Mesh whole = joined(body);
     const Mesh shield = moved_by(sphere(0.2, 2), Vec3(0.75, 0.1, 0.3));
-    const Twins twins = GENERATE(Twins::alike, Twins::mirrored);
-    CHECK_FALSE(without_lone_pieces(whole, twins));
+    CHECK(without_lone_pieces(whole).empty());
     const Mesh armed = side_by_side(whole, shield);
     const double turn = GENERATE(0.0, 1.1);
     const Mesh given = moved(
         armed, {Eigen::AngleAxisd(turn, Vec3(1, 2, -1).normalized()).toRotationMatrix(), 1, Vec3(turn, -3 * turn, 0)});
-    const auto kept = without_lone_pieces(given, twins);
-    REQUIRE(kept);
-    CHECK(kept->faces == whole.faces);
-    CHECK(kept->dropped == 1);
-    CHECK(kept->left_out == Approx(core::surface_area(shield) / core::surface_area(armed)).epsilon(1e-9));
+    const auto found = without_lone_pieces(given);
+    REQUIRE(found.size() == 1); // mirrored ones leave out no more
+    REQUIRE(found.begin()->first == Twins::alike);
+    const PairedPieces& kept = found.begin()->second;
+    CHECK(kept.faces == whole.faces);
+    CHECK(kept.dropped == 1);
+    CHECK(kept.left_out == Approx(core::surface_area(shield) / core::surface_area(armed)).epsilon(1e-9));
 }
 
 TEST_CASE("twins that do not mirror each other stay as alike, and not as mirrored ones") {
@@ -68,22 +69,23 @@ TEST_CASE("twins that do not mirror each other stay as alike, and not as mirrore
         side_by_side(moved_by(sphere(0.08, 2), Vec3(-0.2, -0.3, 0.9)), moved_by(sphere(0.08, 2), Vec3(0.2, -0.3, 0.9)));
     pieces.push_back(eyes);
     const Mesh whole = joined(pieces);
-    CHECK_FALSE(without_lone_pieces(whole, Twins::alike));
-    const auto mirrored = without_lone_pieces(whole, Twins::mirrored);
-    REQUIRE(mirrored);
-    CHECK(mirrored->dropped == 2);
+    const auto found = without_lone_pieces(whole);
+    REQUIRE(found.size() == 1);
+    CHECK(found.begin()->first == Twins::mirrored);
+    CHECK(found.begin()->second.dropped == 2);
 }
 
 TEST_CASE("one piece alone, or pieces of which no two are alike, have no twins") {
-    CHECK_FALSE(without_lone_pieces(trunk(), Twins::alike));
-    CHECK_FALSE(without_lone_pieces(side_by_side(trunk(), limb()), Twins::alike));
-    CHECK_FALSE(without_lone_pieces(Mesh{}, Twins::alike));
+    CHECK(without_lone_pieces(trunk()).empty());
+    CHECK(without_lone_pieces(side_by_side(trunk(), limb())).empty());
+    CHECK(without_lone_pieces(Mesh{}).empty());
 }
 
 TEST_CASE("a bridge joins parts that do not touch, where the gap is narrowest") {
     const std::vector<Mesh> parts{trunk(), moved_by(limb(), Vec3(0, 0, 1.02))}; // 0.02 above it
-    const Mesh bridge = bridges_between(parts);
-    REQUIRE(bridge.faces.rows() > 0);
+    const std::vector<Mesh> bridges = bridges_between(parts);
+    REQUIRE(bridges.size() == 1);
+    const Mesh& bridge = bridges.front();
     CHECK(is_closed(bridge.faces));
     CHECK(enclosed_volume(bridge) > 0);
     CHECK(bridge.vertices.leftCols(2).rowwise().norm().maxCoeff() < 0.1); // within the limb
@@ -97,8 +99,8 @@ TEST_CASE("a bridge joins parts that do not touch, where the gap is narrowest") 
 }
 
 TEST_CASE("parts far apart, and crumbs, stay apart") {
-    CHECK(bridges_between<double>({}).faces.rows() == 0);
-    CHECK(bridges_between<double>({trunk()}).faces.rows() == 0);
-    CHECK(bridges_between<double>({trunk(), moved_by(limb(), Vec3(0, 0, 1.8))}).faces.rows() == 0);
-    CHECK(bridges_between<double>({trunk(), moved_by(sphere(0.05, 2), Vec3(0, 0, 1))}).faces.rows() == 0);
+    CHECK(bridges_between<double>({}).empty());
+    CHECK(bridges_between<double>({trunk()}).empty());
+    CHECK(bridges_between<double>({trunk(), moved_by(limb(), Vec3(0, 0, 1.8))}).empty());
+    CHECK(bridges_between<double>({trunk(), moved_by(sphere(0.05, 2), Vec3(0, 0, 1))}).empty());
 }

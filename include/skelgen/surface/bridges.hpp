@@ -10,10 +10,10 @@ namespace skelgen::surface {
 /// The parts are taken into one from the largest on, always that with the narrowest gap, by a prism between the middles
 /// of the two sides where the gap is about as narrow as that, half as wide as the slighter part is thick. Parts of less
 /// than a hundredth of the largest one's volume, and gaps wider than a part is thick, stay. \returns the prisms, as
-/// closed surfaces that look outwards and reach into both parts; without faces where nothing is to be joined. Any unit.
+/// closed surfaces that look outwards and reach into both parts; none where nothing is to be joined. Any unit.
 /// O(k^2 n log n) for the k <= 24 largest parts.
 template <typename Scalar>
-[[nodiscard]] TriangleMesh<Scalar> bridges_between(const std::vector<TriangleMesh<Scalar>>& parts);
+[[nodiscard]] std::vector<TriangleMesh<Scalar>> bridges_between(const std::vector<TriangleMesh<Scalar>>& parts);
 
 } // namespace skelgen::surface
 

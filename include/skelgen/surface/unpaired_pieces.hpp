@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <map>
 
 #include <skelgen/core/mesh.hpp>
 
@@ -20,11 +20,12 @@ struct PairedPieces {
 };
 
 /// Leaves out the pieces that have no twin and lie beside the body's middle: swords, shields, bags, a plume. Limbs come
-/// in twins; head, trunk, hair and skirts lie in the middle, that is the plane which mirrors most of the area of pieces
-/// that have a twin, or passes through their centres. \returns none where no two pieces are alike, where nothing is
-/// left out that would count, or more than half. O(n log n + k^4) for the k <= 40 largest pieces.
+/// in twins; head, trunk, hair and skirts lie in the middle. That is the plane which mirrors pieces onto their twins,
+/// or goes through pieces, with the largest area of such pieces together. \returns what is left by each kind of twins:
+/// nothing for a kind by which no two pieces are alike, less than 0.5 % of the area is left out, or more than half, and
+/// for mirrored ones where the alike ones say the same. O(n log n + k^4) for the k <= 40 largest pieces.
 template <typename Scalar>
-[[nodiscard]] std::optional<PairedPieces> without_lone_pieces(const TriangleMesh<Scalar>& mesh, Twins twins);
+[[nodiscard]] std::map<Twins, PairedPieces> without_lone_pieces(const TriangleMesh<Scalar>& mesh);
 
 } // namespace skelgen::surface
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -69,11 +70,20 @@ struct PreparedSurface {
     double left_out = 0; ///< share of the input's area
 };
 
+/// When a hypothesis is tried: those of lesser rungs promise more for their time.
+struct Rung {
+    int round = 0; ///< 0 where a body seems to be one piece, 1 for envelopes then, which take longer; 2 more if finer
+    int step = 0;  ///< 0 for the drafts of all surfaces
+    int surface = 0;
+
+    friend auto operator<=>(const Rung&, const Rung&) = default;
+};
+
 /// A hypothesis that waits to be tried, with what is known of it from the one that led to it.
 template <typename Scalar>
 struct Lead {
     Hypothesis what;
-    int rung = 0;                                                 ///< lower ones promise more
+    Rung rung;
     std::shared_ptr<const Body<Scalar>> body = {};                ///< none: the surface as the hypothesis has it
     std::shared_ptr<const curve::CurveResult<Scalar>> curve = {}; ///< none: to be found
     int most_contacts = std::numeric_limits<int>::max();          ///< a cut that leaves as many has opened nothing
@@ -99,7 +109,7 @@ public:
         material_area_ = static_cast<double>(unit * unit * core::surface_area(material_.clean.mesh));
         for (std::size_t i = 0; i < remedies_.size(); ++i) {
             const bool is_later = is_envelope(remedies_[i]) && !is_envelope(remedies_.front());
-            add({{remedies_[i]}, (is_later ? steps_per_group * rungs_per_step : 0) + static_cast<int>(i)});
+            add({{remedies_[i]}, {is_later ? 1 : 0, 0, static_cast<int>(i)}});
         }
         int spent = 0;
         while (!leads_.empty() && !is_sure()) {
@@ -114,12 +124,9 @@ public:
     }
 
 private:
-    /// Each try that is not sure leads to those on higher steps: all surfaces' drafts come first, then what costs more.
-    /// Where a body seems to be one piece, all that may be tried with that comes before envelopes, which take longer.
+    /// Each try that is not sure leads to those on higher steps: what costs more comes later.
     static constexpr int for_cuts = 1, for_rest_fit_of_pieces = 5, for_whole = 10, for_less_centred = 11, for_held = 20,
-                         for_rest_fit = 25, for_as_given = 30, for_finer_after_all = 1000, for_finest = 1010;
-    static constexpr int rungs_per_step = 16; ///< one for each surface
-    static constexpr int steps_per_group = 100;
+                         for_rest_fit = 25, for_as_given = 30;
 
     void add(Lead<Scalar> lead) {
         const auto place = std::upper_bound(leads_.begin(), leads_.end(), lead,
@@ -349,18 +356,15 @@ private:
     void follow(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
                 const std::shared_ptr<const curve::CurveResult<Scalar>>& curve) {
         const Effort effort = lead.what.effort;
-        const int own_step = lead.rung / rungs_per_step % steps_per_group;
-        const auto rung = [&](int step) { return lead.rung + (step - own_step) * rungs_per_step; };
-        const auto lead_to = [&](Hypothesis what, int step, std::shared_ptr<const Body<Scalar>> body) {
-            add({what, rung(step), std::move(body)});
-        };
+        const auto rung = [&](int step) { return Rung{lead.rung.round, step, lead.rung.surface}; };
+        const Rung finer{lead.rung.round + 2, 0, lead.rung.surface};
         Hypothesis what = lead.what;
         if (effort == Effort::rest_fit || curve->is_point) return;
         if (wanted_.plan == BodyKind::quadruped) {
-            for (const auto& [finer, up] :
-                 {std::pair(Effort::whole, for_whole), std::pair(Effort::detailed, for_finer_after_all)}) {
-                what.effort = finer;
-                if (effort == Effort::draft) lead_to(what, up, lead.body);
+            for (const auto& [next, when] :
+                 {std::pair(Effort::whole, rung(for_whole)), std::pair(Effort::detailed, finer)}) {
+                what.effort = next;
+                if (effort == Effort::draft) add({what, when, lead.body});
             }
             return;
         }
@@ -371,7 +375,7 @@ private:
         }
         if (effort == Effort::draft || effort == Effort::quick) {
             what.effort = Effort::whole;
-            lead_to(what, own_step + for_whole, lead.body);
+            add({what, rung(lead.rung.step + for_whole), lead.body});
         }
         follow_contacts(lead, curve);
         if (effort != Effort::whole) return;
@@ -381,14 +385,14 @@ private:
                 what = lead.what;
                 what.effort = Effort::draft;
                 what.opening = Opening::as_given;
-                lead_to(what, for_as_given, nullptr);
+                add({what, rung(for_as_given), nullptr});
             }
             follow_centring(lead, curve, rung(for_less_centred));
             what = lead.what;
             what.effort = Effort::finer;
-            lead_to(what, for_finer_after_all, lead.body);
+            add({what, finer, lead.body});
             what.effort = Effort::finest;
-            lead_to(what, for_finest, lead.body);
+            add({what, {finer.round, 1, finer.surface}, lead.body});
         }
     }
 
@@ -404,14 +408,15 @@ private:
         Hypothesis what = lead.what;
         ++what.cuts;
         if (what.effort == Effort::draft) what.effort = Effort::quick;
+        Rung rung = lead.rung;
+        rung.step += for_cuts;
         for (Body<Scalar>& cut : cut_at_contacts(*lead.body, with_regions->curve, wanted_, options_.matching))
-            add({what, lead.rung + for_cuts * rungs_per_step, std::make_shared<const Body<Scalar>>(std::move(cut)),
-                 nullptr, contacts});
+            add({what, rung, std::make_shared<const Body<Scalar>>(std::move(cut)), nullptr, contacts});
         out_.timings.curve += stage.lap();
     }
 
     void follow_held(const Lead<Scalar>& lead, const std::shared_ptr<const curve::CurveResult<Scalar>>& curve,
-                     int rung) {
+                     Rung rung) {
         Hypothesis what = lead.what;
         what.held = Held::all;
         for (Body<Scalar>& bare : without_held_things(*lead.body, curve->curve, wanted_, options_.matching)) {
@@ -423,7 +428,7 @@ private:
     /// Where stout arms hang beside the trunk their own sections are few, and centring may draw their junctions down
     /// the trunk: the curve is left as it was after few rounds of that.
     void follow_centring(const Lead<Scalar>& lead, const std::shared_ptr<const curve::CurveResult<Scalar>>& curve,
-                         int rung) {
+                         Rung rung) {
         constexpr int few = 3; // one coarse round, and two of those that join branches
         if (!curve->contracted || options_.curve.centring.rounds <= few || core::cycle_count(curve->curve) > 0) return;
         const auto fitting = embedding::fitting_proportions(curve->curve, wanted_, options_.matching);

@@ -21,13 +21,12 @@ namespace detail {
 
 /// One of a body's closed parts, and what finds its vertices.
 template <typename Scalar>
-class BridgedPart {
-public:
+struct BridgedPart {
     using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Points<Scalar>, 3, nanoflann::metric_L2_Simple>;
 
     explicit BridgedPart(const TriangleMesh<Scalar>& mesh)
-        : vertices_(&mesh.vertices), tree_(std::make_unique<Tree>(3, mesh.vertices)),
-          volume(core::enclosed_volume(mesh)), thickness(6 * volume / core::surface_area(mesh)) {}
+        : vertices(&mesh.vertices), tree(std::make_unique<Tree>(3, mesh.vertices)), volume(core::enclosed_volume(mesh)),
+          thickness(6 * volume / core::surface_area(mesh)) {}
 
     /// The vertex nearest to a place, and how far it is.
     [[nodiscard]] std::pair<Vector3<Scalar>, Scalar> nearest(const Vector3<Scalar>& place) const {
@@ -35,17 +34,13 @@ public:
         Scalar squared = 0;
         nanoflann::KNNResultSet<Scalar, Eigen::Index> result(1);
         result.init(&index, &squared);
-        tree_->index->findNeighbors(result, place.data(), nanoflann::SearchParams());
-        return {core::point(*vertices_, index), std::sqrt(squared)};
+        tree->index->findNeighbors(result, place.data(), nanoflann::SearchParams());
+        return {core::point(*vertices, index), std::sqrt(squared)};
     }
-    [[nodiscard]] const Points<Scalar>& vertices() const { return *vertices_; }
 
-private:
-    const Points<Scalar>* vertices_;
-    std::unique_ptr<Tree> tree_;
-
-public:
-    Scalar volume, thickness; ///< of a ball with as much volume for its area: its diameter
+    const Points<Scalar>* vertices;
+    std::unique_ptr<Tree> tree;
+    Scalar volume, thickness; ///< the diameter of a ball with as much volume for its area
 };
 
 /// Where two parts lie nearest: the middles of the two sides.
@@ -61,17 +56,17 @@ Gap<Scalar> gap_between(const BridgedPart<Scalar>& one, const BridgedPart<Scalar
     std::vector<std::pair<Vector3<Scalar>, Scalar>> found;
     Gap<Scalar> out;
     out.width = std::numeric_limits<Scalar>::infinity();
-    for (Eigen::Index v = 0; v < one.vertices().rows(); ++v) {
-        found.push_back(other.nearest(core::point(one.vertices(), v)));
+    for (Eigen::Index v = 0; v < one.vertices->rows(); ++v) {
+        found.push_back(other.nearest(core::point(*one.vertices, v)));
         out.width = std::min(out.width, found.back().second);
     }
     const Scalar most = out.width + as_narrow * std::min(one.thickness, other.thickness);
     Scalar count = 0;
     out.from = out.to = Vector3<Scalar>::Zero();
-    for (Eigen::Index v = 0; v < one.vertices().rows(); ++v) {
+    for (Eigen::Index v = 0; v < one.vertices->rows(); ++v) {
         const auto& [place, distance] = found[static_cast<std::size_t>(v)];
         if (distance > most) continue;
-        out.from += core::point(one.vertices(), v);
+        out.from += core::point(*one.vertices, v);
         out.to += place;
         ++count;
     }
@@ -111,7 +106,7 @@ TriangleMesh<Scalar> prism(const Vector3<Scalar>& from, const Vector3<Scalar>& t
 } // namespace detail
 
 template <typename Scalar>
-TriangleMesh<Scalar> bridges_between(const std::vector<TriangleMesh<Scalar>>& meshes) {
+std::vector<TriangleMesh<Scalar>> bridges_between(const std::vector<TriangleMesh<Scalar>>& meshes) {
     constexpr std::size_t most_parts = 24;
     constexpr Scalar least_volume = Scalar(0.01);                     // of the largest part's
     constexpr Scalar widest = Scalar(1), half_as_wide = Scalar(0.25); // of the slighter part's thickness
@@ -123,7 +118,7 @@ TriangleMesh<Scalar> bridges_between(const std::vector<TriangleMesh<Scalar>>& me
     while (parts.size() > 1 && parts.back().volume < least_volume * parts.front().volume) parts.pop_back();
 
     // Prim's minimum spanning tree.
-    TriangleMesh<Scalar> out;
+    std::vector<TriangleMesh<Scalar>> out;
     struct Way {
         detail::Gap<Scalar> gap;
         Scalar thickness = 0;
@@ -143,7 +138,7 @@ TriangleMesh<Scalar> bridges_between(const std::vector<TriangleMesh<Scalar>>& me
         }
         const Way& way = *ways[*next];
         if (way.gap.width <= widest * way.thickness)
-            out = side_by_side(out, detail::prism(way.gap.from, way.gap.to, half_as_wide * way.thickness));
+            out.push_back(detail::prism(way.gap.from, way.gap.to, half_as_wide * way.thickness));
         last = *next;
     }
     return out;

@@ -349,9 +349,12 @@ Outcome<Body<Scalar>> body_of_envelope(const BodyMaterial<Scalar>& material, con
     // In canonical form first: the lattice then lies along the body's axes, however the input was turned.
     const CanonicalMesh<Scalar> whole = canonical_form(used_part(material.clean.mesh).mesh);
     std::vector<TriangleMesh<Scalar>> parts = closed_parts(winding_envelope(whole.mesh, options.envelope));
-    const TriangleMesh<Scalar> bridges = bridges_between(parts);
-    if (bridges.faces.rows() > 0)
-        parts = closed_parts(winding_envelope(side_by_side(whole.mesh, bridges), options.envelope));
+    const std::vector<TriangleMesh<Scalar>> bridges = bridges_between(parts);
+    if (!bridges.empty()) {
+        TriangleMesh<Scalar> joined = whole.mesh;
+        for (const TriangleMesh<Scalar>& bridge : bridges) joined = side_by_side(joined, bridge);
+        parts = closed_parts(winding_envelope(joined, options.envelope));
+    }
     LargestEnvelope<Scalar> largest = largest_of(std::move(parts));
     TriangleMesh<Scalar>& envelope = largest.mesh;
     if (largest.as_large > 0)
@@ -386,25 +389,12 @@ void keep_faces(CleanMesh<Scalar>& clean, Triangles faces) {
 /// The remedies that leave out what a body holds or wears on one side, where that is pieces of their own.
 template <typename Scalar>
 void add_paired_pieces(BodyMaterial<Scalar>& material) {
-    std::vector<Remedy> found;
-    for (const auto& [remedy, twins] :
-         {std::pair(Remedy::alike_pieces, Twins::alike), std::pair(Remedy::mirrored_pieces, Twins::mirrored)}) {
-        std::optional<PairedPieces> pieces = without_lone_pieces(material.clean.mesh, twins);
-        const bool is_new = pieces && (found.empty() || material.paired[found.front()].dropped != pieces->dropped);
-        if (!is_new) continue;
-        material.paired.emplace(remedy, *std::move(pieces));
-        found.push_back(remedy);
+    auto place = material.remedies.begin() + 1;
+    for (auto& [twins, pieces] : without_lone_pieces(material.clean.mesh)) {
+        const Remedy remedy = twins == Twins::alike ? Remedy::alike_pieces : Remedy::mirrored_pieces;
+        material.paired.emplace(remedy, std::move(pieces));
+        place = material.remedies.insert(place, remedy) + 1;
     }
-    material.remedies.insert(material.remedies.begin() + 1, found.begin(), found.end());
-}
-
-/// An envelope of the pieces that a remedy keeps.
-template <typename Scalar>
-Outcome<Body<Scalar>> body_of_pieces(BodyMaterial<Scalar> material, PairedPieces pieces,
-                                     const PrepareOptions& options) {
-    keep_faces(material.clean, std::move(pieces.faces));
-    material.dropped_pieces += pieces.dropped;
-    return body_of_envelope(material, options);
 }
 
 /// The body of a mesh that is too fine in fewer faces, if `is_sound` then says that it is sound and it has no noise.
@@ -481,12 +471,14 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
 template <typename Scalar>
 Outcome<Body<Scalar>> make_body_by(Remedy remedy, BodyMaterial<Scalar> material, const PrepareOptions& options) {
     const Similarity<Scalar> cleaned = material.clean.similarity;
-    const auto paired = material.paired.find(remedy);
-    Outcome<Body<Scalar>> body =
-        paired != material.paired.end()   ? detail::body_of_pieces(material, paired->second, options)
-        : remedy == Remedy::largest_piece ? detail::body_of_largest_piece(std::move(material), options)
-        : remedy == Remedy::rounded       ? detail::body_of_rounded_piece(material, options)
-                                          : detail::body_of_envelope(material, options);
+    if (const auto paired = material.paired.find(remedy); paired != material.paired.end()) {
+        detail::keep_faces(material.clean, std::move(paired->second.faces));
+        material.dropped_pieces += paired->second.dropped;
+    }
+    Outcome<Body<Scalar>> body = remedy == Remedy::largest_piece
+                                     ? detail::body_of_largest_piece(std::move(material), options)
+                                 : remedy == Remedy::rounded ? detail::body_of_rounded_piece(material, options)
+                                                             : detail::body_of_envelope(material, options);
     if (body) body->similarity = cleaned.then(body->similarity);
     return body;
 }

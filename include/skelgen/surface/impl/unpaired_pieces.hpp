@@ -3,29 +3,18 @@
 #include <skelgen/surface/unpaired_pieces.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/surface/pieces.hpp>
 
 namespace skelgen::surface {
 namespace detail {
-
-/// A plane through the middle of a body: points p with normal . p = offset.
-template <typename Scalar>
-struct MiddlePlane {
-    Vector3<Scalar> normal = Vector3<Scalar>::UnitX();
-    Scalar offset = 0;
-
-    [[nodiscard]] Scalar distance(const Vector3<Scalar>& place) const { return normal.dot(place) - offset; }
-    [[nodiscard]] Vector3<Scalar> mirrored(const Vector3<Scalar>& place) const {
-        return place - 2 * distance(place) * normal;
-    }
-};
 
 /// Where the area of a piece has its centre.
 template <typename Scalar>
@@ -38,15 +27,38 @@ Vector3<Scalar> centre_of(const TriangleMesh<Scalar>& mesh, const FaceSet<Scalar
     return (sum / (3 * std::max(piece.area, std::numeric_limits<core::Accumulator>::min()))).template cast<Scalar>();
 }
 
+/// The pieces that pass a question.
+template <typename Scalar, typename IsKept>
+PairedPieces kept_pieces(const TriangleMesh<Scalar>& mesh, const std::vector<FaceSet<Scalar>>& pieces,
+                         const IsKept& is_kept) {
+    PairedPieces out;
+    core::Accumulator area = 0, dropped = 0;
+    std::vector<int> kept;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        area += pieces[i].area;
+        if (is_kept(i)) {
+            kept.insert(kept.end(), pieces[i].faces.begin(), pieces[i].faces.end());
+            continue;
+        }
+        ++out.dropped;
+        dropped += pieces[i].area;
+    }
+    out.left_out = area > 0 ? static_cast<double>(dropped / area) : 0;
+    std::sort(kept.begin(), kept.end());
+    out.faces = mesh.faces(kept, Eigen::all);
+    return out;
+}
+
 } // namespace detail
 
 template <typename Scalar>
-std::optional<PairedPieces> without_lone_pieces(const TriangleMesh<Scalar>& mesh, Twins twins) {
+std::map<Twins, PairedPieces> without_lone_pieces(const TriangleMesh<Scalar>& mesh) {
     constexpr std::size_t most_pieces = 40;
     constexpr double least_area = 0.002, alike = 0.05; // of all, of the piece
     constexpr Scalar apart = Scalar(0.05), same_place = Scalar(0.03), through = Scalar(0.02),
                      beside = Scalar(0.06);                       // of the extent
     constexpr double least_left_out = 0.005, most_left_out = 0.5; // of the area
+    using Plane = Eigen::Hyperplane<Scalar, 3>;
     const std::vector<detail::FaceSet<Scalar>> pieces = detail::connected_sets(mesh);
     core::Accumulator area = 0;
     Eigen::AlignedBox<Scalar, 3> box;
@@ -67,44 +79,39 @@ std::optional<PairedPieces> without_lone_pieces(const TriangleMesh<Scalar>& mesh
                 pieces[a].area - pieces[b].area < alike * pieces[a].area &&
                 (centres[a] - centres[b]).norm() > apart * extent)
                 pairs.emplace_back(a, b);
-    const auto are_mirrored = [&](const auto& pair, const detail::MiddlePlane<Scalar>& plane) {
-        return (plane.mirrored(centres[pair.first]) - centres[pair.second]).norm() < same_place * extent;
+    const auto are_mirrored = [&](const auto& pair, const Plane& plane) {
+        const Vector3<Scalar>& one = centres[pair.first];
+        const Vector3<Scalar> mirrored = one - 2 * plane.signedDistance(one) * plane.normal();
+        return (mirrored - centres[pair.second]).norm() < same_place * extent;
     };
-    detail::MiddlePlane<Scalar> middle;
+    Plane middle;
     core::Accumulator most = 0;
     for (const auto& [a, b] : pairs) {
-        detail::MiddlePlane<Scalar> plane{(centres[a] - centres[b]).normalized()};
-        plane.offset = plane.normal.dot(centres[a] + centres[b]) / 2;
+        const Plane plane(Vector3<Scalar>((centres[a] - centres[b]).normalized()),
+                          Vector3<Scalar>((centres[a] + centres[b]) / 2));
         core::Accumulator support = 0;
         for (const auto& pair : pairs)
             if (are_mirrored(pair, plane)) support += pieces[pair.first].area + pieces[pair.second].area;
         for (std::size_t i = 0; i < large; ++i)
-            if (std::abs(plane.distance(centres[i])) < through * extent) support += pieces[i].area;
+            if (plane.absDistance(centres[i]) < through * extent) support += pieces[i].area;
         if (support <= most) continue;
         most = support;
         middle = plane;
     }
-    if (pairs.empty()) return std::nullopt;
 
-    std::vector<bool> is_paired(pieces.size(), false);
-    for (const auto& pair : pairs)
-        if (twins == Twins::alike || are_mirrored(pair, middle)) is_paired[pair.first] = is_paired[pair.second] = true;
-    PairedPieces out;
-    core::Accumulator dropped = 0;
-    std::vector<int> kept;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        if (is_paired[i] || std::abs(middle.distance(centres[i])) <= beside * extent) {
-            kept.insert(kept.end(), pieces[i].faces.begin(), pieces[i].faces.end());
-            continue;
-        }
-        ++out.dropped;
-        dropped += pieces[i].area;
+    std::map<Twins, PairedPieces> out;
+    if (pairs.empty()) return out;
+    for (const Twins twins : {Twins::alike, Twins::mirrored}) {
+        std::vector<bool> is_kept(pieces.size(), false);
+        for (const auto& pair : pairs)
+            if (twins == Twins::alike || are_mirrored(pair, middle)) is_kept[pair.first] = is_kept[pair.second] = true;
+        PairedPieces kept = detail::kept_pieces(mesh, pieces, [&](std::size_t i) {
+            return is_kept[i] || middle.absDistance(centres[i]) <= beside * extent;
+        });
+        const bool is_known = !out.empty() && out.begin()->second.dropped == kept.dropped; // the latter's are no fewer
+        if (!is_known && kept.left_out >= least_left_out && kept.left_out <= most_left_out)
+            out.emplace(twins, std::move(kept));
     }
-    out.left_out = static_cast<double>(dropped / area);
-    if (out.left_out < least_left_out || out.left_out > most_left_out) return std::nullopt;
-    std::sort(kept.begin(), kept.end());
-    out.faces.resize(static_cast<Eigen::Index>(kept.size()), 3);
-    for (std::size_t i = 0; i < kept.size(); ++i) out.faces.row(static_cast<Eigen::Index>(i)) = mesh.faces.row(kept[i]);
     return out;
 }
 
