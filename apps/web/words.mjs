@@ -52,8 +52,8 @@ const surfaces = {
   alike_pieces: "an envelope without lone pieces", mirrored_pieces: "an envelope of mirrored pieces",
 };
 const curves = {
-  draft: "a quick curve", quick: "a centred curve", whole: "a whole curve", finer: "a finer curve", finest: "the finest curve",
-  less_centred: "a curve centred less", rest_fit: "a body at rest laid in",
+  draft: "a quick curve", quick: "a centred curve", whole: "a whole curve", finer: "a finer curve",
+  rest_fit: "a body at rest laid in",
 };
 const outcomes = {
   found: "a skeleton", too_few_ends: "too few limbs", too_many_ends: "too many ends", curve_in_pieces: "a curve in pieces",

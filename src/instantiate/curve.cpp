@@ -74,7 +74,6 @@ namespace skelgen::curve {
                                                  const LeafExtensionOptions&);                                         \
     template CurveSkeleton<Scalar> prune(const CurveSkeleton<Scalar>&, const PruningOptions&);                         \
     template CurveResult<Scalar> find_curve(const Body<Scalar>&, const CurveOptions&);                                 \
-    template CurveResult<Scalar> recentred(CurveResult<Scalar>, const Body<Scalar>&, int);                             \
     template CurveResult<Scalar> finished(CurveResult<Scalar>, const Body<Scalar>&);
 
 SKELGEN_INSTANTIATE(SKELGEN_SCALAR)

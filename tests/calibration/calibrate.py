@@ -348,8 +348,7 @@ def ablate(meshes, witnesses, penalty):
     kinds = {
         "bodies at rest": lambda row: row["hypothesis"][4] != "rest_fit",
         "whole curves": lambda row: row["hypothesis"][4] in ("draft", "quick", "rest_fit"),
-        "finer curves": lambda row: row["hypothesis"][4] not in ("finer", "finest"),
-        "few rounds of centring": lambda row: row["hypothesis"][4] != "less_centred",
+        "finer curves": lambda row: row["hypothesis"][4] != "finer",
         "cuts at contacts": lambda row: row["hypothesis"][2] == 0,
         "things held": lambda row: row["hypothesis"][3] == "nothing",
         "surfaces as given": lambda row: row["hypothesis"][1] != "as_given",

@@ -115,17 +115,6 @@ TEST_CASE("a curve says when its contraction has not come to its end", "[slow]")
     CHECK(found.iterations == 1);
 }
 
-TEST_CASE("a curve centred anew is the one that is found with so many rounds") {
-    const Body<double> body = unit_body(torus(1, 0.25));
-    CurveOptions few;
-    few.centring.rounds = 2;
-    const CurveSkeleton<double> wanted = find_curve(body, few).curve;
-    const CurveSkeleton<double> anew = recentred(find_curve(body), body, few.centring.rounds).curve;
-    CHECK(anew.nodes == wanted.nodes);
-    CHECK(anew.edges == wanted.edges);
-    CHECK(anew.regions == wanted.regions);
-}
-
 TEST_CASE("a draft has the ends, junctions and loops of the curve, near their places, and made whole is that curve") {
     CurveOptions roughly;
     roughly.is_draft = true;

@@ -12,8 +12,8 @@ using namespace skelgen::search;
 
 namespace {
 
-constexpr std::array efforts{Effort::draft,  Effort::quick,        Effort::whole,    Effort::finer,
-                             Effort::finest, Effort::less_centred, Effort::detailed, Effort::rest_fit};
+constexpr std::array efforts{Effort::draft, Effort::quick,    Effort::whole,
+                             Effort::finer, Effort::detailed, Effort::rest_fit};
 
 /// How many different spellings these values have, empty ones not counted.
 template <typename Values>
@@ -46,29 +46,25 @@ TEST_CASE("a quick curve has a draft's proxy and is centred") {
     CHECK(quick.contraction.medial_weight == draft.contraction.medial_weight);
 }
 
-TEST_CASE("a whole curve is as the options have it, also one that is centred less") {
+TEST_CASE("a whole curve is as the options have it") {
     curve::CurveOptions options;
     options.proxy.vertices = 2222;
     options.contraction.medial_weight *= 2;
     options.is_draft = true; // a draft that nobody asked for
-    for (const Effort effort : {Effort::whole, Effort::less_centred}) {
-        const curve::CurveOptions whole = curve_options(effort, options);
-        CHECK(whole.proxy.vertices == 2222);
-        CHECK(whole.contraction.medial_weight == options.contraction.medial_weight);
-        CHECK(whole.centring.rounds == options.centring.rounds);
-        CHECK_FALSE(whole.is_draft);
-    }
+    const curve::CurveOptions whole = curve_options(Effort::whole, options);
+    CHECK(whole.proxy.vertices == 2222);
+    CHECK(whole.contraction.medial_weight == options.contraction.medial_weight);
+    CHECK(whole.centring.rounds == options.centring.rounds);
+    CHECK_FALSE(whole.is_draft);
 }
 
-TEST_CASE("finer curves have proxies half as fine again each, as far as proxies go") {
+TEST_CASE("finer curves have proxies half as fine again, as far as proxies go") {
     curve::CurveOptions options;
     options.proxy.vertices = 2000;
     CHECK(curve_options(Effort::finer, options).proxy.vertices == 3000);
-    CHECK(curve_options(Effort::finest, options).proxy.vertices == 4500);
     options.proxy.vertices = curve::most_proxy_vertices - 1;
     CHECK(curve_options(Effort::finer, options).proxy.vertices == curve::most_proxy_vertices);
-    CHECK(curve_options(Effort::finest, options).proxy.vertices == curve::most_proxy_vertices);
-    CHECK(curve_options(Effort::finest, options).contraction.medial_weight == options.contraction.medial_weight);
+    CHECK(curve_options(Effort::finer, options).contraction.medial_weight == options.contraction.medial_weight);
 }
 
 TEST_CASE("whatever is allowed to be wanted, every effort's options are allowed, too") {
@@ -93,7 +89,6 @@ TEST_CASE("a curve costs a draft or more, and the more the finer it is") {
     CHECK(cost_of(Effort::draft) < cost_of(Effort::quick));
     CHECK(cost_of(Effort::quick) < cost_of(Effort::whole));
     CHECK(cost_of(Effort::whole) < cost_of(Effort::finer));
-    CHECK(cost_of(Effort::finer) < cost_of(Effort::finest));
 }
 
 TEST_CASE("every part of a hypothesis has a name of its own, as trails spell it") {
@@ -103,7 +98,6 @@ TEST_CASE("every part of a hypothesis has a name of its own, as trails spell it"
                                Remedy::mirrored_pieces}) == 5);
     CHECK(spellings(std::array{Opening::opened, Opening::as_given}) == 2);
     CHECK(spellings(std::array{Held::nothing, Held::all, Held::all_but_fist}) == 3);
-    CHECK(to_string(Effort::less_centred) == "less_centred");
     CHECK(to_string(Remedy::largest_piece) == "largest_piece");
     CHECK(to_string(Opening::as_given) == "as_given");
     CHECK(to_string(Held::all_but_fist) == "all_but_fist");

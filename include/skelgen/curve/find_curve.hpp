@@ -57,7 +57,7 @@ struct CurveResult {
     bool is_point = false;       ///< too compact for a curve, as a ball is: its only node is the centre
     bool is_draft = false;       ///< as the options have it
     std::shared_ptr<const ContractedCurve<Scalar>>
-        contracted; ///< of the body, to be centred anew; none in a curve in input coordinates
+        contracted; ///< of the body, to be finished; none in a curve in input coordinates
 };
 
 /// The curve skeleton of a body, in eight steps, each of them public on its own:
@@ -75,10 +75,6 @@ struct CurveResult {
 /// the steps do.
 template <typename Scalar>
 [[nodiscard]] CurveResult<Scalar> find_curve(const Body<Scalar>& body, const CurveOptions& options = {});
-
-/// The last two of those steps anew, with so many rounds of centring. \throws Error as find_curve.
-template <typename Scalar>
-[[nodiscard]] CurveResult<Scalar> recentred(CurveResult<Scalar> found, const Body<Scalar>& body, int rounds);
 
 /// A draft made a whole curve; others as they are. \throws Error as find_curve.
 template <typename Scalar>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/surface/face_tree.hpp>
 #include <skelgen/surface/similarity.hpp>
+#include <skelgen/surface/winding_tree.hpp>
 
 namespace skelgen {
 
@@ -20,11 +22,12 @@ namespace skelgen {
 template <typename Scalar = double>
 struct Body {
     TriangleMesh<Scalar> mesh;
-    Triangles adjacency;              ///< as from core::face_adjacency(mesh.faces)
-    core::SurfaceGraph<Scalar> graph; ///< as from core::surface_graph(mesh, adjacency)
-    surface::FaceTree<Scalar> tree;   ///< of the mesh
-    bool is_closed = false;           ///< no edge of the mesh is on a boundary
-    Similarity<Scalar> similarity;    ///< from the input's coordinates to the mesh's
+    Triangles adjacency;                                  ///< as from core::face_adjacency(mesh.faces)
+    core::SurfaceGraph<Scalar> graph;                     ///< as from core::surface_graph(mesh, adjacency)
+    surface::FaceTree<Scalar> tree;                       ///< of the mesh
+    std::optional<surface::WindingTree<Scalar>> windings; ///< of the mesh where it is open
+    bool is_closed = false;                               ///< no edge of the mesh is on a boundary
+    Similarity<Scalar> similarity;                        ///< from the input's coordinates to the mesh's
     std::vector<int> source;          ///< per vertex that of the input at the same place (6e-8 apart at most where the
                                       ///< input was no sound surface), -1 for those added
     std::vector<int> nearest;         ///< per vertex of the input the one that stands for it, -1 where it was left out;
@@ -44,7 +47,7 @@ template <typename Scalar>
                                      std::vector<int> source, int dropped_pieces);
 
 /// Does the body's surface wind around a place, in its canonical form? As the winding number, 0.5 at least, says it; of
-/// a closed surface by a ray's crossings. O(log faces) for each face that the ray comes near, O(faces) for an open one.
+/// a closed surface by a ray's crossings. O(log faces), of a closed surface for each face that the ray comes near.
 template <typename Scalar>
 [[nodiscard]] bool is_inside(const Body<Scalar>& body, const Vector3<Scalar>& place);
 

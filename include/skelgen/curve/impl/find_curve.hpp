@@ -106,7 +106,6 @@ CurveResult<Scalar> drafted(CurveResult<Scalar> found, const Body<Scalar>& body)
     const auto& [branched, origin, balls, centring] = *found.contracted;
     found.curve = join_branches(centre_roughly(branched, body, centring)).curve;
     found.curve.radii = ball_radii(found.curve.nodes, body);
-    found.is_draft = true;
     return or_point(std::move(found), body);
 }
 
@@ -142,25 +141,17 @@ CurveResult<Scalar> find_curve(const Body<Scalar>& body, const CurveOptions& wan
     found.volume_ratio = thin.volume_ratio;
     found.contracted = std::make_shared<const ContractedCurve<Scalar>>(
         ContractedCurve<Scalar>{std::move(split.branched), std::move(origin), balls, options.centring});
-    return options.is_draft ? detail::drafted(std::move(found), body)
-                            : recentred(std::move(found), body, options.centring.rounds);
-}
-
-template <typename Scalar>
-CurveResult<Scalar> recentred(CurveResult<Scalar> found, const Body<Scalar>& body, int rounds) {
-    const auto& [branched, origin, balls, centring] = *found.contracted;
-    BranchCentringOptions options = centring;
-    options.rounds = rounds;
-    found.curve = curve_with_regions(centre_branches(branched, body, balls, options), body, origin);
-    found.is_draft = false;
-    return detail::or_point(std::move(found), body);
+    found.is_draft = true; // until it is finished
+    return options.is_draft ? detail::drafted(std::move(found), body) : finished(std::move(found), body);
 }
 
 template <typename Scalar>
 CurveResult<Scalar> finished(CurveResult<Scalar> found, const Body<Scalar>& body) {
     if (!found.is_draft) return found;
-    const int rounds = found.contracted->centring.rounds;
-    return recentred(std::move(found), body, rounds);
+    const auto& [branched, origin, balls, centring] = *found.contracted;
+    found.curve = curve_with_regions(centre_branches(branched, body, balls, centring), body, origin);
+    found.is_draft = false;
+    return detail::or_point(std::move(found), body);
 }
 
 } // namespace skelgen::curve

@@ -12,14 +12,12 @@ SKELGEN_INLINE curve::CurveOptions curve_options(Effort effort, curve::CurveOpti
     constexpr int least_vertices = 750;
     constexpr double more_firmly = 5, most_firmly = 1e6; // the latter as contract takes it
     int& vertices = wanted.proxy.vertices;
-    const auto half_as_fine_again = [](int count) { return std::min(count + count / 2, curve::most_proxy_vertices); };
     if (effort == Effort::draft || effort == Effort::quick) {
         vertices = std::max(vertices / 2, std::min(vertices, least_vertices));
         double& weight = wanted.contraction.medial_weight;
         weight = std::min(more_firmly * weight, most_firmly);
     }
-    if (effort == Effort::finer || effort == Effort::finest) vertices = half_as_fine_again(vertices);
-    if (effort == Effort::finest) vertices = half_as_fine_again(vertices);
+    if (effort == Effort::finer) vertices = std::min(vertices + vertices / 2, curve::most_proxy_vertices);
     wanted.is_draft = effort == Effort::draft;
     if (effort == Effort::detailed) wanted.detail = curve::Detail::digits;
     return wanted;
@@ -28,7 +26,6 @@ SKELGEN_INLINE curve::CurveOptions curve_options(Effort effort, curve::CurveOpti
 SKELGEN_INLINE int cost_of(Effort effort) {
     switch (effort) {
     case Effort::draft:
-    case Effort::less_centred:
     case Effort::rest_fit:
         return 1;
     case Effort::quick:
@@ -38,8 +35,6 @@ SKELGEN_INLINE int cost_of(Effort effort) {
         return 3;
     case Effort::finer:
         return 5;
-    case Effort::finest:
-        return 8;
     }
     return 1;
 }
@@ -80,12 +75,8 @@ SKELGEN_INLINE std::string_view to_string(Effort effort) {
         return "whole";
     case Effort::finer:
         return "finer";
-    case Effort::finest:
-        return "finest";
     case Effort::detailed:
         return "detailed";
-    case Effort::less_centred:
-        return "less_centred";
     case Effort::rest_fit:
         return "rest_fit";
     }

@@ -125,8 +125,8 @@ public:
 
 private:
     /// Each try that is not sure leads to those on higher steps: what costs more comes later.
-    static constexpr int for_cuts = 1, for_rest_fit_of_pieces = 5, for_whole = 10, for_less_centred = 11, for_held = 20,
-                         for_rest_fit = 25, for_as_given = 30;
+    static constexpr int for_cuts = 1, for_rest_fit_of_pieces = 5, for_whole = 10, for_held = 20, for_rest_fit = 25,
+                         for_as_given = 30;
 
     void add(Lead<Scalar> lead) {
         const auto place = std::upper_bound(leads_.begin(), leads_.end(), lead,
@@ -387,12 +387,9 @@ private:
                 what.opening = Opening::as_given;
                 add({what, rung(for_as_given), nullptr});
             }
-            follow_centring(lead, curve, rung(for_less_centred));
             what = lead.what;
             what.effort = Effort::finer;
             add({what, finer, lead.body});
-            what.effort = Effort::finest;
-            add({what, {finer.round, 1, finer.surface}, lead.body});
         }
     }
 
@@ -423,22 +420,6 @@ private:
             add({what, rung, std::make_shared<const Body<Scalar>>(std::move(bare))});
             what.held = Held::all_but_fist;
         }
-    }
-
-    /// Where stout arms hang beside the trunk their own sections are few, and centring may draw their junctions down
-    /// the trunk: the curve is left as it was after few rounds of that.
-    void follow_centring(const Lead<Scalar>& lead, const std::shared_ptr<const curve::CurveResult<Scalar>>& curve,
-                         Rung rung) {
-        constexpr int few = 3; // one coarse round, and two of those that join branches
-        if (!curve->contracted || options_.curve.centring.rounds <= few || core::cycle_count(curve->curve) > 0) return;
-        const auto fitting = embedding::fitting_proportions(curve->curve, wanted_, options_.matching);
-        if (!fitting || !fitting->fits_badly) return;
-        core::Stopwatch stage;
-        Hypothesis what = lead.what;
-        what.effort = Effort::less_centred;
-        add({what, rung, lead.body,
-             std::make_shared<const curve::CurveResult<Scalar>>(recentred(*curve, *lead.body, few))});
-        out_.timings.curve += stage.lap();
     }
 
     const TriangleMesh<Scalar>& mesh_;

@@ -26,10 +26,13 @@ Body<Scalar> make_body(TriangleMesh<Scalar> mesh, const Similarity<Scalar>& simi
         is_closed = adjacency.rows() > 0 && adjacency.minCoeff() >= 0;
     };
     core::in_parallel(connect, [&] { tree.emplace(mesh); });
+    std::optional<WindingTree<Scalar>> windings;
+    if (!is_closed) windings.emplace(mesh);
     return {std::move(mesh),
             std::move(adjacency),
             std::move(graph),
             *std::move(tree),
+            std::move(windings),
             is_closed,
             similarity,
             std::move(source),
@@ -41,10 +44,10 @@ Body<Scalar> make_body(TriangleMesh<Scalar> mesh, const Similarity<Scalar>& simi
 
 template <typename Scalar>
 bool is_inside(const Body<Scalar>& body, const Vector3<Scalar>& place) {
+    if (body.windings) return body.windings->winding_number(body.mesh, place) > Scalar(0.5);
     // In no plane of symmetry; the second and the third, where the first passes through an edge.
     for (const Vector3<double>& way :
          {Vector3<double>(0.48, 0.6, 0.64), Vector3<double>(-0.64, 0.48, 0.6), Vector3<double>(0.6, -0.64, 0.48)}) {
-        if (!body.is_closed) break;
         const Vector3<Scalar> direction = way.cast<Scalar>();
         if (const auto windings = body.tree.windings_along(body.mesh, place, direction)) return *windings > 0;
     }

@@ -216,6 +216,7 @@ template <typename Scalar>
 bool are_apart(const TriangleMesh<Scalar>& mesh, const FaceSet<Scalar>& large, const FaceSet<Scalar>& small) {
     constexpr Scalar near = Scalar(0.005); // of the size
     const Scalar reach = near * large.box.diagonal().norm();
+    if (large.box.squaredExteriorDistance(small.box) > reach * reach) return true;
     return !meets(mesh, mesh_of(mesh, large), small, reach) && !meets(mesh, mesh_of(mesh, small), large, reach);
 }
 

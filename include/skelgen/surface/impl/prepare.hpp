@@ -368,6 +368,7 @@ Outcome<Body<Scalar>> body_of_envelope(const BodyMaterial<Scalar>& material, con
     ChosenPiece<Scalar> piece{std::move(envelope), {}, material.dropped_pieces, material.clean.notes};
     piece.source.assign(static_cast<std::size_t>(piece.mesh.vertices.rows()), -1);
     piece.notes.push_back(overlapping_pieces(material.clean.mesh) + " pieces joined into one surface");
+    if (!bridges.empty()) piece.notes.push_back("gaps bridged between its parts: " + std::to_string(bridges.size()));
     Body<Scalar> body = body_of(std::move(piece), {}, options);
     const std::vector<int> nearest = nearest_on(body, material.clean.mesh);
     body.nearest = material.clean.placed.empty() ? nearest : composed(material.clean.placed, nearest);
