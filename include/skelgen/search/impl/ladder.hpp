@@ -3,6 +3,7 @@
 #include <skelgen/search/ladder.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <compare>
 #include <cstddef>
@@ -13,6 +14,7 @@
 #include <utility>
 
 #include <skelgen/anatomy/confidence.hpp>
+#include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/geodesics.hpp>
 #include <skelgen/core/geometry.hpp>
@@ -94,7 +96,10 @@ class Ladder {
 public:
     Ladder(const TriangleMesh<Scalar>& mesh, const SkeletonTemplate& wanted, const ExtractOptions& options,
            Thoroughness thoroughness)
-        : mesh_(mesh), wanted_(wanted), options_(options), thoroughness_(thoroughness) {}
+        : mesh_(mesh), wanted_(wanted), options_(options), thoroughness_(thoroughness),
+          animal_(wanted.plan == BodyKind::quadruped ? &wanted
+                  : options.or_quadruped             ? &builtin_template("quadruped")
+                                                     : nullptr) {}
 
     Climb<Scalar> run() {
         core::Stopwatch stage;
@@ -120,6 +125,8 @@ public:
             spent += cost;
             try_lead(lead);
         }
+        if (thoroughness_ == Thoroughness::until_sure && !out_.found.empty())
+            out_.found.front().candidate.probability = likeliest_yet();
         return std::move(out_);
     }
 
@@ -140,9 +147,14 @@ private:
         return lead;
     }
 
+    /// The probability of the likeliest skeleton yet, beside the likeliest one of the other plan.
+    [[nodiscard]] double likeliest_yet() const {
+        const auto [less, more] = std::minmax(likeliest_[0], likeliest_[1]);
+        return probability_beside(more, less);
+    }
+
     [[nodiscard]] bool is_sure() const {
-        return thoroughness_ == Thoroughness::until_sure && !out_.found.empty() &&
-               out_.found.front().candidate.probability >= sure_enough;
+        return thoroughness_ == Thoroughness::until_sure && likeliest_yet() >= sure_enough;
     }
 
     /// The surface that a remedy makes, opened; a failure where nothing is enclosed.
@@ -194,11 +206,26 @@ private:
         const auto curve = curve_of(lead, *lead.body);
         out_.timings.curve += stage.lap();
 
-        const double likeliest = wanted_.plan == BodyKind::quadruped    ? try_quadruped(lead, *surface, curve, entry)
-                                 : lead.what.effort == Effort::rest_fit ? try_at_rest(lead, *surface, curve, entry)
-                                                                        : try_templates(lead, *surface, curve, entry);
-        if (likeliest < sure_enough || thoroughness_ == Thoroughness::exhaustive) follow(lead, *surface, curve);
+        if (is_persons(lead.what)) {
+            if (lead.what.effort == Effort::rest_fit)
+                try_at_rest(lead, *surface, curve, entry);
+            else
+                try_templates(lead, *surface, curve, entry);
+        }
+        if (is_animals(lead.what)) try_quadruped(lead, *surface, curve, entry);
+        if (!is_sure()) follow(lead, *surface, curve);
         finish(entry, {}, whole.lap());
+    }
+
+    /// Whether a person is looked for where that is true.
+    [[nodiscard]] bool is_persons(const Hypothesis& what) const {
+        return wanted_.plan == BodyKind::human && what.effort != Effort::detailed;
+    }
+
+    /// Whether a four-legged animal is.
+    [[nodiscard]] bool is_animals(const Hypothesis& what) const {
+        return animal_ && what.opening == Opening::opened && what.cuts == 0 && what.held == Held::nothing &&
+               (what.effort == Effort::draft || what.effort == Effort::whole || what.effort == Effort::detailed);
     }
 
     void finish(Tried entry, const Failure& failure, double milliseconds) {
@@ -211,10 +238,9 @@ private:
         out_.trail.push_back(entry);
     }
 
-    /// The template in the curve, in the likeliest way and, where that is not sure, in others. \returns the probability
-    /// of the likeliest skeleton.
-    double try_templates(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
-                         const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
+    /// The template in the curve, in the likeliest way and, where that is not sure, in others.
+    void try_templates(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
+                       const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
         constexpr std::size_t most_others = 4;
         core::Stopwatch stage;
         auto first = embedding::fitting_proportions(curve->curve, wanted_, options_.matching);
@@ -226,7 +252,7 @@ private:
             refuse(entry, first.failure());
         if (curve->is_point || (lead.what.effort == Effort::draft && first) ||
             (likeliest >= likely_enough && thoroughness_ == Thoroughness::until_sure))
-            return likeliest;
+            return;
         stage.lap();
         std::vector<embedding::FittingTemplate> others =
             embedding::other_fitting_templates(curve->curve, wanted_, most_others, options_.matching);
@@ -235,40 +261,39 @@ private:
             if (first && first->embedding.node_of_joint == other.embedding.node_of_joint &&
                 first->is_odd == other.is_odd)
                 continue;
-            likeliest = std::max(likeliest, try_laid(lead, surface, curve, other, entry));
+            try_laid(lead, surface, curve, other, entry);
         }
-        return likeliest;
     }
 
-    double try_at_rest(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
-                       const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
+    void try_at_rest(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
+                     const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
         core::Stopwatch stage;
         const auto fit = fit_at_rest(*lead.body, wanted_);
         out_.timings.refine += stage.lap();
         if (!fit) {
             refuse(entry, {Refusal::no_mirror, "no body at rest: the surface mirrors itself in no plane"});
-            return 0;
+            return;
         }
-        return try_placed(lead, surface, curve, entry, options_,
-                          [&](const ExtractOptions& options) { return place_joints(*lead.body, *fit, options); });
+        try_placed(lead, surface, curve, entry, options_,
+                   [&](const ExtractOptions& options) { return place_joints(*lead.body, *fit, options); });
     }
 
-    double try_quadruped(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
-                         const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
+    void try_quadruped(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
+                       const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
         core::Stopwatch stage;
         const auto limbs = quadruped::find_limbs(curve->curve, 1);
         out_.timings.embed += stage.lap();
         if (limbs.empty()) {
             refuse(entry, {Refusal::too_few_ends, "no four-legged animal: its curve skeleton has no ends for four legs "
                                                   "and a head, in one piece; check that these stand free"});
-            return 0;
+            return;
         }
         Candidate<Scalar> candidate;
-        candidate.skeleton = quadruped::place_joints(curve->curve, limbs.front(), wanted_);
+        candidate.skeleton = quadruped::place_joints(curve->curve, limbs.front(), *animal_);
         candidate.doubt.assign(candidate.skeleton.joints.size(), 0);
         candidate.geodesic_diameter = core::geodesic_diameter(lead.body->graph);
         candidate.probability = limbs.front().probability;
-        return keep(lead, surface, curve, std::move(candidate), entry);
+        keep(lead, surface, curve, std::move(candidate), entry, BodyKind::quadruped);
     }
 
     double try_laid(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
@@ -313,7 +338,7 @@ private:
     /// Keeps a candidate where it is the likeliest so far. \returns its probability.
     double keep(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
                 const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Candidate<Scalar> candidate,
-                Tried& entry) {
+                Tried& entry, BodyKind plan = BodyKind::human) {
         out_.timings = out_.timings + candidate.timings;
         ++entry.candidates;
         const double probability = candidate.probability;
@@ -321,7 +346,9 @@ private:
             entry.probability = probability;
             entry.lacks_limb = lacks_part(candidate.evidence);
         }
-        Found<Scalar> found{std::move(candidate), lead.body, surface.whole, curve, lead.what, surface.noise};
+        Found<Scalar> found{std::move(candidate), lead.body, surface.whole, curve, lead.what, surface.noise, plan};
+        double& most = likeliest_[static_cast<std::size_t>(plan)];
+        most = std::max(most, probability);
         if (thoroughness_ == Thoroughness::exhaustive || out_.found.empty())
             out_.found.push_back(std::move(found));
         else if (probability > out_.found.front().candidate.probability)
@@ -359,24 +386,20 @@ private:
         const auto rung = [&](int step) { return Rung{lead.rung.round, step, lead.rung.surface}; };
         const Rung finer{lead.rung.round + 2, 0, lead.rung.surface};
         Hypothesis what = lead.what;
-        if (effort == Effort::rest_fit || curve->is_point) return;
-        if (wanted_.plan == BodyKind::quadruped) {
-            for (const auto& [next, when] :
-                 {std::pair(Effort::whole, rung(for_whole)), std::pair(Effort::detailed, finer)}) {
-                what.effort = next;
-                if (effort == Effort::draft) add({what, when, lead.body});
-            }
-            return;
-        }
+        if (effort == Effort::rest_fit || effort == Effort::detailed || curve->is_point) return;
         if (effort == Effort::draft && lead.what.opening == Opening::opened) {
+            what.effort = Effort::detailed;
+            if (animal_) add({what, finer, lead.body});
             what.effort = Effort::rest_fit;
-            add({what, rung(is_envelope(what.surface) ? for_rest_fit_of_pieces : for_rest_fit), lead.body, curve});
+            if (is_persons(what))
+                add({what, rung(is_envelope(what.surface) ? for_rest_fit_of_pieces : for_rest_fit), lead.body, curve});
             what = lead.what;
         }
         if (effort == Effort::draft || effort == Effort::quick) {
             what.effort = Effort::whole;
             add({what, rung(lead.rung.step + for_whole), lead.body});
         }
+        if (!is_persons(lead.what)) return;
         follow_contacts(lead, curve);
         if (effort != Effort::whole) return;
         if (lead.what.held == Held::nothing && lead.what.cuts == 0) {
@@ -445,6 +468,8 @@ private:
     const SkeletonTemplate& wanted_;
     const ExtractOptions& options_;
     Thoroughness thoroughness_;
+    const SkeletonTemplate* animal_;    ///< looked for, too, or alone; none: people are looked for alone
+    std::array<double, 2> likeliest_{}; ///< of each plan's skeletons
     surface::BodyMaterial<Scalar> material_;
     std::vector<surface::Remedy> remedies_; ///< of the material, which the last of them takes
     double material_area_ = 0;              ///< in the input's unit
