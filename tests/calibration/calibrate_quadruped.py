@@ -21,6 +21,7 @@ import calibrate
 
 FEET = ["left_fore_foot", "right_fore_foot", "left_hind_foot", "right_hind_foot"]
 LEGS = ["left_fore_leg", "right_fore_leg", "left_hind_leg", "right_hind_leg"]
+SURE_ENOUGH = 0.7  # search/trust.hpp
 # Of each role and place among its joints: the way that it lies on, and the joint of a truth that has it.
 PLACES = [
     ("pelvis", 0, "trunk", "hips"), ("waist", 0, "trunk", "spine1"), ("waist", 1, "trunk", "spine2"), ("chest", 0, "trunk", "chest"),
@@ -85,9 +86,18 @@ def by_folds(meshes, penalty, trees):
         table = calibrate.fit([m for m, f in zip(meshes, folds) if f != fold], penalty, trees, 0, balanced)
         for k, m in enumerate(meshes):
             if folds[k] == fold and len(m.rows):
-                p = calibrate.probability(table, m.evidence)
-                chosen[k] = int(np.argmax(p)), float(p.max())
+                chosen[k] = as_searched(m, calibrate.probability(table, m.evidence))
     return chosen
+
+
+def as_searched(mesh, p):
+    """The way that the search comes to, and its probability: the likeliest in the curves up to the first that is sure."""
+    curves = [row["curve"] for row in mesh.rows]
+    best = int(np.argmax(p))
+    sure = [c for c, q in zip(curves, p) if q >= SURE_ENOUGH]
+    if sure:
+        best = max((i for i in range(len(p)) if curves[i] <= min(sure)), key=lambda i: p[i])
+    return best, float(p[best])
 
 
 def scaling_of(meshes, chosen):
@@ -123,7 +133,10 @@ def head_frame(row):
 
 
 # What the place of a joint is told from, beside its role: see quadruped::detail::features_of (place_joints.hpp).
-PLACE_SHARES, RADIUS_SHARES, BUILD = (0, 4, 8, 12, 16), (2, 6, 10, 14, 18), 12
+PLACE_SHARES, RADIUS_SHARES, BUILD = (0, 5, 10, 15), (2, 6, 10, 14, 18), ("trunk_length", "neck_length", "trunk_girth", "neck_girth")
+
+# Joints whose place goes with the features. Of the others makers left out have theirs nearer to the mean one.
+CHANGED = [("pelvis", 0), ("head", 0), ("shoulder", 0), ("wrist", 0), ("hip", 0), ("knee", 0), ("ankle", 0), ("tail", 0)]
 
 
 def features(row, way, sign):
@@ -131,7 +144,7 @@ def features(row, way, sign):
     is_leg = "leg" in way
     off = (places[list(PLACE_SHARES)] - places[-1 if is_leg else 0]) / size
     out = [off @ np.array(row["frame"]["forward"]), off @ np.array(row["frame"]["up"]), sign * (off @ np.array(row["frame"]["left"])) * is_leg]
-    return np.concatenate([np.stack(out, 1).ravel(), np.array(row["radii"][way])[list(RADIUS_SHARES)] / size, list(row["evidence"].values())[:BUILD]])
+    return np.concatenate([np.stack(out, 1).ravel(), np.array(row["radii"][way])[list(RADIUS_SHARES)] / size, [row["evidence"][w] for w in BUILD]])
 
 
 def joint_samples(meshes, chosen):
@@ -185,7 +198,8 @@ def fit_places(samples, scales, penalty):
             k = makers == maker
             x[k] -= np.average(x[k], axis=0, weights=w[k]) / 2
             y[k] -= np.average(y[k], axis=0, weights=w[k]) / 2
-        change = np.linalg.solve((x * w[:, None]).T @ x + penalty * np.eye(x.shape[1]), (x * w[:, None]).T @ y)
+        strength = penalty if (role, ordinal) in CHANGED else 1e9
+        change = np.linalg.solve((x * w[:, None]).T @ x + strength * np.eye(x.shape[1]), (x * w[:, None]).T @ y)
         out[role, ordinal] = centre - lift @ change, change
     return out
 
@@ -260,11 +274,14 @@ def write_joints(path, tables, scales):
         f.write(head + "/// Mean and deviation of the features on each way, by Way.\ninline constexpr std::array<WayScale, 5> way_scales{{\n")
         for way in ("fore_leg", "hind_leg", "trunk", "neck", "tail"):
             f.write("    {{{" + numbers(scales[way][0]) + "}},\n     {{" + numbers(scales[way][1]) + "}}},\n")
-        f.write("}};\n\ninline constexpr std::array<JointPlace, " + str(len(PLACES)) + "> joint_places{{\n")
+        f.write("}};\n\n")
+        for role, ordinal in CHANGED:
+            rows = ",\n    ".join("{{" + numbers(column) + "}}" for column in tables[role, ordinal][1].T)
+            f.write(f"inline constexpr PlaceChange change_of_{role}{{{{\n    {rows}}}}};\n")
+        f.write("\ninline constexpr std::array<JointPlace, " + str(len(PLACES)) + "> joint_places{{\n")
         for role, ordinal, way, _ in PLACES:
-            centre, change = tables[role, ordinal]
-            f.write(f"    {{JointRole::{role}, {ordinal}, Way::{way}, {{{{{numbers(centre)}}}}},\n     {{{{")
-            f.write(",\n       ".join("{{" + numbers(column) + "}}" for column in change.T) + "}}},\n")
+            change = f"&change_of_{role}" if (role, ordinal) in CHANGED else "nullptr"
+            f.write(f"    {{JointRole::{role}, {ordinal}, Way::{way}, {{{{{numbers(tables[role, ordinal][0])}}}}}, {change}}},\n")
         f.write("""}};
 
 /// Of a role; its last one where there are not so many. Templates keep to that (core/template_rules.hpp).
@@ -280,9 +297,8 @@ def write_joints(path, tables, scales):
 
 
 def likeliest(mesh):
-    """The likeliest way by the table that the program has, and how likely it is."""
-    p = [row["probability"] for row in mesh.rows]
-    return (int(np.argmax(p)), float(max(p))) if p else (-1, 0.0)
+    """The way that the search comes to by the table that the program has, and how likely it is."""
+    return as_searched(mesh, [row["probability"] for row in mesh.rows]) if mesh.rows else (-1, 0.0)
 
 
 def fit_trust(meshes, a):
@@ -307,7 +323,7 @@ def main():
     parser.add_argument("--tables", help="folder of the tables to write: include/skelgen/quadruped")
     parser.add_argument("--penalty", type=float, default=8.0)
     parser.add_argument("--trees", type=int, default=100)
-    parser.add_argument("--place-penalty", type=float, default=0.3)
+    parser.add_argument("--place-penalty", type=float, default=0.15)
     parser.add_argument("--joints-alone", action="store_true", help="the trust's table stays as it is")
     a = parser.parse_args()
     meshes = []

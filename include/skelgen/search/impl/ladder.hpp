@@ -114,7 +114,9 @@ public:
         material_area_ = static_cast<double>(unit * unit * core::surface_area(material_.clean.mesh));
         for (std::size_t i = 0; i < remedies_.size(); ++i) {
             const bool is_later = is_envelope(remedies_[i]) && !is_envelope(remedies_.front());
-            add({{remedies_[i]}, {is_later ? 1 : 0, 0, static_cast<int>(i)}});
+            Hypothesis what{remedies_[i]};
+            if (for_animal_alone()) what.effort = Effort::detailed;
+            add({what, {is_later ? 1 : 0, 0, static_cast<int>(i)}});
         }
         int spent = 0;
         while (!leads_.empty() && !is_sure()) {
@@ -132,8 +134,8 @@ public:
 
 private:
     /// Each try that is not sure leads to those on higher steps: what costs more comes later.
-    static constexpr int for_cuts = 1, for_rest_fit_of_pieces = 5, for_whole = 10, for_less_centred = 11, for_held = 20,
-                         for_rest_fit = 25, for_as_given = 30;
+    static constexpr int for_detailed = 1, for_cuts = 1, for_rest_fit_of_pieces = 5, for_whole = 10,
+                         for_less_centred = 11, for_held = 20, for_rest_fit = 25, for_as_given = 30;
 
     void add(Lead<Scalar> lead) {
         const auto place = std::upper_bound(leads_.begin(), leads_.end(), lead,
@@ -147,15 +149,18 @@ private:
         return lead;
     }
 
+    double& likeliest(BodyKind plan) { return likeliest_[static_cast<std::size_t>(plan)]; }
+
     /// The probability of the likeliest skeleton yet, beside the likeliest one of the other plan.
-    [[nodiscard]] double likeliest_yet() const {
-        const auto [less, more] = std::minmax(likeliest_[0], likeliest_[1]);
-        return probability_beside(more, less);
+    [[nodiscard]] double likeliest_yet() {
+        if (out_.found.empty()) return 0;
+        const Found<Scalar>& first = out_.found.front();
+        const double other = first.plan == BodyKind::human ? std::max(animal_in_draft_, likeliest(BodyKind::quadruped))
+                                                           : likeliest(BodyKind::human);
+        return probability_beside(first.candidate.probability, other);
     }
 
-    [[nodiscard]] bool is_sure() const {
-        return thoroughness_ == Thoroughness::until_sure && likeliest_yet() >= sure_enough;
-    }
+    [[nodiscard]] bool is_sure() { return thoroughness_ == Thoroughness::until_sure && likeliest_yet() >= sure_enough; }
 
     /// The surface that a remedy makes, opened; a failure where nothing is enclosed.
     const Outcome<PreparedSurface<Scalar>>& surface_by(surface::Remedy remedy) {
@@ -206,24 +211,20 @@ private:
         const auto curve = curve_of(lead, *lead.body);
         out_.timings.curve += stage.lap();
 
-        if (is_persons(lead.what)) {
-            if (lead.what.effort == Effort::rest_fit)
-                try_at_rest(lead, *surface, curve, entry);
-            else
-                try_templates(lead, *surface, curve, entry);
-        }
-        if (is_animals(lead.what)) try_quadruped(lead, *surface, curve, entry);
+        if (lead.what.effort == Effort::rest_fit)
+            try_at_rest(lead, *surface, curve, entry);
+        else if (lead.what.effort != Effort::detailed && !for_animal_alone())
+            try_templates(lead, *surface, curve, entry);
+        if (may_show_animal(lead.what)) try_quadruped(lead, *surface, curve, entry);
         if (!is_sure()) follow(lead, *surface, curve);
         finish(entry, {}, whole.lap());
     }
 
-    /// Whether a person is looked for where that is true.
-    [[nodiscard]] bool is_persons(const Hypothesis& what) const {
-        return wanted_.plan == BodyKind::human && what.effort != Effort::detailed;
-    }
+    /// Whether an animal is looked for, and no person.
+    [[nodiscard]] bool for_animal_alone() const { return wanted_.plan == BodyKind::quadruped; }
 
-    /// Whether a four-legged animal is.
-    [[nodiscard]] bool is_animals(const Hypothesis& what) const {
+    /// Whether an animal is looked for where that is true.
+    [[nodiscard]] bool may_show_animal(const Hypothesis& what) const {
         return animal_ && what.opening == Opening::opened && what.cuts == 0 && what.held == Held::nothing &&
                (what.effort == Effort::draft || what.effort == Effort::whole || what.effort == Effort::detailed);
     }
@@ -283,6 +284,11 @@ private:
         core::Stopwatch stage;
         const auto limbs = quadruped::find_limbs(curve->curve, 1);
         out_.timings.embed += stage.lap();
+        if (lead.what.effort == Effort::draft) { // lacks tails, horns, trunks: what it shows asks for a closer look
+            if (!limbs.empty()) animal_in_draft_ = std::max(animal_in_draft_, limbs.front().probability);
+            return;
+        }
+        animal_in_draft_ = 0;
         if (limbs.empty()) {
             refuse(entry, {Refusal::too_few_ends, "no four-legged animal: its curve skeleton has no ends for four legs "
                                                   "and a head, in one piece; check that these stand free"});
@@ -347,8 +353,7 @@ private:
             entry.lacks_limb = lacks_part(candidate.evidence);
         }
         Found<Scalar> found{std::move(candidate), lead.body, surface.whole, curve, lead.what, surface.noise, plan};
-        double& most = likeliest_[static_cast<std::size_t>(plan)];
-        most = std::max(most, probability);
+        likeliest(plan) = std::max(likeliest(plan), probability);
         if (thoroughness_ == Thoroughness::exhaustive || out_.found.empty())
             out_.found.push_back(std::move(found));
         else if (probability > out_.found.front().candidate.probability)
@@ -386,20 +391,19 @@ private:
         const auto rung = [&](int step) { return Rung{lead.rung.round, step, lead.rung.surface}; };
         const Rung finer{lead.rung.round + 2, 0, lead.rung.surface};
         Hypothesis what = lead.what;
-        if (effort == Effort::rest_fit || effort == Effort::detailed || curve->is_point) return;
+        if (effort == Effort::rest_fit || curve->is_point) return;
         if (effort == Effort::draft && lead.what.opening == Opening::opened) {
             what.effort = Effort::detailed;
-            if (animal_) add({what, finer, lead.body});
+            if (animal_) add({what, rung(for_detailed), lead.body});
             what.effort = Effort::rest_fit;
-            if (is_persons(what))
-                add({what, rung(is_envelope(what.surface) ? for_rest_fit_of_pieces : for_rest_fit), lead.body, curve});
+            add({what, rung(is_envelope(what.surface) ? for_rest_fit_of_pieces : for_rest_fit), lead.body, curve});
             what = lead.what;
         }
-        if (effort == Effort::draft || effort == Effort::quick) {
+        if (effort == Effort::draft || effort == Effort::quick || (effort == Effort::detailed && for_animal_alone())) {
             what.effort = Effort::whole;
             add({what, rung(lead.rung.step + for_whole), lead.body});
         }
-        if (!is_persons(lead.what)) return;
+        if (effort == Effort::detailed || for_animal_alone()) return;
         follow_contacts(lead, curve);
         if (effort != Effort::whole) return;
         if (lead.what.held == Held::nothing && lead.what.cuts == 0) {
@@ -469,7 +473,8 @@ private:
     const ExtractOptions& options_;
     Thoroughness thoroughness_;
     const SkeletonTemplate* animal_;    ///< looked for, too, or alone; none: people are looked for alone
-    std::array<double, 2> likeliest_{}; ///< of each plan's skeletons
+    std::array<double, 2> likeliest_{}; ///< probability of each plan's skeletons
+    double animal_in_draft_ = 0;        ///< probability of one there, until a finer curve tells
     surface::BodyMaterial<Scalar> material_;
     std::vector<surface::Remedy> remedies_; ///< of the material, which the last of them takes
     double material_area_ = 0;              ///< in the input's unit
