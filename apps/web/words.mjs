@@ -53,7 +53,8 @@ const surfaces = {
 };
 const curves = {
   draft: "a quick curve", quick: "a centred curve", whole: "a whole curve", finer: "a finer curve", finest: "the finest curve",
-  less_centred: "a curve centred less", rest_fit: "a body at rest laid in",
+  less_centred: "a curve centred less", detailed: "a curve with tails and horns", more_detailed: "a finer curve with tails and horns",
+  rest_fit: "a body at rest laid in",
 };
 const outcomes = {
   found: "a skeleton", too_few_ends: "too few limbs", too_many_ends: "too many ends", curve_in_pieces: "a curve in pieces",

@@ -16,14 +16,15 @@ enum class Opening {
 
 /// How much work goes into a curve skeleton.
 enum class Effort {
-    draft,        ///< a coarse proxy, roughly centred: enough for most bodies
-    quick,        ///< the same proxy, centred, with regions
-    whole,        ///< as the options have it
-    finer,        ///< a proxy half as fine again
-    finest,       ///< and once more
-    detailed,     ///< the whole one with finer branches: what a thin tail leaves
-    less_centred, ///< the whole one's branches after few rounds of centring
-    rest_fit      ///< none: a body at rest is laid into the surface (rest_fit.hpp)
+    draft,         ///< a coarse proxy, roughly centred: enough for most bodies
+    quick,         ///< the same proxy, centred, with regions
+    whole,         ///< as the options have it
+    finer,         ///< a proxy half as fine again
+    finest,        ///< and once more
+    detailed,      ///< roughly centred, with finer branches: tails, horns, trunks
+    more_detailed, ///< the same of a proxy three times as fine
+    less_centred,  ///< the whole one's branches after few rounds of centring
+    rest_fit       ///< none: a body at rest is laid into the surface (rest_fit.hpp)
 };
 
 /// What of the things that hands may hold is taken off.

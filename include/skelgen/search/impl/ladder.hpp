@@ -134,8 +134,8 @@ public:
 
 private:
     /// Each try that is not sure leads to those on higher steps: what costs more comes later.
-    static constexpr int for_detailed = 1, for_cuts = 1, for_rest_fit_of_pieces = 5, for_whole = 10,
-                         for_less_centred = 11, for_held = 20, for_rest_fit = 25, for_as_given = 30;
+    static constexpr int for_detailed = 1, for_cuts = 1, for_rest_fit_of_pieces = 5, for_more_detailed = 9,
+                         for_whole = 10, for_less_centred = 11, for_held = 20, for_rest_fit = 25, for_as_given = 30;
 
     void add(Lead<Scalar> lead) {
         const auto place = std::upper_bound(leads_.begin(), leads_.end(), lead,
@@ -213,11 +213,16 @@ private:
 
         if (lead.what.effort == Effort::rest_fit)
             try_at_rest(lead, *surface, curve, entry);
-        else if (lead.what.effort != Effort::detailed && !for_animal_alone())
+        else if (!is_detailed(lead.what.effort))
             try_templates(lead, *surface, curve, entry);
         if (may_show_animal(lead.what)) try_quadruped(lead, *surface, curve, entry);
         if (!is_sure()) follow(lead, *surface, curve);
         finish(entry, {}, whole.lap());
+    }
+
+    /// Whether a curve is for animals alone.
+    [[nodiscard]] static bool is_detailed(Effort effort) {
+        return effort == Effort::detailed || effort == Effort::more_detailed;
     }
 
     /// Whether an animal is looked for, and no person.
@@ -226,7 +231,7 @@ private:
     /// Whether an animal is looked for where that is true.
     [[nodiscard]] bool may_show_animal(const Hypothesis& what) const {
         return animal_ && what.opening == Opening::opened && what.cuts == 0 && what.held == Held::nothing &&
-               (what.effort == Effort::draft || what.effort == Effort::whole || what.effort == Effort::detailed);
+               (what.effort == Effort::draft || is_detailed(what.effort));
     }
 
     void finish(Tried entry, const Failure& failure, double milliseconds) {
@@ -399,11 +404,15 @@ private:
             add({what, rung(is_envelope(what.surface) ? for_rest_fit_of_pieces : for_rest_fit), lead.body, curve});
             what = lead.what;
         }
-        if (effort == Effort::draft || effort == Effort::quick || (effort == Effort::detailed && for_animal_alone())) {
+        if (effort == Effort::detailed) {
+            what.effort = Effort::more_detailed;
+            add({what, rung(for_more_detailed), lead.body});
+        }
+        if (is_detailed(effort)) return;
+        if (effort == Effort::draft || effort == Effort::quick) {
             what.effort = Effort::whole;
             add({what, rung(lead.rung.step + for_whole), lead.body});
         }
-        if (effort == Effort::detailed || for_animal_alone()) return;
         follow_contacts(lead, curve);
         if (effort != Effort::whole) return;
         if (lead.what.held == Held::nothing && lead.what.cuts == 0) {
