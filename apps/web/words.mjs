@@ -53,6 +53,7 @@ const surfaces = {
 };
 const curves = {
   draft: "a quick curve", quick: "a centred curve", whole: "a whole curve", finer: "a finer curve",
+  detailed: "a curve with tails and horns", more_detailed: "a finer curve with tails and horns",
   rest_fit: "a body at rest laid in",
 };
 const outcomes = {

@@ -12,6 +12,7 @@ mesh's right and wrong ways counting once together. Where joints lie is fitted b
 """
 import argparse
 import collections
+import copy
 import json
 import os
 
@@ -21,6 +22,7 @@ import calibrate
 
 FEET = ["left_fore_foot", "right_fore_foot", "left_hind_foot", "right_hind_foot"]
 LEGS = ["left_fore_leg", "right_fore_leg", "left_hind_leg", "right_hind_leg"]
+SURE_ENOUGH = 0.7  # search/trust.hpp
 # Of each role and place among its joints: the way that it lies on, and the joint of a truth that has it.
 PLACES = [
     ("pelvis", 0, "trunk", "hips"), ("waist", 0, "trunk", "spine1"), ("waist", 1, "trunk", "spine2"), ("chest", 0, "trunk", "chest"),
@@ -68,6 +70,14 @@ class Mesh:
                 del row["ways"]
 
 
+def thinned(mesh):
+    """The mesh with the right ways and every fourth of the wrong ones, which are many and much alike."""
+    out = copy.copy(mesh)
+    kept = mesh.right | (np.arange(len(mesh.rows)) % 4 == 0)
+    out.rows, out.right, out.evidence = [r for r, k in zip(mesh.rows, kept) if k], mesh.right[kept], mesh.evidence[kept]
+    return out
+
+
 def balanced(used):
     """What each way counts: a mesh's right ones once together, its wrong ones, too."""
     return np.concatenate([np.where(m.right, 1 / max(m.right.sum(), 1), 1 / max((~m.right).sum(), 1)) for m in used])
@@ -82,12 +92,21 @@ def folds_of(meshes):
 def by_folds(meshes, penalty, trees):
     folds, chosen = folds_of(meshes), [(-1, 0.0)] * len(meshes)
     for fold in set(folds):
-        table = calibrate.fit([m for m, f in zip(meshes, folds) if f != fold], penalty, trees, 0, balanced)
+        table = calibrate.fit([thinned(m) for m, f in zip(meshes, folds) if f != fold and len(m.rows)], penalty, trees, 0, balanced)
         for k, m in enumerate(meshes):
             if folds[k] == fold and len(m.rows):
-                p = calibrate.probability(table, m.evidence)
-                chosen[k] = int(np.argmax(p)), float(p.max())
+                chosen[k] = as_searched(m, calibrate.probability(table, m.evidence))
     return chosen
+
+
+def as_searched(mesh, p):
+    """The way that the search comes to, and its probability: the likeliest in the curves up to the first that is sure."""
+    curves = [row["curve"] for row in mesh.rows]
+    best = int(np.argmax(p))
+    sure = [c for c, q in zip(curves, p) if q >= SURE_ENOUGH]
+    if sure:
+        best = max((i for i in range(len(p)) if curves[i] <= min(sure)), key=lambda i: p[i])
+    return best, float(p[best])
 
 
 def scaling_of(meshes, chosen):
@@ -123,7 +142,10 @@ def head_frame(row):
 
 
 # What the place of a joint is told from, beside its role: see quadruped::detail::features_of (place_joints.hpp).
-PLACE_SHARES, RADIUS_SHARES, BUILD = (0, 4, 8, 12, 16), (2, 6, 10, 14, 18), 12
+PLACE_SHARES, RADIUS_SHARES, BUILD = (0, 5, 10, 15), (2, 6, 10, 14, 18), ("trunk_length", "neck_length", "trunk_girth", "neck_girth")
+
+# Joints whose place goes with the features. Of the others makers left out have theirs nearer to the mean one.
+CHANGED = [("pelvis", 0), ("head", 0), ("shoulder", 0), ("wrist", 0), ("hip", 0), ("knee", 0), ("ankle", 0), ("tail", 0)]
 
 
 def features(row, way, sign):
@@ -131,7 +153,7 @@ def features(row, way, sign):
     is_leg = "leg" in way
     off = (places[list(PLACE_SHARES)] - places[-1 if is_leg else 0]) / size
     out = [off @ np.array(row["frame"]["forward"]), off @ np.array(row["frame"]["up"]), sign * (off @ np.array(row["frame"]["left"])) * is_leg]
-    return np.concatenate([np.stack(out, 1).ravel(), np.array(row["radii"][way])[list(RADIUS_SHARES)] / size, list(row["evidence"].values())[:BUILD]])
+    return np.concatenate([np.stack(out, 1).ravel(), np.array(row["radii"][way])[list(RADIUS_SHARES)] / size, [row["evidence"][w] for w in BUILD]])
 
 
 def joint_samples(meshes, chosen):
@@ -185,7 +207,8 @@ def fit_places(samples, scales, penalty):
             k = makers == maker
             x[k] -= np.average(x[k], axis=0, weights=w[k]) / 2
             y[k] -= np.average(y[k], axis=0, weights=w[k]) / 2
-        change = np.linalg.solve((x * w[:, None]).T @ x + penalty * np.eye(x.shape[1]), (x * w[:, None]).T @ y)
+        strength = penalty if (role, ordinal) in CHANGED else 1e9
+        change = np.linalg.solve((x * w[:, None]).T @ x + strength * np.eye(x.shape[1]), (x * w[:, None]).T @ y)
         out[role, ordinal] = centre - lift @ change, change
     return out
 
@@ -260,11 +283,14 @@ def write_joints(path, tables, scales):
         f.write(head + "/// Mean and deviation of the features on each way, by Way.\ninline constexpr std::array<WayScale, 5> way_scales{{\n")
         for way in ("fore_leg", "hind_leg", "trunk", "neck", "tail"):
             f.write("    {{{" + numbers(scales[way][0]) + "}},\n     {{" + numbers(scales[way][1]) + "}}},\n")
-        f.write("}};\n\ninline constexpr std::array<JointPlace, " + str(len(PLACES)) + "> joint_places{{\n")
+        f.write("}};\n\n")
+        for role, ordinal in CHANGED:
+            rows = ",\n    ".join("{{" + numbers(column) + "}}" for column in tables[role, ordinal][1].T)
+            f.write(f"inline constexpr PlaceChange change_of_{role}{{{{\n    {rows}}}}};\n")
+        f.write("\ninline constexpr std::array<JointPlace, " + str(len(PLACES)) + "> joint_places{{\n")
         for role, ordinal, way, _ in PLACES:
-            centre, change = tables[role, ordinal]
-            f.write(f"    {{JointRole::{role}, {ordinal}, Way::{way}, {{{{{numbers(centre)}}}}},\n     {{{{")
-            f.write(",\n       ".join("{{" + numbers(column) + "}}" for column in change.T) + "}}},\n")
+            change = f"&change_of_{role}" if (role, ordinal) in CHANGED else "nullptr"
+            f.write(f"    {{JointRole::{role}, {ordinal}, Way::{way}, {{{{{numbers(tables[role, ordinal][0])}}}}}, {change}}},\n")
         f.write("""}};
 
 /// Of a role; its last one where there are not so many. Templates keep to that (core/template_rules.hpp).
@@ -280,9 +306,8 @@ def write_joints(path, tables, scales):
 
 
 def likeliest(mesh):
-    """The likeliest way by the table that the program has, and how likely it is."""
-    p = [row["probability"] for row in mesh.rows]
-    return (int(np.argmax(p)), float(max(p))) if p else (-1, 0.0)
+    """The way that the search comes to by the table that the program has, and how likely it is."""
+    return as_searched(mesh, [row["probability"] for row in mesh.rows]) if mesh.rows else (-1, 0.0)
 
 
 def fit_trust(meshes, a):
@@ -292,7 +317,7 @@ def fit_trust(meshes, a):
     scaled = [(i, float(calibrate.logistic(scaling[0] * calibrate.log_odds(p) + scaling[1])) if i >= 0 else 0.0) for i, p in chosen]
     calibrate.report(meshes, scaled)
     print("wrong:", [(m.name, round(p, 2)) for m, (i, p) in zip(meshes, scaled) if m.is_body and (i < 0 or not m.right[i])])
-    table = calibrate.fit(meshes, a.penalty, a.trees, 0, balanced)
+    table = calibrate.fit([thinned(m) for m in meshes if len(m.rows)], a.penalty, a.trees, 0, balanced)
     table["offset"] = scaling[0] * table["offset"] + scaling[1]
     table["weights"] = scaling[0] * table["weights"]
     table["trees"] = [{**tree, "voice": scaling[0] * tree["voice"]} for tree in table["trees"]]
@@ -307,7 +332,7 @@ def main():
     parser.add_argument("--tables", help="folder of the tables to write: include/skelgen/quadruped")
     parser.add_argument("--penalty", type=float, default=8.0)
     parser.add_argument("--trees", type=int, default=100)
-    parser.add_argument("--place-penalty", type=float, default=0.3)
+    parser.add_argument("--place-penalty", type=float, default=0.15)
     parser.add_argument("--joints-alone", action="store_true", help="the trust's table stays as it is")
     a = parser.parse_args()
     meshes = []

@@ -12,8 +12,8 @@ using namespace skelgen::search;
 
 namespace {
 
-constexpr std::array efforts{Effort::draft, Effort::quick,    Effort::whole,
-                             Effort::finer, Effort::detailed, Effort::rest_fit};
+constexpr std::array efforts{Effort::draft,    Effort::quick,         Effort::whole,   Effort::finer,
+                             Effort::detailed, Effort::more_detailed, Effort::rest_fit};
 
 /// How many different spellings these values have, empty ones not counted.
 template <typename Values>
@@ -84,7 +84,12 @@ TEST_CASE("whatever is allowed to be wanted, every effort's options are allowed,
 TEST_CASE("a curve costs a draft or more, and the more the finer it is") {
     for (const Effort effort : efforts) CHECK(cost_of(effort) >= 1);
     CHECK(curve_options(Effort::whole, {}).detail == curve::Detail::limbs);
-    CHECK(curve_options(Effort::detailed, {}).detail == curve::Detail::digits);
+    for (const Effort effort : {Effort::detailed, Effort::more_detailed}) {
+        const curve::CurveOptions detailed = curve_options(effort, {}), whole = curve_options(Effort::whole, {});
+        CHECK(detailed.is_draft);
+        CHECK(detailed.pruning.branch < whole.pruning.branch);
+        CHECK(detailed.proxy.vertices == (effort == Effort::detailed ? 1 : 3) * whole.proxy.vertices);
+    }
     CHECK(cost_of(Effort::draft) == 1);
     CHECK(cost_of(Effort::draft) < cost_of(Effort::quick));
     CHECK(cost_of(Effort::quick) < cost_of(Effort::whole));

@@ -296,3 +296,16 @@ TEST_CASE("where a body lies, and how large it is, does not change what is tried
         CHECK(found.trail[i].probability == Approx(expected.trail[i].probability).margin(is_optimised ? 1e-3 : 1e-6));
     }
 }
+
+TEST_CASE("beside an animal a person is looked for in no more curves, and is no likelier") {
+    ExtractOptions options;
+    const auto alone = climb(standing_man(), builtin_template("human21"), options);
+    options.or_quadruped = true;
+    const auto beside = climb(standing_man(), builtin_template("human21"), options);
+    REQUIRE(beside.found.size() == 1);
+    CHECK(beside.found.front().plan == BodyKind::human);
+    CHECK(beside.trail.size() == alone.trail.size());
+    const double own = alone.found.front().candidate.probability, less = beside.found.front().candidate.probability;
+    CHECK(less <= own);
+    CHECK(less > own - 0.1);
+}

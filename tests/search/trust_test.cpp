@@ -226,3 +226,11 @@ TEST_CASE("every witness has a name of its own, in the order of the table") {
     CHECK(to_string(Witness::clutter_head) == "clutter_head");
     CHECK(to_string(Witness::four_legged) == "four_legged");
 }
+
+TEST_CASE("of a person and an animal in one body one is right at most") {
+    CHECK(probability_beside(0.83, 0) == 0.83);
+    CHECK(probability_beside(0.5, 0.5) == Approx(1.0 / 3)); // even odds for each and for neither
+    CHECK(probability_beside(0.9, 0.8) + probability_beside(0.8, 0.9) < 1);
+    CHECK(probability_beside(1, 1) == 1);
+    CHECK(probability_beside(0.9, 1 - 1e-12) < 1e-10);
+}

@@ -91,32 +91,6 @@ Failure failure_of(const search::Climb<Scalar>& climb, const SkeletonTemplate& w
 }
 
 template <typename Scalar>
-double likeliest_of(const search::Climb<Scalar>& climb) {
-    return climb.found.empty() ? 0 : climb.found.front().candidate.probability;
-}
-
-/// What is tried with the template wanted and, where the options ask for that, with a four-legged animal's: the
-/// likelier answer, with its template put in place of the one wanted, and the trail of both.
-template <typename Scalar>
-search::Climb<Scalar> climb_as_wanted(const TriangleMesh<Scalar>& mesh, SkeletonTemplate& wanted,
-                                      const ExtractOptions& options) {
-    search::Climb<Scalar> out = search::climb(mesh, wanted, options);
-    if (!options.or_quadruped || wanted.plan == BodyKind::quadruped) return out;
-    const SkeletonTemplate& animal = builtin_template("quadruped");
-    search::Climb<Scalar> other = search::climb(mesh, animal, options);
-    const search::Trail trail = std::move(other.trail);
-    other.timings = other.timings + out.timings;
-    out.trail.insert(out.trail.end(), trail.begin(), trail.end());
-    if (likeliest_of(other) <= likeliest_of(out)) {
-        out.timings = other.timings;
-        return out;
-    }
-    other.trail = std::move(out.trail);
-    wanted = animal;
-    return other;
-}
-
-template <typename Scalar>
 Extraction<Scalar> extraction_of(search::Climb<Scalar> climb, const search::Found<Scalar>& found,
                                  KinematicSkeleton<Scalar> skeleton, SkeletonTemplate skeleton_template,
                                  const ExtractOptions& options) {
@@ -146,10 +120,11 @@ Extraction<Scalar> extract_in(const TriangleMesh<Scalar>& mesh, const ExtractOpt
     validate(options);
     const core::ThreadScope threads(options.threads);
     SkeletonTemplate wanted = search::wanted_template(options);
-    search::Climb<Scalar> climb = detail::climb_as_wanted(mesh, wanted, options);
+    search::Climb<Scalar> climb = search::climb(mesh, wanted, options);
     if (climb.found.empty() || climb.found.front().candidate.probability < search::least_probability)
         throw NoSkeleton(detail::failure_of(climb, wanted, options), std::move(climb.trail));
     const search::Found<Scalar>& found = climb.found.front();
+    if (found.plan != wanted.plan) wanted = builtin_template("quadruped");
     KinematicSkeleton<Scalar> skeleton = search::skeleton_in_input(found);
     if (const auto mirror = symmetry::exact_mirror(mesh))
         skeleton =

@@ -166,7 +166,9 @@ Extraction<Scalar> extract_hinted(TriangleMesh<Scalar> mesh, const std::vector<H
     SkeletonTemplate wanted = search::wanted_template(options);
     const std::vector<int> hint_of = detail::hints_by_joint(wanted, hints);
     detail::require_hints_near(hints, mesh);
-    search::Climb<Scalar> climb = search::climb(mesh, wanted, options, search::Thoroughness::exhaustive);
+    ExtractOptions with_one = options; // hints are joints of one template
+    with_one.or_quadruped = false;
+    search::Climb<Scalar> climb = search::climb(mesh, wanted, with_one, search::Thoroughness::exhaustive);
     if (climb.found.empty()) throw NoSkeleton(climb.failure, std::move(climb.trail));
 
     const Scalar size = core::bounding_diagonal(mesh.vertices);

@@ -16,12 +16,13 @@ enum class Opening {
 
 /// How much work goes into a curve skeleton.
 enum class Effort {
-    draft,    ///< a coarse proxy, roughly centred: enough for most bodies
-    quick,    ///< the same proxy, centred, with regions
-    whole,    ///< as the options have it
-    finer,    ///< a proxy half as fine again
-    detailed, ///< the whole one with finer branches: what a thin tail leaves
-    rest_fit  ///< none: a body at rest is laid into the surface (rest_fit.hpp)
+    draft,         ///< a coarse proxy, roughly centred: enough for most bodies
+    quick,         ///< the same proxy, centred, with regions
+    whole,         ///< as the options have it
+    finer,         ///< a proxy half as fine again
+    detailed,      ///< roughly centred, with finer branches: tails, horns, trunks
+    more_detailed, ///< the same of a proxy three times as fine
+    rest_fit       ///< none: a body at rest is laid into the surface (rest_fit.hpp)
 };
 
 /// What of the things that hands may hold is taken off.

@@ -22,7 +22,8 @@ struct Found {
     std::shared_ptr<const Body<Scalar>> whole; ///< the same surface before that
     std::shared_ptr<const curve::CurveResult<Scalar>> curve;
     Hypothesis hypothesis;
-    double noise = 0; ///< smoothed away before: the root mean square, part of the body's size
+    double noise = 0;                ///< smoothed away before: the root mean square, part of the body's size
+    BodyKind plan = BodyKind::human; ///< of its template: the one wanted, or a four-legged animal's beside it
 };
 
 /// The skeleton that was found with its confidences, in the input's coordinates.
@@ -52,8 +53,9 @@ enum class Thoroughness {
 /// The one loop of the search: tries what may be true of a mesh (hypothesis.hpp), in the order of what that promises,
 /// until a candidate is sure enough or the budget of curves is used up. What a try shows leads to further hypotheses:
 /// loops of a curve to cuts, forks at its ends to things held, doubtful skeletons to finer curves. Each surface, curve
-/// and embedding is found once. \throws Error bad_input when `mesh` is no usable surface; usage when
-/// `options.prepare.component` is larger than the number of bodies.
+/// and embedding is found once. Where the options ask for a four-legged animal, too, both are looked for in the same
+/// curves, each is unlikely where the other is likely, and the likelier one is found. \throws Error bad_input when
+/// `mesh` is no usable surface; usage when `options.prepare.component` is larger than the number of bodies.
 template <typename Scalar>
 [[nodiscard]] Climb<Scalar> climb(const TriangleMesh<Scalar>& mesh, const SkeletonTemplate& wanted,
                                   const ExtractOptions& options, Thoroughness thoroughness = Thoroughness::until_sure);

@@ -14,6 +14,12 @@ namespace skelgen::search {
 /// likely than `least_probability`, and is the confidence.
 [[nodiscard]] double probability_right(const Evidence& evidence);
 
+/// What is left of a probability to be right beside the one that a skeleton of another plan has: one of them is right
+/// at most, and each has its odds against neither. The same where that is 0.
+[[nodiscard]] inline double probability_beside(double own, double other) {
+    return own < 1 ? own * (1 - other) / (1 - own * other) : 1;
+}
+
 /// Less likely skeletons are no answer. Between this and one half an answer is a guess and says so.
 inline constexpr double least_probability = 0.05;
 

@@ -84,7 +84,7 @@ PlaceFeatures features_of(const WayLine<Scalar>& line, const Limbs<Scalar>& limb
     const Vector3<Scalar> root = line.place(is_leg ? 1 : 0); // where it leaves the trunk
     PlaceFeatures out{};
     std::size_t next = 0;
-    for (const double share : {0.0, 0.2, 0.4, 0.6, 0.8}) {
+    for (const double share : {0.0, 0.25, 0.5, 0.75}) {
         const Vector3<Scalar> off = (line.place(share) - root) / limbs.size;
         out[next++] = static_cast<double>(off.dot(limbs.frame.forward));
         out[next++] = static_cast<double>(off.dot(limbs.frame.up));
@@ -92,7 +92,7 @@ PlaceFeatures features_of(const WayLine<Scalar>& line, const Limbs<Scalar>& limb
     }
     for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9})
         out[next++] = static_cast<double>(line.radius(share) / limbs.size);
-    for (std::size_t w = 0; next < out.size(); ++w) out[next++] = limbs.evidence.values[w];
+    for (const Witness witness : build_witnesses) out[next++] = limbs.evidence[witness];
     const WayScale& scale = way_scales[static_cast<std::size_t>(way)];
     constexpr double most = 2.5; // deviations: beyond them nothing was seen that tells more
     for (std::size_t i = 0; i < out.size(); ++i)
@@ -103,8 +103,8 @@ PlaceFeatures features_of(const WayLine<Scalar>& line, const Limbs<Scalar>& limb
 /// Share of the way, and forward, up and outward of it, as that animal has them.
 inline std::array<double, 4> place_in(const JointPlace& place, const PlaceFeatures& features) {
     std::array<double, 4> out = place.mean;
-    for (std::size_t k = 0; k < out.size(); ++k)
-        for (std::size_t i = 0; i < features.size(); ++i) out[k] += place.change[k][i] * features[i];
+    for (std::size_t k = 0; place.change && k < out.size(); ++k)
+        for (std::size_t i = 0; i < features.size(); ++i) out[k] += (*place.change)[k][i] * features[i];
     out[0] = std::clamp(out[0], 0.0, 1.0);
     return out;
 }

@@ -18,8 +18,10 @@ SKELGEN_INLINE curve::CurveOptions curve_options(Effort effort, curve::CurveOpti
         weight = std::min(more_firmly * weight, most_firmly);
     }
     if (effort == Effort::finer) vertices = std::min(vertices + vertices / 2, curve::most_proxy_vertices);
-    wanted.is_draft = effort == Effort::draft;
-    if (effort == Effort::detailed) wanted.detail = curve::Detail::digits;
+    const bool is_detailed = effort == Effort::detailed || effort == Effort::more_detailed;
+    if (is_detailed) wanted.pruning = {0.01, 0.02}; // as for digits
+    if (effort == Effort::more_detailed) vertices = std::min(3 * vertices, curve::most_proxy_vertices);
+    wanted.is_draft = effort == Effort::draft || is_detailed;
     return wanted;
 }
 
@@ -29,10 +31,12 @@ SKELGEN_INLINE int cost_of(Effort effort) {
     case Effort::rest_fit:
         return 1;
     case Effort::quick:
+    case Effort::detailed:
         return 2;
     case Effort::whole:
-    case Effort::detailed:
         return 3;
+    case Effort::more_detailed:
+        return 4;
     case Effort::finer:
         return 5;
     }
@@ -77,6 +81,8 @@ SKELGEN_INLINE std::string_view to_string(Effort effort) {
         return "finer";
     case Effort::detailed:
         return "detailed";
+    case Effort::more_detailed:
+        return "more_detailed";
     case Effort::rest_fit:
         return "rest_fit";
     }

@@ -3,6 +3,7 @@
 #include <skelgen/search/ladder.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <compare>
 #include <cstddef>
@@ -13,6 +14,7 @@
 #include <utility>
 
 #include <skelgen/anatomy/confidence.hpp>
+#include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/geodesics.hpp>
 #include <skelgen/core/geometry.hpp>
@@ -94,7 +96,10 @@ class Ladder {
 public:
     Ladder(const TriangleMesh<Scalar>& mesh, const SkeletonTemplate& wanted, const ExtractOptions& options,
            Thoroughness thoroughness)
-        : mesh_(mesh), wanted_(wanted), options_(options), thoroughness_(thoroughness) {}
+        : mesh_(mesh), wanted_(wanted), options_(options), thoroughness_(thoroughness),
+          animal_(wanted.plan == BodyKind::quadruped ? &wanted
+                  : options.or_quadruped             ? &builtin_template("quadruped")
+                                                     : nullptr) {}
 
     Climb<Scalar> run() {
         core::Stopwatch stage;
@@ -109,7 +114,9 @@ public:
         material_area_ = static_cast<double>(unit * unit * core::surface_area(material_.clean.mesh));
         for (std::size_t i = 0; i < remedies_.size(); ++i) {
             const bool is_later = is_envelope(remedies_[i]) && !is_envelope(remedies_.front());
-            add({{remedies_[i]}, {is_later ? 1 : 0, 0, static_cast<int>(i)}});
+            Hypothesis what{remedies_[i]};
+            if (for_animal_alone()) what.effort = Effort::detailed;
+            add({what, {is_later ? 1 : 0, 0, static_cast<int>(i)}});
         }
         int spent = 0;
         while (!leads_.empty() && !is_sure()) {
@@ -120,13 +127,15 @@ public:
             spent += cost;
             try_lead(lead);
         }
+        if (thoroughness_ == Thoroughness::until_sure && !out_.found.empty())
+            out_.found.front().candidate.probability = likeliest_yet();
         return std::move(out_);
     }
 
 private:
     /// Each try that is not sure leads to those on higher steps: what costs more comes later.
-    static constexpr int for_cuts = 1, for_rest_fit_of_pieces = 5, for_whole = 10, for_held = 20, for_rest_fit = 25,
-                         for_as_given = 30;
+    static constexpr int for_detailed = 1, for_cuts = 1, for_rest_fit_of_pieces = 5, for_more_detailed = 9,
+                         for_whole = 10, for_held = 20, for_rest_fit = 25, for_as_given = 30;
 
     void add(Lead<Scalar> lead) {
         const auto place = std::upper_bound(leads_.begin(), leads_.end(), lead,
@@ -140,10 +149,18 @@ private:
         return lead;
     }
 
-    [[nodiscard]] bool is_sure() const {
-        return thoroughness_ == Thoroughness::until_sure && !out_.found.empty() &&
-               out_.found.front().candidate.probability >= sure_enough;
+    double& likeliest(BodyKind plan) { return likeliest_[static_cast<std::size_t>(plan)]; }
+
+    /// The probability of the likeliest skeleton yet, beside the likeliest one of the other plan.
+    [[nodiscard]] double likeliest_yet() {
+        if (out_.found.empty()) return 0;
+        const Found<Scalar>& first = out_.found.front();
+        const double other = first.plan == BodyKind::human ? std::max(animal_in_draft_, likeliest(BodyKind::quadruped))
+                                                           : likeliest(BodyKind::human);
+        return probability_beside(first.candidate.probability, other);
     }
+
+    [[nodiscard]] bool is_sure() { return thoroughness_ == Thoroughness::until_sure && likeliest_yet() >= sure_enough; }
 
     /// The surface that a remedy makes, opened; a failure where nothing is enclosed.
     const Outcome<PreparedSurface<Scalar>>& surface_by(surface::Remedy remedy) {
@@ -194,11 +211,27 @@ private:
         const auto curve = curve_of(lead, *lead.body);
         out_.timings.curve += stage.lap();
 
-        const double likeliest = wanted_.plan == BodyKind::quadruped    ? try_quadruped(lead, *surface, curve, entry)
-                                 : lead.what.effort == Effort::rest_fit ? try_at_rest(lead, *surface, curve, entry)
-                                                                        : try_templates(lead, *surface, curve, entry);
-        if (likeliest < sure_enough || thoroughness_ == Thoroughness::exhaustive) follow(lead, *surface, curve);
+        if (lead.what.effort == Effort::rest_fit)
+            try_at_rest(lead, *surface, curve, entry);
+        else if (!is_detailed(lead.what.effort))
+            try_templates(lead, *surface, curve, entry);
+        if (may_show_animal(lead.what)) try_quadruped(lead, *surface, curve, entry);
+        if (!is_sure()) follow(lead, *surface, curve);
         finish(entry, {}, whole.lap());
+    }
+
+    /// Whether a curve is for animals alone.
+    [[nodiscard]] static bool is_detailed(Effort effort) {
+        return effort == Effort::detailed || effort == Effort::more_detailed;
+    }
+
+    /// Whether an animal is looked for, and no person.
+    [[nodiscard]] bool for_animal_alone() const { return wanted_.plan == BodyKind::quadruped; }
+
+    /// Whether an animal is looked for where that is true.
+    [[nodiscard]] bool may_show_animal(const Hypothesis& what) const {
+        return animal_ && what.opening == Opening::opened && what.cuts == 0 && what.held == Held::nothing &&
+               (what.effort == Effort::draft || is_detailed(what.effort));
     }
 
     void finish(Tried entry, const Failure& failure, double milliseconds) {
@@ -211,10 +244,9 @@ private:
         out_.trail.push_back(entry);
     }
 
-    /// The template in the curve, in the likeliest way and, where that is not sure, in others. \returns the probability
-    /// of the likeliest skeleton.
-    double try_templates(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
-                         const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
+    /// The template in the curve, in the likeliest way and, where that is not sure, in others.
+    void try_templates(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
+                       const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
         constexpr std::size_t most_others = 4;
         core::Stopwatch stage;
         auto first = embedding::fitting_proportions(curve->curve, wanted_, options_.matching);
@@ -226,7 +258,7 @@ private:
             refuse(entry, first.failure());
         if (curve->is_point || (lead.what.effort == Effort::draft && first) ||
             (likeliest >= likely_enough && thoroughness_ == Thoroughness::until_sure))
-            return likeliest;
+            return;
         stage.lap();
         std::vector<embedding::FittingTemplate> others =
             embedding::other_fitting_templates(curve->curve, wanted_, most_others, options_.matching);
@@ -235,40 +267,44 @@ private:
             if (first && first->embedding.node_of_joint == other.embedding.node_of_joint &&
                 first->is_odd == other.is_odd)
                 continue;
-            likeliest = std::max(likeliest, try_laid(lead, surface, curve, other, entry));
+            try_laid(lead, surface, curve, other, entry);
         }
-        return likeliest;
     }
 
-    double try_at_rest(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
-                       const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
+    void try_at_rest(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
+                     const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
         core::Stopwatch stage;
         const auto fit = fit_at_rest(*lead.body, wanted_);
         out_.timings.refine += stage.lap();
         if (!fit) {
             refuse(entry, {Refusal::no_mirror, "no body at rest: the surface mirrors itself in no plane"});
-            return 0;
+            return;
         }
-        return try_placed(lead, surface, curve, entry, options_,
-                          [&](const ExtractOptions& options) { return place_joints(*lead.body, *fit, options); });
+        try_placed(lead, surface, curve, entry, options_,
+                   [&](const ExtractOptions& options) { return place_joints(*lead.body, *fit, options); });
     }
 
-    double try_quadruped(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
-                         const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
+    void try_quadruped(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
+                       const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
         core::Stopwatch stage;
         const auto limbs = quadruped::find_limbs(curve->curve, 1);
         out_.timings.embed += stage.lap();
+        if (lead.what.effort == Effort::draft) { // lacks tails, horns, trunks: what it shows asks for a closer look
+            if (!limbs.empty()) animal_in_draft_ = std::max(animal_in_draft_, limbs.front().probability);
+            return;
+        }
+        animal_in_draft_ = 0;
         if (limbs.empty()) {
             refuse(entry, {Refusal::too_few_ends, "no four-legged animal: its curve skeleton has no ends for four legs "
                                                   "and a head, in one piece; check that these stand free"});
-            return 0;
+            return;
         }
         Candidate<Scalar> candidate;
-        candidate.skeleton = quadruped::place_joints(curve->curve, limbs.front(), wanted_);
+        candidate.skeleton = quadruped::place_joints(curve->curve, limbs.front(), *animal_);
         candidate.doubt.assign(candidate.skeleton.joints.size(), 0);
         candidate.geodesic_diameter = core::geodesic_diameter(lead.body->graph);
         candidate.probability = limbs.front().probability;
-        return keep(lead, surface, curve, std::move(candidate), entry);
+        keep(lead, surface, curve, std::move(candidate), entry, BodyKind::quadruped);
     }
 
     double try_laid(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
@@ -313,7 +349,7 @@ private:
     /// Keeps a candidate where it is the likeliest so far. \returns its probability.
     double keep(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
                 const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Candidate<Scalar> candidate,
-                Tried& entry) {
+                Tried& entry, BodyKind plan = BodyKind::human) {
         out_.timings = out_.timings + candidate.timings;
         ++entry.candidates;
         const double probability = candidate.probability;
@@ -321,7 +357,8 @@ private:
             entry.probability = probability;
             entry.lacks_limb = lacks_part(candidate.evidence);
         }
-        Found<Scalar> found{std::move(candidate), lead.body, surface.whole, curve, lead.what, surface.noise};
+        Found<Scalar> found{std::move(candidate), lead.body, surface.whole, curve, lead.what, surface.noise, plan};
+        likeliest(plan) = std::max(likeliest(plan), probability);
         if (thoroughness_ == Thoroughness::exhaustive || out_.found.empty())
             out_.found.push_back(std::move(found));
         else if (probability > out_.found.front().candidate.probability)
@@ -360,19 +397,18 @@ private:
         const Rung finer{lead.rung.round + 2, 0, lead.rung.surface};
         Hypothesis what = lead.what;
         if (effort == Effort::rest_fit || curve->is_point) return;
-        if (wanted_.plan == BodyKind::quadruped) {
-            for (const auto& [next, when] :
-                 {std::pair(Effort::whole, rung(for_whole)), std::pair(Effort::detailed, finer)}) {
-                what.effort = next;
-                if (effort == Effort::draft) add({what, when, lead.body});
-            }
-            return;
-        }
         if (effort == Effort::draft && lead.what.opening == Opening::opened) {
+            what.effort = Effort::detailed;
+            if (animal_) add({what, rung(for_detailed), lead.body});
             what.effort = Effort::rest_fit;
             add({what, rung(is_envelope(what.surface) ? for_rest_fit_of_pieces : for_rest_fit), lead.body, curve});
             what = lead.what;
         }
+        if (effort == Effort::detailed) {
+            what.effort = Effort::more_detailed;
+            add({what, rung(for_more_detailed), lead.body});
+        }
+        if (is_detailed(effort)) return;
         if (effort == Effort::draft || effort == Effort::quick) {
             what.effort = Effort::whole;
             add({what, rung(lead.rung.step + for_whole), lead.body});
@@ -426,6 +462,9 @@ private:
     const SkeletonTemplate& wanted_;
     const ExtractOptions& options_;
     Thoroughness thoroughness_;
+    const SkeletonTemplate* animal_;    ///< looked for, too, or alone; none: people are looked for alone
+    std::array<double, 2> likeliest_{}; ///< probability of each plan's skeletons
+    double animal_in_draft_ = 0;        ///< probability of one there, until a finer curve tells
     surface::BodyMaterial<Scalar> material_;
     std::vector<surface::Remedy> remedies_; ///< of the material, which the last of them takes
     double material_area_ = 0;              ///< in the input's unit
