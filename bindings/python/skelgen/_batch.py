@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import glob
 import os
 import time
@@ -17,6 +18,8 @@ from ._errors import NoSkeletonError
 from ._extraction import Extraction, extract
 from ._mesh import PathLike, is_path
 
+_TETRAHEDRON = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+
 
 @dataclass(frozen=True)
 class BatchResult:
@@ -29,10 +32,12 @@ class BatchResult:
 
     @property
     def status(self) -> str:
-        """As in the summary of `skelgen batch`: ok, no_skeleton, bad_input."""
+        """As in the summary of `skelgen batch`: ok, no_skeleton, bad_input, or internal: a fault of skelgen's own."""
         if self.error is None:
             return "ok"
-        return "no_skeleton" if isinstance(self.error, NoSkeletonError) else "bad_input"
+        if isinstance(self.error, NoSkeletonError):
+            return "no_skeleton"
+        return "bad_input" if isinstance(self.error, (ValueError, OSError)) else "internal"
 
     def row(self, *, measures: bool = False) -> dict[str, Any]:
         """Flat, for pandas, with the columns of `skelgen batch --csv`.
@@ -96,7 +101,7 @@ class Batch:
         error: Exception | None = None
         try:
             extraction = extract(file, **self._options)
-        except (NoSkeletonError, ValueError, OSError) as raised:
+        except Exception as raised:  # noqa: BLE001
             error = raised
         return BatchResult(file, extraction, error, time.perf_counter() - start)
 
@@ -110,7 +115,7 @@ def batch(paths: PathLike | Iterable[PathLike], *, jobs: int | None = None, **op
         **options: as `extract` has them.
 
     Raises:
-        ValueError: `jobs` is less than 1, or there is nothing of one of the names.
+        ValueError: `jobs` is less than 1, an option makes no sense, or there is nothing of one of the names.
 
     >>> results = skelgen.batch(["body.off"], jobs=1)
     >>> len(results), [result.status for result in results]
@@ -120,6 +125,8 @@ def batch(paths: PathLike | Iterable[PathLike], *, jobs: int | None = None, **op
     if count < 1:
         message = f"jobs: {jobs} is less than 1"
         raise ValueError(message)
+    with contextlib.suppress(NoSkeletonError):  # what is wrong with options is said once, not of each mesh
+        extract(_TETRAHEDRON, **options | {"component": 0})
     if is_path(paths):
         paths = [paths]  # type: ignore[list-item]
     files = [file for path in paths for file in _files(Path(path))]  # type: ignore[union-attr]

@@ -11,7 +11,8 @@ import numpy as np
 from . import _core
 from ._curve import Curve
 from ._mesh import FloatArray, IntArray, Mesh, MeshLike, PathLike, as_mesh, is_path
-from ._skeleton import Skeleton, _fixed, read_skeleton
+from ._picture import FRONT, GREY, bones_of, picture
+from ._skeleton import Frame, Skeleton, _fixed, read_skeleton
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -92,7 +93,7 @@ class Extraction(Skeleton):
         >>> skelgen.extract("body.off").segment().parts[:3]
         ('head', 'neck', 'chest')
         """
-        return Segmentation(self._mesh, json.loads(_core.segment(self._body, parts)))
+        return Segmentation(self._mesh, json.loads(_core.segment(self._body, parts)), self.frame)
 
     def measure(self) -> Measurements:
         """Measure the body: height, arm span, lengths of bones, girths, area and volume, in the mesh's own unit.
@@ -199,9 +200,10 @@ class Segmentation:
         face_part: (m,) for each face, likewise.
     """
 
-    def __init__(self, mesh: Mesh, document: dict[str, Any]) -> None:
+    def __init__(self, mesh: Mesh, document: dict[str, Any], frame: Frame) -> None:
         self._mesh = mesh
         self._document = document
+        self._frame = frame
         self.parts: tuple[str, ...] = tuple(document["parts"])
         self.vertex_part: IntArray = _fixed(np.array(document["vertex_part"], np.int32))
         self.face_part: IntArray = _fixed(np.array(document["face_part"], np.int32))
@@ -248,6 +250,12 @@ class Segmentation:
             _core.write_parts(Path(path), self._mesh.vertices, self._mesh.faces, list(self.parts), *labels)
         else:
             _save_json(path, self._document)
+
+    def _repr_html_(self) -> str:
+        """A picture for notebooks: the parts from the front, in their colours."""
+        colours = [f"#{colour.tobytes().hex()}" for colour in _core.part_colours(list(self.parts))]
+        surface = [(self._mesh.vertices[self.vertex_part == part], colour) for part, colour in enumerate(colours)]
+        return picture(self, self._frame.axes, surface)
 
     def __repr__(self) -> str:
         return f"Segmentation({len(self.parts)} parts of {len(self.vertex_part)} vertices)"
@@ -318,6 +326,11 @@ class Measurements:
         """
         _save_json(path, self._document)
 
+    def _repr_html_(self) -> str:
+        """A table for notebooks."""
+        cells = "".join(f"<tr><th>{name}</th><td>{_shown(value)}</td></tr>" for name, value in self.row().items())
+        return f"<table>{cells}</table>"
+
     def __repr__(self) -> str:
         span = "" if self.arm_span is None else f"arm_span {self.arm_span:.4g}, "
         return f"Measurements(height {self.height:.4g}, {span}{len(self.girths)} girths)"
@@ -354,6 +367,9 @@ class Aligned(Mesh):
         """
         return dict(json.loads(_core.transform_to_json(self.matrix)))
 
+    def _axes(self) -> FloatArray:
+        return FRONT
+
 
 class Posed(Mesh):
     """A body in another pose.
@@ -370,6 +386,9 @@ class Posed(Mesh):
         super().__init__(vertices, faces, mesh.name)
         self._scene, self._sources, self._turns = mesh._scene, sources, turns  # noqa: SLF001
         self.skeleton = Skeleton(skeleton)
+
+    def _axes(self) -> FloatArray:
+        return self.skeleton.frame.axes
 
 
 class Rig:
@@ -419,7 +438,10 @@ class Rig:
         return tuple(self._character.animations)
 
     def animate(self, clip: PathLike) -> Rig:
-        """The same character with one more motion, that of a BVH file's skeleton, and without bones of the fingers.
+        """The same character with one more motion, and without bones of the fingers.
+
+        Args:
+            clip: a BVH file, or an FBX, GLB, glTF, VRMA or DAE, whose first animation is followed.
 
         Raises:
             FileNotFoundError: there is no such file.
@@ -440,7 +462,8 @@ class Rig:
 
         Args:
             path: the file.
-            names: whose names the joints get: "skelgen", "smpl", "mixamo" or "vrm".
+            names: whose names the joints get: "skelgen", "smpl", "mixamo", "vrm", "unity", "godot", "unreal", ..., as
+                `skelgen rig --names` has them.
 
         Raises:
             ValueError: there are no such names, the file's name ends in none of these, or the rest pose is not what
@@ -450,6 +473,10 @@ class Rig:
         >>> skelgen.rig("body.off").save("body.glb", names="mixamo")
         """
         _core.write_character(self._character, Path(path), names)
+
+    def _repr_html_(self) -> str:
+        """A picture for notebooks: the character at rest."""
+        return picture(self, FRONT, [(self.vertices, GREY)], self.positions, bones_of(self.parents), self.names)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickled as what it was made of."""
@@ -577,12 +604,20 @@ def segment(
     parts: str = "bones",
     **options: Any,  # noqa: ANN401
 ) -> Segmentation:
-    """`extract` and `Extraction.segment`; options as `extract` has them."""
+    """`extract` and `Extraction.segment`, which say more; options as `extract` has them.
+
+    >>> skelgen.segment("body.off", parts="body").parts[:2]
+    ('head', 'torso')
+    """
     return _found(mesh, faces, **options).segment(parts)
 
 
 def measure(mesh: MeshLike, faces: npt.ArrayLike | None = None, **options: Any) -> Measurements:  # noqa: ANN401
-    """`extract` and `Extraction.measure`; options as `extract` has them."""
+    """`extract` and `Extraction.measure`, which say more; options as `extract` has them.
+
+    >>> skelgen.measure("body.off").unit
+    'm'
+    """
     return _found(mesh, faces, **options).measure()
 
 
@@ -594,7 +629,10 @@ def align(
     scale: bool = False,
     **options: Any,  # noqa: ANN401
 ) -> Aligned:
-    """`extract` and `Extraction.align`; options as `extract` has them."""
+    """`extract` and `Extraction.align`, which say more; options as `extract` has them.
+
+    >>> skelgen.align("body.off", origin="floor").save("aligned.ply")
+    """
     return _found(mesh, faces, **options).align(origin, scale=scale)
 
 
@@ -606,12 +644,18 @@ def rig(
     fingers: str = "auto",
     **options: Any,  # noqa: ANN401
 ) -> Rig:
-    """`extract` and `Extraction.rig`; options as `extract` has them, but `fingers`."""
+    """`extract` and `Extraction.rig`, which say more; options as `extract` has them, but `fingers`.
+
+    >>> skelgen.rig("body.off", rest="t-pose").save("body.vrm")
+    """
     return _found(mesh, faces, **options).rig(rest, fingers=fingers)
 
 
 def pose(mesh: MeshLike, faces: npt.ArrayLike | None = None, *, like: MeshLike, **options: Any) -> Posed:  # noqa: ANN401
-    """`extract` and `Extraction.pose`; options as `extract` has them."""
+    """`extract` and `Extraction.pose`, which say more; options as `extract` has them.
+
+    >>> skelgen.pose("body.off", like="body.json").save("posed.ply")
+    """
     return _found(mesh, faces, **options).pose(like)
 
 
@@ -626,6 +670,10 @@ def correspond(template: MeshLike, bodies: MeshLike) -> Correspondence | Iterato
         template: the body whose vertices are looked for; found once.
         bodies: another body, or a list or iterator of them: then an iterator of results, one after the other.
 
+    Raises:
+        ValueError, NoSkeletonError: as `extract`, of each body. To go on after one that fails, call
+            `Extraction.correspond` for each.
+
     >>> [found.confidence.shape for found in skelgen.correspond("body.off", ["body.off"])]
     [(6890,)]
     """
@@ -633,6 +681,10 @@ def correspond(template: MeshLike, bodies: MeshLike) -> Correspondence | Iterato
     if isinstance(bodies, list) or hasattr(bodies, "__next__"):
         return (found.correspond(body) for body in bodies)
     return found.correspond(bodies)
+
+
+def _shown(value: float | str | None) -> str:
+    return f"{value:.4g}" if isinstance(value, float) else value or "not known"
 
 
 def _save_json(path: PathLike, document: dict[str, Any]) -> None:

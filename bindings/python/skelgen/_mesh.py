@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._picture import GREY, picture, widest_axes
 
 FloatArray: TypeAlias = npt.NDArray[np.float64]
 IntArray: TypeAlias = npt.NDArray[np.int32]
@@ -59,6 +60,14 @@ class Mesh:
         >>> skelgen.read("body.off").save("copy.ply")
         """
         _core.write(Path(path), self.vertices, self.faces, self._scene, self._sources, self._turns)
+
+    def _repr_html_(self) -> str:
+        """A picture for notebooks."""
+        return picture(self, self._axes(), [(self.vertices, GREY)])
+
+    def _axes(self) -> FloatArray:
+        """Those of its picture."""
+        return widest_axes(self.vertices)
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.name!r}: {len(self.vertices)} vertices, {len(self.faces)} faces)"

@@ -21,7 +21,6 @@
 #include <nanobind/stl/vector.h>
 
 #include <skelgen/applications/alignment.hpp>
-#include <skelgen/applications/clip_body.hpp>
 #include <skelgen/applications/correspondence.hpp>
 #include <skelgen/applications/measurement.hpp>
 #include <skelgen/applications/pose_transfer.hpp>
@@ -31,7 +30,6 @@
 #include <skelgen/core/join_curves.hpp>
 #include <skelgen/core/parallel.hpp>
 #include <skelgen/io/atomic_file.hpp>
-#include <skelgen/io/bvh.hpp>
 #include <skelgen/io/coloured_ply.hpp>
 #include <skelgen/io/correspondence_json.hpp>
 #include <skelgen/io/curve_formats.hpp>
@@ -46,6 +44,7 @@
 #include <skelgen/version.hpp>
 
 #include <character.hpp>
+#include <clip_input.hpp>
 #include <compared_file.hpp>
 #include <mesh_input.hpp>
 #include <program.hpp>
@@ -329,11 +328,9 @@ std::shared_ptr<Character> make_rig(const Found& found, const std::string& rest,
 
 std::shared_ptr<Character> animated(const std::shared_ptr<Character>& character, const fs::path& clip) {
     return interruptible([=] {
+        const cli::ClipInput motion = cli::load_clip(clip);
         return in_file(clip, [&] {
-            const auto motion = read_bvh(clip);
-            if (const auto body = applications::find_body(motion); !body)
-                throw Error(ErrorCode::bad_input, body.failure().what);
-            auto followed = applications::retarget(motion, character->rig, character->skeleton_template);
+            auto followed = applications::retarget(motion.clip, character->rig, character->skeleton_template);
             if (!followed) throw Error(ErrorCode::bad_input, followed.failure().what);
             followed->name = clip.stem().string();
             Character out = *character;
@@ -345,7 +342,11 @@ std::shared_ptr<Character> animated(const std::shared_ptr<Character>& character,
 
 bool write_character(const std::shared_ptr<Character>& character, const fs::path& file, const std::string& names) {
     const auto convention = io::joint_names_named(names);
-    if (!convention) throw Error(ErrorCode::usage, "names: '" + names + "' is none of skelgen, smpl, mixamo, vrm");
+    if (!convention) {
+        std::string known;
+        for (const std::string& one : io::joint_names()) known += (known.empty() ? "" : ", ") + one;
+        throw Error(ErrorCode::usage, "names: '" + names + "' is none of " + known);
+    }
     return interruptible([=] {
         return in_file(file, [&] {
             if (!character->animations.empty()) {

@@ -99,6 +99,7 @@ def test_animation(body: skelgen.Extraction, workplace: Path) -> None:
     program("animate", "-q", "body.off", "--bvh", "walk.bvh", "-o", "theirs.glb")
     assert (workplace / "walking.glb").read_bytes() == (workplace / "theirs.glb").read_bytes()
     assert pickle.loads(pickle.dumps(moving)).animations == ("walk",)  # noqa: S301
+    assert rig.animate("walking.glb").animations == ("walking",)  # a scene that moves is a clip, too
 
 
 def test_pose(body: skelgen.Extraction, workplace: Path) -> None:
@@ -234,6 +235,12 @@ def test_notebooks_get_a_picture(body: skelgen.Extraction) -> None:
         float(page.split(f"<title>{side}_hip")[0].rsplit('cx="', 1)[1].split('"')[0]) for side in ("left", "right")
     ]
     assert across[0] > across[1]  # as one sees a person from the front
+    for result in results(body):
+        if not isinstance(result, skelgen.Correspondence):
+            page = result._repr_html_()
+            assert page.count("<svg") + page.count("<table>") == 1
+            assert "nan" not in page
+    assert body.segment()._repr_html_().count("<path") == len(body.segment().parts)
 
 
 def test_results_cannot_be_changed(body: skelgen.Extraction) -> None:

@@ -143,7 +143,7 @@ WRONG: list[tuple[str, Callable[[Given], Any], type[Exception], str]] = [
     ("a part", lambda g: g.body.segment().mask("tail"), KeyError, "tail"),
     ("a joint", lambda g: g.body["tail"], KeyError, "tail"),
     ("rest", lambda g: g.body.rig(rest="x-pose"), ValueError, "rest: 'x-pose' is none of"),
-    ("names", lambda g: g.body.rig().save("x.glb", names="maya"), ValueError, "names: 'maya' is none of"),
+    ("names", lambda g: g.body.rig().save("x.glb", names="maya"), ValueError, "names: 'maya' is none of .*mixamo, vrm"),
     ("a rig as text", lambda g: g.body.rig().save("x.txt"), ValueError, "x.txt"),
     ("VRM as it is", lambda g: g.body.rig().save("x.vrm"), ValueError, ""),
     ("BVH that moves", lambda g: g.body.rig().animate("walk.bvh").save("x.bvh"), ValueError, "x.bvh"),
@@ -163,6 +163,8 @@ WRONG: list[tuple[str, Callable[[Given], Any], type[Exception], str]] = [
     ("spacing nowhere", lambda g: skelgen.curve(g.v, g.f, spacing=np.nan), ValueError, "spacing"),
     ("a curve as text", lambda g: g.body.curve.save("curve.txt"), ValueError, "curve.txt"),
     ("measures as text", lambda g: g.body.measure().save("measures.txt"), ValueError, "measures.txt"),
+    ("options of a batch", lambda g: skelgen.batch(g.folder, template="human99"), ValueError, "human99"),
+    ("an option of a batch", lambda g: skelgen.batch(g.folder, speed=3), TypeError, "speed"),
     ("jobs", lambda g: skelgen.batch(g.folder, jobs=0), ValueError, "jobs: 0"),
 ]
 
