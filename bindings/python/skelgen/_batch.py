@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import glob
+import operator
 import os
 import time
 from collections import deque
@@ -69,18 +70,28 @@ class BatchResult:
         return out
 
 
-class Batch:
-    """Skeletons of many meshes, in the order of their files; knows its length, as tqdm wants it."""
+class Batch(Iterator[BatchResult]):
+    """An iterator over the skeletons of many meshes, in the order of their files.
+
+    `len` is the number of files, as tqdm wants it, however many are done.
+    """
 
     def __init__(self, files: list[Path], jobs: int, options: dict[str, Any]) -> None:
         self.files = files
         self._jobs = jobs
         self._options = options
+        self._results = self._run()
 
     def __len__(self) -> int:
         return len(self.files)
 
-    def __iter__(self) -> Iterator[BatchResult]:
+    def __next__(self) -> BatchResult:
+        return next(self._results)
+
+    def __repr__(self) -> str:
+        return f"Batch({len(self.files)} meshes, jobs={self._jobs})"
+
+    def _run(self) -> Iterator[BatchResult]:
         """Results as they are done, in order; a few more than are asked for are worked on."""
         with ThreadPoolExecutor(self._jobs) as pool:
             waiting: deque[Future[BatchResult]] = deque()
@@ -121,7 +132,7 @@ def batch(paths: PathLike | Iterable[PathLike], *, jobs: int | None = None, **op
     >>> len(results), [result.status for result in results]
     (1, ['ok'])
     """
-    count = (os.cpu_count() or 1) if jobs is None else jobs
+    count = (os.cpu_count() or 1) if jobs is None else operator.index(jobs)
     if count < 1:
         message = f"jobs: {jobs} is less than 1"
         raise ValueError(message)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, SupportsIndex, overload
 
 import numpy as np
 
@@ -33,9 +34,9 @@ class Extraction(Skeleton):
         geodesic_diameter: the largest distance along the surface.
     """
 
-    def __init__(self, mesh: Mesh, template: str, fingers: str, component: int, threads: int) -> None:
+    def __init__(self, mesh: Mesh, template: PathLike, fingers: str, component: int, threads: int) -> None:
         self._mesh = mesh
-        self._options = (template, fingers, component, threads)
+        self._options = _checked(template, fingers, component, threads)
         self._found: _core.FoundBody | None = None
         self._curve: Curve | None = None
         self._skeleton_text = self._body.skeleton_json
@@ -218,7 +219,8 @@ class Segmentation:
         True
         """
         if part not in self.parts:
-            raise KeyError(part)
+            message = f"{part!r} is none of {', '.join(self.parts)}"
+            raise KeyError(message)
         is_of_part: npt.NDArray[np.bool_] = self.vertex_part == self.parts.index(part)
         return is_of_part
 
@@ -560,7 +562,7 @@ def extract(  # noqa: PLR0913
     mesh: MeshLike,
     faces: npt.ArrayLike | None = None,
     *,
-    template: str = "human21",
+    template: PathLike = "human21",
     fingers: str = "off",
     component: int = 0,
     threads: int = 1,
@@ -591,6 +593,19 @@ def extract(  # noqa: PLR0913
     ((21, 3), ('crotch', 'waist'))
     """
     return Extraction(as_mesh(mesh, faces, name=name), template, fingers, component, threads)
+
+
+def _checked(template: PathLike, fingers: str, component: int, threads: int) -> tuple[str, str, int, int]:
+    for name, value, kind, what in (
+        ("template", template, (str, os.PathLike), "a template's name or file"),
+        ("fingers", fingers, str, '"off", "on" or "auto"'),
+        ("component", component, SupportsIndex, "a whole number"),
+        ("threads", threads, SupportsIndex, "a whole number"),
+    ):
+        if not isinstance(value, kind):
+            message = f"{name}: {value!r} is not {what}"
+            raise TypeError(message)
+    return os.fspath(template), fingers, component, threads
 
 
 def _found(mesh: MeshLike, faces: npt.ArrayLike | None = None, **options: Any) -> Extraction:  # noqa: ANN401
@@ -660,7 +675,9 @@ def pose(mesh: MeshLike, faces: npt.ArrayLike | None = None, *, like: MeshLike, 
 
 
 @overload
-def correspond(template: MeshLike, bodies: list[Any] | Iterator[Any]) -> Iterator[Correspondence]: ...
+def correspond(
+    template: MeshLike, bodies: list[Any] | set[Any] | tuple[PathLike | Mesh | Skeleton, ...] | Iterator[Any]
+) -> Iterator[Correspondence]: ...
 @overload
 def correspond(template: MeshLike, bodies: MeshLike) -> Correspondence: ...
 def correspond(template: MeshLike, bodies: MeshLike) -> Correspondence | Iterator[Correspondence]:
@@ -668,7 +685,8 @@ def correspond(template: MeshLike, bodies: MeshLike) -> Correspondence | Iterato
 
     Args:
         template: the body whose vertices are looked for; found once.
-        bodies: another body, or a list or iterator of them: then an iterator of results, one after the other.
+        bodies: another body, or a list, set or iterator of them, or a tuple of paths or bodies: then an iterator of
+            results, one after the other.
 
     Raises:
         ValueError, NoSkeletonError: as `extract`, of each body. To go on after one that fails, call
@@ -678,7 +696,10 @@ def correspond(template: MeshLike, bodies: MeshLike) -> Correspondence | Iterato
     [(6890,)]
     """
     found = _found(template)
-    if isinstance(bodies, list) or hasattr(bodies, "__next__"):
+    is_pair = isinstance(bodies, tuple) and not any(
+        is_path(body) or isinstance(body, (Mesh, Skeleton)) for body in bodies
+    )
+    if hasattr(bodies, "__next__") or (isinstance(bodies, (list, set, tuple)) and not is_pair):
         return (found.correspond(body) for body in bodies)
     return found.correspond(bodies)
 

@@ -51,7 +51,7 @@ class Mesh:
         self._turns: FloatArray | None = None
 
     def save(self, path: PathLike) -> None:
-        """Write .off, .obj, .ply, .stl or .glb, wholly or not at all; .glb with the materials of its file, if any.
+        """Write .off, .obj, .ply, .stl, .glb or .fbx, wholly or not at all; the last two with its file's materials.
 
         Raises:
             ValueError: the name ends in none of these, or the arrays are no mesh.
@@ -211,7 +211,7 @@ def _from_object(mesh: MeshLike) -> Mesh:
         return _from_polygons(mesh.points, _runs(np.asarray(mesh.faces)))
     message = (
         f"mesh: {type(mesh).__name__} has no vertices and faces; "
-        "give a path, a pair of arrays, or an object that has both"
+        "give a path, the arrays (vertices, faces), or an object that has both"
     )
     raise ValueError(message)
 

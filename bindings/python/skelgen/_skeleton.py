@@ -140,7 +140,8 @@ class Skeleton:
         try:
             place: FloatArray = self.positions[self.names.index(name)]
         except ValueError:
-            raise KeyError(name) from None
+            message = f"{name!r} is none of {', '.join((*self.names, *self.end_points))}"
+            raise KeyError(message) from None
         return place
 
     def __eq__(self, other: object) -> bool:
@@ -150,6 +151,7 @@ class Skeleton:
         return _without_timings(self._document) == _without_timings(other._document)
 
     __hash__ = None  # type: ignore[assignment]
+    __iter__ = None  # names are no numbers from 0 on
 
     def __repr__(self) -> str:
         missing = int((~self.present).sum())

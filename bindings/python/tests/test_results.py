@@ -171,8 +171,8 @@ def test_correspondence(body: skelgen.Extraction, sample: Path) -> None:
     assert (found.corners == body.faces[found.vertex_to_face]).all()
     apart = np.linalg.norm(found.transfer(body.vertices, smooth=True) - body.vertices, axis=1)
     assert apart.mean() < 1e-3 * body.geodesic_diameter
-    many = skelgen.correspond(body, [body, sample])
-    assert [one.to_dict() for one in many] == [found.to_dict()] * 2
+    for several in ([body, sample], (body, sample), iter([body, sample])):
+        assert [one.to_dict() for one in skelgen.correspond(body, several)] == [found.to_dict()] * 2
 
 
 def test_results_are_stored(body: skelgen.Extraction, workplace: Path) -> None:
@@ -256,7 +256,7 @@ def test_batch(workplace: Path) -> None:
     skelgen.convert("body.off", "sub/body.ply")
     found = skelgen.batch(workplace, jobs=2)
     assert len(found) == 3
-    rows = [result.row() for result in found]
+    rows = [next(found).row(), *(result.row() for result in found)]
     assert [(Path(row["file"]).name, row["status"]) for row in rows] == [
         ("body.off", "ok"),
         ("body.ply", "ok"),
