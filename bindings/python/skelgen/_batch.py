@@ -93,18 +93,17 @@ class Batch(Iterator[BatchResult]):
 
     def _run(self) -> Iterator[BatchResult]:
         """Results as they are done, in order; a few more than are asked for are worked on."""
-        with ThreadPoolExecutor(self._jobs) as pool:
-            waiting: deque[Future[BatchResult]] = deque()
-            try:
-                for file in self.files:
-                    waiting.append(pool.submit(self._one, file))
-                    if len(waiting) > 2 * self._jobs:
-                        yield waiting.popleft().result()
-                while waiting:
+        pool = ThreadPoolExecutor(self._jobs)
+        waiting: deque[Future[BatchResult]] = deque()
+        try:
+            for file in self.files:
+                waiting.append(pool.submit(self._one, file))
+                if len(waiting) > 2 * self._jobs:
                     yield waiting.popleft().result()
-            finally:
-                for future in waiting:
-                    future.cancel()
+            while waiting:
+                yield waiting.popleft().result()
+        finally:  # Ctrl-C does not wait for what is at work
+            pool.shutdown(wait=False, cancel_futures=True)
 
     def _one(self, file: Path) -> BatchResult:
         start = time.perf_counter()
