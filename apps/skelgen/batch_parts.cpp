@@ -71,7 +71,7 @@ PartContent curve_content(const BatchItem&, const FittedFile& body, const PartCo
 
 PartContent correspondence_content(const BatchItem&, const FittedFile& body, const PartContext& context) {
     const ComparedFile to = compared(body);
-    return {io::correspondence_to_json(correspondence_of(context.template_body->body(), to.body(), {}).file)};
+    return {io::correspondence_to_json(correspondence_of(context.template_body->body(), to.body(), {true, true}).file)};
 }
 
 #if SKELGEN_WITH_RENDER
@@ -104,8 +104,8 @@ constexpr std::array parts {
         Part{"measure", ".measurements.json", "height, bones, girths, volume", measurements_content},
         Part{"align", ".transform.json", "the 4x4 that has it face +Z", transform_content},
         Part{"curve", ".curve.json", "the curve skeleton", curve_content, true},
-        Part{"correspond", ".correspondence.json", "for each vertex of --template-body one of the mesh",
-             correspondence_content},
+        Part{"correspond", ".correspondence.json",
+             "for each vertex of --template-body its place on the mesh, and how sure it is", correspondence_content},
 #if SKELGEN_WITH_RENDER
         Part{"render", ".png", "a picture", picture_content, true},
 #endif

@@ -152,7 +152,9 @@ TEST_CASE("batch --also correspond: each mesh beside one template body", "[cli][
     const CliResult result = batch({});
     INFO(result.err);
     REQUIRE(result.status == 0);
-    REQUIRE(run_cli(folder.path(), {"correspond", "template.off", "in/body.off", "-o", "alone.json"}).status == 0);
+    REQUIRE(run_cli(folder.path(),
+                    {"correspond", "template.off", "in/body.off", "-o", "alone.json", "--confidence", "--places"})
+                .status == 0);
     CHECK(read_file(folder / "out/correspond/body.correspondence.json") == read_file(folder / "alone.json"));
 
     CHECK(batch({"--resume"}).err.find("1 done before") != std::string::npos);

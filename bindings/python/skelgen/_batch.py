@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import glob
+import operator
 import os
 import time
 from collections import deque
@@ -17,6 +19,8 @@ from ._errors import NoSkeletonError
 from ._extraction import Extraction, extract
 from ._mesh import PathLike, is_path
 
+_TETRAHEDRON = ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+
 
 @dataclass(frozen=True)
 class BatchResult:
@@ -29,10 +33,12 @@ class BatchResult:
 
     @property
     def status(self) -> str:
-        """As in the summary of `skelgen batch`: ok, no_skeleton, bad_input."""
+        """As in the summary of `skelgen batch`: ok, no_skeleton, bad_input, or internal: a fault of skelgen's own."""
         if self.error is None:
             return "ok"
-        return "no_skeleton" if isinstance(self.error, NoSkeletonError) else "bad_input"
+        if isinstance(self.error, NoSkeletonError):
+            return "no_skeleton"
+        return "bad_input" if isinstance(self.error, (ValueError, OSError)) else "internal"
 
     def row(self, *, measures: bool = False) -> dict[str, Any]:
         """Flat, for pandas, with the columns of `skelgen batch --csv`.
@@ -64,31 +70,40 @@ class BatchResult:
         return out
 
 
-class Batch:
-    """Skeletons of many meshes, in the order of their files; knows its length, as tqdm wants it."""
+class Batch(Iterator[BatchResult]):
+    """An iterator over the skeletons of many meshes, in the order of their files.
+
+    `len` is the number of files, as tqdm wants it, however many are done.
+    """
 
     def __init__(self, files: list[Path], jobs: int, options: dict[str, Any]) -> None:
         self.files = files
         self._jobs = jobs
         self._options = options
+        self._results = self._run()
 
     def __len__(self) -> int:
         return len(self.files)
 
-    def __iter__(self) -> Iterator[BatchResult]:
+    def __next__(self) -> BatchResult:
+        return next(self._results)
+
+    def __repr__(self) -> str:
+        return f"Batch({len(self.files)} meshes, jobs={self._jobs})"
+
+    def _run(self) -> Iterator[BatchResult]:
         """Results as they are done, in order; a few more than are asked for are worked on."""
-        with ThreadPoolExecutor(self._jobs) as pool:
-            waiting: deque[Future[BatchResult]] = deque()
-            try:
-                for file in self.files:
-                    waiting.append(pool.submit(self._one, file))
-                    if len(waiting) > 2 * self._jobs:
-                        yield waiting.popleft().result()
-                while waiting:
+        pool = ThreadPoolExecutor(self._jobs)
+        waiting: deque[Future[BatchResult]] = deque()
+        try:
+            for file in self.files:
+                waiting.append(pool.submit(self._one, file))
+                if len(waiting) > 2 * self._jobs:
                     yield waiting.popleft().result()
-            finally:
-                for future in waiting:
-                    future.cancel()
+            while waiting:
+                yield waiting.popleft().result()
+        finally:  # Ctrl-C does not wait for what is at work
+            pool.shutdown(wait=False, cancel_futures=True)
 
     def _one(self, file: Path) -> BatchResult:
         start = time.perf_counter()
@@ -96,7 +111,7 @@ class Batch:
         error: Exception | None = None
         try:
             extraction = extract(file, **self._options)
-        except (NoSkeletonError, ValueError, OSError) as raised:
+        except Exception as raised:  # noqa: BLE001
             error = raised
         return BatchResult(file, extraction, error, time.perf_counter() - start)
 
@@ -110,16 +125,18 @@ def batch(paths: PathLike | Iterable[PathLike], *, jobs: int | None = None, **op
         **options: as `extract` has them.
 
     Raises:
-        ValueError: `jobs` is less than 1, or there is nothing of one of the names.
+        ValueError: `jobs` is less than 1, an option makes no sense, or there is nothing of one of the names.
 
     >>> results = skelgen.batch(["body.off"], jobs=1)
     >>> len(results), [result.status for result in results]
     (1, ['ok'])
     """
-    count = (os.cpu_count() or 1) if jobs is None else jobs
+    count = (os.cpu_count() or 1) if jobs is None else operator.index(jobs)
     if count < 1:
         message = f"jobs: {jobs} is less than 1"
         raise ValueError(message)
+    with contextlib.suppress(NoSkeletonError):  # what is wrong with options is said once, not of each mesh
+        extract(_TETRAHEDRON, **options | {"component": 0})
     if is_path(paths):
         paths = [paths]  # type: ignore[list-item]
     files = [file for path in paths for file in _files(Path(path))]  # type: ignore[union-attr]

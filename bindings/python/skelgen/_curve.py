@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _core
 from ._mesh import FloatArray, IntArray, MeshLike, PathLike, as_mesh
+from ._picture import picture, widest_axes
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -71,6 +72,10 @@ class Curve:
 
     def _arrays(self) -> tuple[FloatArray, IntArray, FloatArray, list[IntArray]]:
         return self.nodes, self.edges, self.radii, self.regions
+
+    def _repr_html_(self) -> str:
+        """A picture for notebooks."""
+        return picture(self, widest_axes(self.nodes), joints=self.nodes, bones=self.edges.tolist())
 
     def __repr__(self) -> str:
         return f"Curve({len(self.nodes)} nodes, {len(self.edges)} edges)"

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, SupportsIndex, overload
 
 import numpy as np
 
 from . import _core
 from ._curve import Curve
 from ._mesh import FloatArray, IntArray, Mesh, MeshLike, PathLike, as_mesh, is_path
-from ._skeleton import Skeleton, _fixed, read_skeleton
+from ._picture import FRONT, GREY, bones_of, picture
+from ._skeleton import Frame, Skeleton, _fixed, read_skeleton
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -32,9 +34,9 @@ class Extraction(Skeleton):
         geodesic_diameter: the largest distance along the surface.
     """
 
-    def __init__(self, mesh: Mesh, template: str, fingers: str, component: int, threads: int) -> None:
+    def __init__(self, mesh: Mesh, template: PathLike, fingers: str, component: int, threads: int) -> None:
         self._mesh = mesh
-        self._options = (template, fingers, component, threads)
+        self._options = _checked(template, fingers, component, threads)
         self._found: _core.FoundBody | None = None
         self._curve: Curve | None = None
         self._skeleton_text = self._body.skeleton_json
@@ -92,7 +94,7 @@ class Extraction(Skeleton):
         >>> skelgen.extract("body.off").segment().parts[:3]
         ('head', 'neck', 'chest')
         """
-        return Segmentation(self._mesh, json.loads(_core.segment(self._body, parts)))
+        return Segmentation(self._mesh, json.loads(_core.segment(self._body, parts)), self.frame)
 
     def measure(self) -> Measurements:
         """Measure the body: height, arm span, lengths of bones, girths, area and volume, in the mesh's own unit.
@@ -199,9 +201,10 @@ class Segmentation:
         face_part: (m,) for each face, likewise.
     """
 
-    def __init__(self, mesh: Mesh, document: dict[str, Any]) -> None:
+    def __init__(self, mesh: Mesh, document: dict[str, Any], frame: Frame) -> None:
         self._mesh = mesh
         self._document = document
+        self._frame = frame
         self.parts: tuple[str, ...] = tuple(document["parts"])
         self.vertex_part: IntArray = _fixed(np.array(document["vertex_part"], np.int32))
         self.face_part: IntArray = _fixed(np.array(document["face_part"], np.int32))
@@ -216,7 +219,8 @@ class Segmentation:
         True
         """
         if part not in self.parts:
-            raise KeyError(part)
+            message = f"{part!r} is none of {', '.join(self.parts)}"
+            raise KeyError(message)
         is_of_part: npt.NDArray[np.bool_] = self.vertex_part == self.parts.index(part)
         return is_of_part
 
@@ -248,6 +252,12 @@ class Segmentation:
             _core.write_parts(Path(path), self._mesh.vertices, self._mesh.faces, list(self.parts), *labels)
         else:
             _save_json(path, self._document)
+
+    def _repr_html_(self) -> str:
+        """A picture for notebooks: the parts from the front, in their colours."""
+        colours = [f"#{colour.tobytes().hex()}" for colour in _core.part_colours(list(self.parts))]
+        surface = [(self._mesh.vertices[self.vertex_part == part], colour) for part, colour in enumerate(colours)]
+        return picture(self, self._frame.axes, surface)
 
     def __repr__(self) -> str:
         return f"Segmentation({len(self.parts)} parts of {len(self.vertex_part)} vertices)"
@@ -318,6 +328,11 @@ class Measurements:
         """
         _save_json(path, self._document)
 
+    def _repr_html_(self) -> str:
+        """A table for notebooks."""
+        cells = "".join(f"<tr><th>{name}</th><td>{_shown(value)}</td></tr>" for name, value in self.row().items())
+        return f"<table>{cells}</table>"
+
     def __repr__(self) -> str:
         span = "" if self.arm_span is None else f"arm_span {self.arm_span:.4g}, "
         return f"Measurements(height {self.height:.4g}, {span}{len(self.girths)} girths)"
@@ -354,6 +369,9 @@ class Aligned(Mesh):
         """
         return dict(json.loads(_core.transform_to_json(self.matrix)))
 
+    def _axes(self) -> FloatArray:
+        return FRONT
+
 
 class Posed(Mesh):
     """A body in another pose.
@@ -370,6 +388,9 @@ class Posed(Mesh):
         super().__init__(vertices, faces, mesh.name)
         self._scene, self._sources, self._turns = mesh._scene, sources, turns  # noqa: SLF001
         self.skeleton = Skeleton(skeleton)
+
+    def _axes(self) -> FloatArray:
+        return self.skeleton.frame.axes
 
 
 class Rig:
@@ -419,7 +440,10 @@ class Rig:
         return tuple(self._character.animations)
 
     def animate(self, clip: PathLike) -> Rig:
-        """The same character with one more motion, that of a BVH file's skeleton, and without bones of the fingers.
+        """The same character with one more motion, and without bones of the fingers.
+
+        Args:
+            clip: a BVH file, or an FBX, GLB, glTF, VRMA or DAE, whose first animation is followed.
 
         Raises:
             FileNotFoundError: there is no such file.
@@ -440,7 +464,8 @@ class Rig:
 
         Args:
             path: the file.
-            names: whose names the joints get: "skelgen", "smpl", "mixamo" or "vrm".
+            names: whose names the joints get: "skelgen", "smpl", "mixamo", "vrm", "unity", "godot", "unreal", ..., as
+                `skelgen rig --names` has them.
 
         Raises:
             ValueError: there are no such names, the file's name ends in none of these, or the rest pose is not what
@@ -450,6 +475,10 @@ class Rig:
         >>> skelgen.rig("body.off").save("body.glb", names="mixamo")
         """
         _core.write_character(self._character, Path(path), names)
+
+    def _repr_html_(self) -> str:
+        """A picture for notebooks: the character at rest."""
+        return picture(self, FRONT, [(self.vertices, GREY)], self.positions, bones_of(self.parents), self.names)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickled as what it was made of."""
@@ -533,7 +562,7 @@ def extract(  # noqa: PLR0913
     mesh: MeshLike,
     faces: npt.ArrayLike | None = None,
     *,
-    template: str = "human21",
+    template: PathLike = "human21",
     fingers: str = "off",
     component: int = 0,
     threads: int = 1,
@@ -566,6 +595,19 @@ def extract(  # noqa: PLR0913
     return Extraction(as_mesh(mesh, faces, name=name), template, fingers, component, threads)
 
 
+def _checked(template: PathLike, fingers: str, component: int, threads: int) -> tuple[str, str, int, int]:
+    for name, value, kind, what in (
+        ("template", template, (str, os.PathLike), "a template's name or file"),
+        ("fingers", fingers, str, '"off", "on" or "auto"'),
+        ("component", component, SupportsIndex, "a whole number"),
+        ("threads", threads, SupportsIndex, "a whole number"),
+    ):
+        if not isinstance(value, kind):
+            message = f"{name}: {value!r} is not {what}"
+            raise TypeError(message)
+    return os.fspath(template), fingers, component, threads
+
+
 def _found(mesh: MeshLike, faces: npt.ArrayLike | None = None, **options: Any) -> Extraction:  # noqa: ANN401
     return mesh if isinstance(mesh, Extraction) and not options else extract(mesh, faces, **options)
 
@@ -577,12 +619,20 @@ def segment(
     parts: str = "bones",
     **options: Any,  # noqa: ANN401
 ) -> Segmentation:
-    """`extract` and `Extraction.segment`; options as `extract` has them."""
+    """`extract` and `Extraction.segment`, which say more; options as `extract` has them.
+
+    >>> skelgen.segment("body.off", parts="body").parts[:2]
+    ('head', 'torso')
+    """
     return _found(mesh, faces, **options).segment(parts)
 
 
 def measure(mesh: MeshLike, faces: npt.ArrayLike | None = None, **options: Any) -> Measurements:  # noqa: ANN401
-    """`extract` and `Extraction.measure`; options as `extract` has them."""
+    """`extract` and `Extraction.measure`, which say more; options as `extract` has them.
+
+    >>> skelgen.measure("body.off").unit
+    'm'
+    """
     return _found(mesh, faces, **options).measure()
 
 
@@ -594,7 +644,10 @@ def align(
     scale: bool = False,
     **options: Any,  # noqa: ANN401
 ) -> Aligned:
-    """`extract` and `Extraction.align`; options as `extract` has them."""
+    """`extract` and `Extraction.align`, which say more; options as `extract` has them.
+
+    >>> skelgen.align("body.off", origin="floor").save("aligned.ply")
+    """
     return _found(mesh, faces, **options).align(origin, scale=scale)
 
 
@@ -606,17 +659,25 @@ def rig(
     fingers: str = "auto",
     **options: Any,  # noqa: ANN401
 ) -> Rig:
-    """`extract` and `Extraction.rig`; options as `extract` has them, but `fingers`."""
+    """`extract` and `Extraction.rig`, which say more; options as `extract` has them, but `fingers`.
+
+    >>> skelgen.rig("body.off", rest="t-pose").save("body.vrm")
+    """
     return _found(mesh, faces, **options).rig(rest, fingers=fingers)
 
 
 def pose(mesh: MeshLike, faces: npt.ArrayLike | None = None, *, like: MeshLike, **options: Any) -> Posed:  # noqa: ANN401
-    """`extract` and `Extraction.pose`; options as `extract` has them."""
+    """`extract` and `Extraction.pose`, which say more; options as `extract` has them.
+
+    >>> skelgen.pose("body.off", like="body.json").save("posed.ply")
+    """
     return _found(mesh, faces, **options).pose(like)
 
 
 @overload
-def correspond(template: MeshLike, bodies: list[Any] | Iterator[Any]) -> Iterator[Correspondence]: ...
+def correspond(
+    template: MeshLike, bodies: list[Any] | set[Any] | tuple[PathLike | Mesh | Skeleton, ...] | Iterator[Any]
+) -> Iterator[Correspondence]: ...
 @overload
 def correspond(template: MeshLike, bodies: MeshLike) -> Correspondence: ...
 def correspond(template: MeshLike, bodies: MeshLike) -> Correspondence | Iterator[Correspondence]:
@@ -624,15 +685,27 @@ def correspond(template: MeshLike, bodies: MeshLike) -> Correspondence | Iterato
 
     Args:
         template: the body whose vertices are looked for; found once.
-        bodies: another body, or a list or iterator of them: then an iterator of results, one after the other.
+        bodies: another body, or a list, set or iterator of them, or a tuple of paths or bodies: then an iterator of
+            results, one after the other.
+
+    Raises:
+        ValueError, NoSkeletonError: as `extract`, of each body. To go on after one that fails, call
+            `Extraction.correspond` for each.
 
     >>> [found.confidence.shape for found in skelgen.correspond("body.off", ["body.off"])]
     [(6890,)]
     """
     found = _found(template)
-    if isinstance(bodies, list) or hasattr(bodies, "__next__"):
+    is_pair = isinstance(bodies, tuple) and not any(
+        is_path(body) or isinstance(body, (Mesh, Skeleton)) for body in bodies
+    )
+    if hasattr(bodies, "__next__") or (isinstance(bodies, (list, set, tuple)) and not is_pair):
         return (found.correspond(body) for body in bodies)
     return found.correspond(bodies)
+
+
+def _shown(value: float | str | None) -> str:
+    return f"{value:.4g}" if isinstance(value, float) else value or "not known"
 
 
 def _save_json(path: PathLike, document: dict[str, Any]) -> None:

@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._picture import GREY, picture, widest_axes
 
 FloatArray: TypeAlias = npt.NDArray[np.float64]
 IntArray: TypeAlias = npt.NDArray[np.int32]
@@ -50,7 +51,7 @@ class Mesh:
         self._turns: FloatArray | None = None
 
     def save(self, path: PathLike) -> None:
-        """Write .off, .obj, .ply, .stl or .glb, wholly or not at all; .glb with the materials of its file, if any.
+        """Write .off, .obj, .ply, .stl, .glb or .fbx, wholly or not at all; the last two with its file's materials.
 
         Raises:
             ValueError: the name ends in none of these, or the arrays are no mesh.
@@ -59,6 +60,14 @@ class Mesh:
         >>> skelgen.read("body.off").save("copy.ply")
         """
         _core.write(Path(path), self.vertices, self.faces, self._scene, self._sources, self._turns)
+
+    def _repr_html_(self) -> str:
+        """A picture for notebooks."""
+        return picture(self, self._axes(), [(self.vertices, GREY)])
+
+    def _axes(self) -> FloatArray:
+        """Those of its picture."""
+        return widest_axes(self.vertices)
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.name!r}: {len(self.vertices)} vertices, {len(self.faces)} faces)"
@@ -202,7 +211,7 @@ def _from_object(mesh: MeshLike) -> Mesh:
         return _from_polygons(mesh.points, _runs(np.asarray(mesh.faces)))
     message = (
         f"mesh: {type(mesh).__name__} has no vertices and faces; "
-        "give a path, a pair of arrays, or an object that has both"
+        "give a path, the arrays (vertices, faces), or an object that has both"
     )
     raise ValueError(message)
 

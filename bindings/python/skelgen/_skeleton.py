@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-import html
 import json
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,9 +12,7 @@ import numpy as np
 
 from . import _core
 from ._mesh import FloatArray, IntArray, PathLike, _existing
-
-_SHOWN_POINTS = 2500
-_SIDE_COLOURS = {"left_": "#3b6fd4", "right_": "#d4a017"}
+from ._picture import GREY, bones_of, picture
 
 
 def _fixed(array: Any) -> Any:  # noqa: ANN401
@@ -34,6 +31,11 @@ class Frame:
     left: FloatArray
     forward: FloatArray
     up: FloatArray
+
+    @property
+    def axes(self) -> FloatArray:
+        """(2, 3) to the right and downwards in a picture from the front."""
+        return np.stack([self.left, -self.up])
 
 
 @dataclass(frozen=True)
@@ -138,7 +140,8 @@ class Skeleton:
         try:
             place: FloatArray = self.positions[self.names.index(name)]
         except ValueError:
-            raise KeyError(name) from None
+            message = f"{name!r} is none of {', '.join((*self.names, *self.end_points))}"
+            raise KeyError(message) from None
         return place
 
     def __eq__(self, other: object) -> bool:
@@ -148,6 +151,7 @@ class Skeleton:
         return _without_timings(self._document) == _without_timings(other._document)
 
     __hash__ = None  # type: ignore[assignment]
+    __iter__ = None  # names are no numbers from 0 on
 
     def __repr__(self) -> str:
         missing = int((~self.present).sum())
@@ -159,48 +163,13 @@ class Skeleton:
 
     def _repr_html_(self) -> str:
         """A picture for notebooks: the body from the front, left blue, right yellow."""
-        return f"<figure>{_svg(self)}<figcaption>{html.escape(repr(self))}</figcaption></figure>"
+        vertices = self._shown_vertices()
+        surface = [] if vertices is None else [(vertices, GREY)]
+        return picture(self, self.frame.axes, surface, self.positions, bones_of(self.parents), self.names)
 
 
 def _without_timings(document: dict[str, Any]) -> dict[str, Any]:
     return {key: value for key, value in document.items() if key != "timings_ms"}
-
-
-def _svg(skeleton: Skeleton) -> str:
-    """Joints and bones seen from the front, above the surface's points where these are known."""
-    frame = skeleton.frame
-    right, down = -frame.left, -frame.up  # of the picture, in which the person's left is on the right
-    axes = np.stack([-right, down])
-    places = skeleton.positions @ axes.T
-    shown = places[skeleton.present]
-    vertices = skeleton._shown_vertices()  # noqa: SLF001
-    points = np.empty((0, 2)) if vertices is None else vertices[:: 1 + len(vertices) // _SHOWN_POINTS] @ axes.T
-    everything = np.concatenate([shown, points, [place @ axes.T for place in skeleton.end_points.values()]])
-    low, high = everything.min(axis=0), everything.max(axis=0)
-    height = 360.0
-    scale = height / max(float((high - low).max()), 1e-300)
-
-    def at(place: FloatArray) -> str:
-        x, y = (place - low) * scale + 10
-        return f"{x:.1f} {y:.1f}"
-
-    width, tall = ((high - low) * scale + 20).round()
-    dots = "".join(f"M{at(point)}h0" for point in points)
-    parts = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}" height="{tall:.0f}" role="img">',
-        f'<path d="{dots}" stroke="#c8c8c8" stroke-width="2" stroke-linecap="round"/>',
-    ]
-    for joint, parent in enumerate(skeleton.parents):
-        if not skeleton.present[joint]:
-            continue
-        colour = next((c for side, c in _SIDE_COLOURS.items() if skeleton.names[joint].startswith(side)), "#444")
-        if parent >= 0:
-            line = f"M{at(places[parent])}L{at(places[joint])}"
-            parts.append(f'<path d="{line}" stroke="{colour}" stroke-width="3"/>')
-        x, y = at(places[joint]).split()
-        name = html.escape(skeleton.names[joint])
-        parts.append(f'<circle cx="{x}" cy="{y}" r="4" fill="{colour}"><title>{name}</title></circle>')
-    return "".join([*parts, "</svg>"])
 
 
 def read_skeleton(path: PathLike) -> Skeleton:

@@ -14,7 +14,11 @@ namespace {
 Extraction<double> found_in(const TriangleMesh<double>& mesh, const std::string& wanted, const FindOptions& options) {
     ExtractOptions how;
     how.or_quadruped = wanted == "auto";
-    how.skeleton_template = io::load_template(how.or_quadruped ? "human21" : wanted);
+    try {
+        how.skeleton_template = io::load_template(how.or_quadruped ? "human21" : wanted);
+    } catch (const Error& error) {
+        throw Error(error.code(), std::string("template: ") + error.what());
+    }
     how.prepare.component = options.component;
     how.threads = options.threads;
     how.with_curve = options.with_curve;

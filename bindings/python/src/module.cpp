@@ -1,13 +1,17 @@
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
+
+#include <unistd.h>
 
 #include <nanobind/eigen/dense.h>
 #include <nanobind/nanobind.h>
@@ -21,7 +25,6 @@
 #include <nanobind/stl/vector.h>
 
 #include <skelgen/applications/alignment.hpp>
-#include <skelgen/applications/clip_body.hpp>
 #include <skelgen/applications/correspondence.hpp>
 #include <skelgen/applications/measurement.hpp>
 #include <skelgen/applications/pose_transfer.hpp>
@@ -31,7 +34,6 @@
 #include <skelgen/core/join_curves.hpp>
 #include <skelgen/core/parallel.hpp>
 #include <skelgen/io/atomic_file.hpp>
-#include <skelgen/io/bvh.hpp>
 #include <skelgen/io/coloured_ply.hpp>
 #include <skelgen/io/correspondence_json.hpp>
 #include <skelgen/io/curve_formats.hpp>
@@ -46,6 +48,7 @@
 #include <skelgen/version.hpp>
 
 #include <character.hpp>
+#include <clip_input.hpp>
 #include <compared_file.hpp>
 #include <mesh_input.hpp>
 #include <program.hpp>
@@ -76,6 +79,21 @@ auto in_file(const fs::path& file, const Work& work) {
     } catch (const Error& error) {
         throw Error(error.code(), file.string() + ": " + error.what());
     }
+}
+
+/// Does the work that writes a file. \throws Error not_written where its folder is not there or closed.
+template <typename Work>
+void store(const fs::path& file, const Work& work) {
+    interruptible([=] {
+        in_file(file, [&] {
+            const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+            if (::access(folder.c_str(), W_OK) != 0)
+                throw Error(ErrorCode::not_written,
+                            "cannot be written: its folder: " + std::generic_category().message(errno));
+            work();
+        });
+        return true;
+    });
 }
 
 // ------------------------------------------------------------------------------------------------------------- meshes
@@ -109,9 +127,9 @@ io::SceneLooks looks_of(const std::optional<Scene>& scene, const applications::O
 }
 
 /// `turns`: what each vertex has been turned by since the scene was read, quaternions; none: not at all.
-bool write(const fs::path& file, const Vertices& vertices, const Faces& faces, const std::optional<Scene>& scene,
+void write(const fs::path& file, const Vertices& vertices, const Faces& faces, const std::optional<Scene>& scene,
            const Sources& sources, const std::optional<Turns>& turns) {
-    return interruptible([=] {
+    store(file, [=] {
         const LentMesh mesh(vertices, faces);
         applications::VertexTurns<double> turned(scene ? static_cast<std::size_t>((*mesh).vertices.rows()) : 0,
                                                  Eigen::Quaterniond::Identity());
@@ -120,7 +138,7 @@ bool write(const fs::path& file, const Vertices& vertices, const Faces& faces, c
         const auto& [own_vertices, own_faces] = sources;
         const applications::OwnPart part{
             {own_faces.begin(), own_faces.end()}, {own_vertices.begin(), own_vertices.end()}, own_faces.size() == 0};
-        return in_file(file, [&] { return io::write_mesh(file, *mesh, looks_of(scene, part), turned), true; });
+        io::write_mesh(file, *mesh, looks_of(scene, part), turned);
     });
 }
 
@@ -131,8 +149,8 @@ Triangles triangulated(const Vertices& vertices, const std::vector<int>& corners
     });
 }
 
-bool write_text(const fs::path& file, const std::string& text) {
-    return interruptible([=] { return in_file(file, [&] { return io::write_file_atomically(file, text), true; }); });
+void write_text(const fs::path& file, const std::string& text) {
+    store(file, [=] { io::write_file_atomically(file, text); });
 }
 
 // ------------------------------------------------------------------------------------------------------------- curves
@@ -329,11 +347,9 @@ std::shared_ptr<Character> make_rig(const Found& found, const std::string& rest,
 
 std::shared_ptr<Character> animated(const std::shared_ptr<Character>& character, const fs::path& clip) {
     return interruptible([=] {
+        const cli::ClipInput motion = cli::load_clip(clip);
         return in_file(clip, [&] {
-            const auto motion = read_bvh(clip);
-            if (const auto body = applications::find_body(motion); !body)
-                throw Error(ErrorCode::bad_input, body.failure().what);
-            auto followed = applications::retarget(motion, character->rig, character->skeleton_template);
+            auto followed = applications::retarget(motion.clip, character->rig, character->skeleton_template);
             if (!followed) throw Error(ErrorCode::bad_input, followed.failure().what);
             followed->name = clip.stem().string();
             Character out = *character;
@@ -343,23 +359,24 @@ std::shared_ptr<Character> animated(const std::shared_ptr<Character>& character,
     });
 }
 
-bool write_character(const std::shared_ptr<Character>& character, const fs::path& file, const std::string& names) {
+void write_character(const std::shared_ptr<Character>& character, const fs::path& file, const std::string& names) {
     const auto convention = io::joint_names_named(names);
-    if (!convention) throw Error(ErrorCode::usage, "names: '" + names + "' is none of skelgen, smpl, mixamo, vrm");
-    return interruptible([=] {
-        return in_file(file, [&] {
-            if (!character->animations.empty()) {
-                const auto format = io::rig_format_of(file);
-                if (format != io::RigFormat::glb && format != io::RigFormat::fbx)
-                    throw Error(ErrorCode::usage, "a moving character's name must end in .glb or .fbx");
-                const auto write = format == io::RigFormat::fbx ? io::rig_to_fbx : io::rig_to_glb;
-                io::write_file_atomically(file,
-                                          write(character->rig, *convention, character->looks, character->animations));
-            } else {
-                write_rig(file, character->rig, *convention, character->looks);
-            }
-            return true;
-        });
+    if (!convention) {
+        std::string known;
+        for (const std::string& one : io::joint_names()) known += (known.empty() ? "" : ", ") + one;
+        throw Error(ErrorCode::usage, "names: '" + names + "' is none of " + known);
+    }
+    store(file, [=] {
+        if (character->animations.empty()) {
+            write_rig(file, character->rig, *convention, character->looks);
+        } else {
+            const auto format = io::rig_format_of(file);
+            if (format != io::RigFormat::glb && format != io::RigFormat::fbx)
+                throw Error(ErrorCode::usage, "a moving character's name must end in .glb or .fbx");
+            const auto write = format == io::RigFormat::fbx ? io::rig_to_fbx : io::rig_to_glb;
+            io::write_file_atomically(file,
+                                      write(character->rig, *convention, character->looks, character->animations));
+        }
     });
 }
 
@@ -380,15 +397,15 @@ Colours part_colours(const std::vector<std::string>& parts) {
     return out;
 }
 
-bool write_parts(const fs::path& file, const Vertices& vertices, const Faces& faces,
+void write_parts(const fs::path& file, const Vertices& vertices, const Faces& faces,
                  const std::vector<std::string>& parts, const std::vector<int>& vertex_part,
                  const std::vector<int>& face_part) {
-    return interruptible([=] {
+    store(file, [=] {
         const LentMesh mesh(vertices, faces);
         io::MeshColours colours{{}, vertex_part, face_part};
         const auto palette = io::part_colours(parts);
         for (const int part : vertex_part) colours.vertices.push_back(palette.at(static_cast<std::size_t>(part)));
-        return in_file(file, [&] { return io::write_coloured_ply(file, *mesh, colours), true; });
+        io::write_coloured_ply(file, *mesh, colours);
     });
 }
 
@@ -448,8 +465,7 @@ NB_MODULE(_core, m) {
           nb::arg("spacing").none(), nb::arg("threads"));
     m.def("curve_to_json", [](const CurveArrays& curve) { return io::curve_to_json(curve_of(curve)); });
     m.def("write_curve", [](const fs::path& file, const CurveArrays& curve) {
-        return interruptible(
-            [=] { return in_file(file, [&] { return io::write_curve(file, curve_of(curve)), true; }); });
+        store(file, [=] { io::write_curve(file, curve_of(curve)); });
     });
     nb::class_<FoundBody>(m, "FoundBody")
         .def_prop_ro("skeleton_json", &FoundBody::skeleton_json)

@@ -116,6 +116,21 @@ def test_after_an_interrupt_all_is_well(mesh: skelgen.Mesh, body: skelgen.Extrac
     assert skelgen.extract(mesh.vertices, mesh.faces, name="body.off") == body
 
 
+def test_an_interrupt_ends_a_batch_at_once(workplace: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    done, find = threading.Event(), skelgen.extract
+    monkeypatch.setattr("skelgen._batch.extract", lambda mesh, **o: done.wait(60) and find(mesh, **o))
+    done.set()
+    results = skelgen.batch(workplace / "body.off", jobs=1)
+    done.clear()
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    start = time.monotonic()
+    threading.Timer(0.1, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    with pytest.raises(KeyboardInterrupt):
+        next(results)
+    done.set()
+    assert time.monotonic() - start < 0.6
+
+
 def resident_bytes() -> int:
     return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 

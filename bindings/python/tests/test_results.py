@@ -99,6 +99,7 @@ def test_animation(body: skelgen.Extraction, workplace: Path) -> None:
     program("animate", "-q", "body.off", "--bvh", "walk.bvh", "-o", "theirs.glb")
     assert (workplace / "walking.glb").read_bytes() == (workplace / "theirs.glb").read_bytes()
     assert pickle.loads(pickle.dumps(moving)).animations == ("walk",)  # noqa: S301
+    assert rig.animate("walking.glb").animations == ("walking",)  # a scene that moves is a clip, too
 
 
 def test_pose(body: skelgen.Extraction, workplace: Path) -> None:
@@ -170,8 +171,8 @@ def test_correspondence(body: skelgen.Extraction, sample: Path) -> None:
     assert (found.corners == body.faces[found.vertex_to_face]).all()
     apart = np.linalg.norm(found.transfer(body.vertices, smooth=True) - body.vertices, axis=1)
     assert apart.mean() < 1e-3 * body.geodesic_diameter
-    many = skelgen.correspond(body, [body, sample])
-    assert [one.to_dict() for one in many] == [found.to_dict()] * 2
+    for several in ([body, sample], (body, sample), iter([body, sample])):
+        assert [one.to_dict() for one in skelgen.correspond(body, several)] == [found.to_dict()] * 2
 
 
 def test_results_are_stored(body: skelgen.Extraction, workplace: Path) -> None:
@@ -234,6 +235,12 @@ def test_notebooks_get_a_picture(body: skelgen.Extraction) -> None:
         float(page.split(f"<title>{side}_hip")[0].rsplit('cx="', 1)[1].split('"')[0]) for side in ("left", "right")
     ]
     assert across[0] > across[1]  # as one sees a person from the front
+    for result in results(body):
+        if not isinstance(result, skelgen.Correspondence):
+            page = result._repr_html_()
+            assert page.count("<svg") + page.count("<table>") == 1
+            assert "nan" not in page
+    assert body.segment()._repr_html_().count("<path") == len(body.segment().parts)
 
 
 def test_results_cannot_be_changed(body: skelgen.Extraction) -> None:
@@ -249,7 +256,7 @@ def test_batch(workplace: Path) -> None:
     skelgen.convert("body.off", "sub/body.ply")
     found = skelgen.batch(workplace, jobs=2)
     assert len(found) == 3
-    rows = [result.row() for result in found]
+    rows = [next(found).row(), *(result.row() for result in found)]
     assert [(Path(row["file"]).name, row["status"]) for row in rows] == [
         ("body.off", "ok"),
         ("body.ply", "ok"),

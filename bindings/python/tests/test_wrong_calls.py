@@ -123,27 +123,35 @@ WRONG: list[tuple[str, Callable[[Given], Any], type[Exception], str]] = [
     ("noise", lambda g: skelgen.extract(g.file("noise.stl", bytes(range(256)) * 9)), ValueError, "noise.stl"),
     ("no animation", lambda _: skelgen.read("body.off", animation="run"), ValueError, ""),
     ("unknown format", lambda g: skelgen.convert(g.body, "body.xyz"), ValueError, "body.xyz"),
-    ("no folder", lambda g: g.body.save("nowhere/body.json"), (ValueError, OSError), "nowhere"),
+    ("no folder", lambda g: g.body.save("nowhere/body.json"), OSError, "nowhere"),
+    ("no folder for a mesh", lambda g: g.body.align().save("nowhere/body.ply"), OSError, "nowhere"),
+    ("no folder for a rig", lambda g: g.body.rig().save("nowhere/body.glb"), OSError, "nowhere"),
+    ("no folder for a curve", lambda g: g.body.curve.save("nowhere/body.swc"), OSError, "nowhere"),
+    ("no folder for parts", lambda g: g.body.segment().save("nowhere/body.ply"), OSError, "nowhere"),
     ("no skeleton file", lambda _: skelgen.read_skeleton("body.off"), ValueError, "body.off"),
     ("no skeleton at all", lambda _: skelgen.read_skeleton("none.json"), FileNotFoundError, "none.json"),
     ("half a skeleton", lambda _: skelgen.Skeleton.from_dict({"format": "skelgen-skeleton"}), ValueError, "missing"),
     ("nothing to do", lambda _: skelgen.batch("*.nothing"), ValueError, "paths: there is no mesh at"),
     # options
-    ("no template", lambda g: skelgen.extract(g.v, g.f, template="human99"), ValueError, "human99"),
-    ("template 5", lambda g: skelgen.extract(g.v, g.f, template=5), TypeError, ""),  # type: ignore[arg-type]
+    ("no template", lambda g: skelgen.extract(g.v, g.f, template="human99"), ValueError, "template: 'human99'"),
+    ("template 5", lambda g: skelgen.extract(g.v, g.f, template=5), TypeError, "template: 5 is not"),  # type: ignore[arg-type]
+    ("fingers yes", lambda g: skelgen.extract(g.v, g.f, fingers=True), TypeError, "fingers: True is not"),  # type: ignore[arg-type]
+    ("threads None", lambda g: skelgen.extract(g.v, g.f, threads=None), TypeError, "threads: None is not"),  # type: ignore[arg-type]
     ("fingers", lambda g: skelgen.extract(g.v, g.f, fingers="six"), ValueError, "fingers: 'six' is none of"),
     ("fingers of a rig", lambda g: g.body.rig(fingers="six"), ValueError, "fingers: 'six' is none of"),
     ("component -1", lambda g: skelgen.extract(g.v, g.f, component=-1), ValueError, "component"),
-    ("component x", lambda g: skelgen.extract(g.v, g.f, component="x"), TypeError, ""),  # type: ignore[arg-type]
+    ("component x", lambda g: skelgen.extract(g.v, g.f, component="x"), TypeError, "component: 'x' is"),  # type: ignore[arg-type]
     ("threads 0", lambda g: skelgen.extract(g.v, g.f, threads=0), ValueError, "threads"),
     ("threads 10^12", lambda g: skelgen.extract(g.v, g.f, threads=10**12), (TypeError, ValueError), ""),
     ("unknown option", lambda g: skelgen.extract(g.v, g.f, speed=3), TypeError, "speed"),  # type: ignore[call-arg]
     ("no name", lambda g: skelgen.extract(g.v, g.f, name=""), ValueError, "name: '' is no name"),
     ("parts", lambda g: g.body.segment("organs"), ValueError, "parts: 'organs' is none of bones, body"),
-    ("a part", lambda g: g.body.segment().mask("tail"), KeyError, "tail"),
-    ("a joint", lambda g: g.body["tail"], KeyError, "tail"),
+    ("a part", lambda g: g.body.segment().mask("tail"), KeyError, "tail.*head, neck"),
+    ("a joint", lambda g: g.body["tail"], KeyError, "tail.*left_knee"),
+    ("a joint's number", lambda g: g.body[0], KeyError, "0 is none of"),
+    ("joints one by one", lambda g: list(g.body), TypeError, "not iterable"),  # type: ignore[call-overload]
     ("rest", lambda g: g.body.rig(rest="x-pose"), ValueError, "rest: 'x-pose' is none of"),
-    ("names", lambda g: g.body.rig().save("x.glb", names="maya"), ValueError, "names: 'maya' is none of"),
+    ("names", lambda g: g.body.rig().save("x.glb", names="maya"), ValueError, "names: 'maya' is none of .*mixamo, vrm"),
     ("a rig as text", lambda g: g.body.rig().save("x.txt"), ValueError, "x.txt"),
     ("VRM as it is", lambda g: g.body.rig().save("x.vrm"), ValueError, ""),
     ("BVH that moves", lambda g: g.body.rig().animate("walk.bvh").save("x.bvh"), ValueError, "x.bvh"),
@@ -163,6 +171,9 @@ WRONG: list[tuple[str, Callable[[Given], Any], type[Exception], str]] = [
     ("spacing nowhere", lambda g: skelgen.curve(g.v, g.f, spacing=np.nan), ValueError, "spacing"),
     ("a curve as text", lambda g: g.body.curve.save("curve.txt"), ValueError, "curve.txt"),
     ("measures as text", lambda g: g.body.measure().save("measures.txt"), ValueError, "measures.txt"),
+    ("options of a batch", lambda g: skelgen.batch(g.folder, template="human99"), ValueError, "human99"),
+    ("an option of a batch", lambda g: skelgen.batch(g.folder, speed=3), TypeError, "speed"),
+    ("half a job", lambda g: skelgen.batch(g.folder, jobs=1.5), TypeError, ""),  # type: ignore[arg-type]
     ("jobs", lambda g: skelgen.batch(g.folder, jobs=0), ValueError, "jobs: 0"),
 ]
 
