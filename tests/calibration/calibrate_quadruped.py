@@ -122,30 +122,21 @@ def scaling_of(meshes, chosen):
     return beta
 
 
-def place_on(way, place, frame, size, sign):
-    """Share of the way, and forward, up and outward of it in sizes, of a place."""
+def place_on(way, place, frame, size, sign, share=None):
+    """Share of the way, the nearest one if none is given, and forward, up and outward of it in sizes, of a place."""
     way = np.array(way)
     fine = np.array([way[min(int(s), len(way) - 2)] * (1 - (s - min(int(s), len(way) - 2))) + way[min(int(s), len(way) - 2) + 1] * (s - min(int(s), len(way) - 2)) for s in np.linspace(0, len(way) - 1, 101)])
-    i = int(np.argmin(np.linalg.norm(fine - place, axis=1)))
+    i = int(np.argmin(np.linalg.norm(fine - place, axis=1))) if share is None else round(100 * share)
     off = (np.array(place) - fine[i]) / size
     return [i / 100] + [float(off @ np.array(frame[d])) for d in ("forward", "up")] + [sign * float(off @ np.array(frame["left"]))]
-
-
-def head_frame(row):
-    """The directions at the head, as place_joints.hpp has them."""
-    neck, left = np.array(row["ways"]["neck"]), np.array(row["frame"]["left"])
-    forward = neck[-1] - neck[round(0.7 * (len(neck) - 1))]
-    forward /= np.linalg.norm(forward) + 1e-12
-    up = np.cross(forward, left)
-    up /= np.linalg.norm(up) + 1e-12
-    return {"forward": forward, "up": up, "left": np.cross(up, forward)}
 
 
 # What the place of a joint is told from, beside its role: see quadruped::detail::features_of (place_joints.hpp).
 PLACE_SHARES, RADIUS_SHARES, BUILD = (0, 5, 10, 15), (2, 6, 10, 14, 18), ("trunk_length", "neck_length", "trunk_girth", "neck_girth")
 
 # Joints whose place goes with the features. Of the others makers left out have theirs nearer to the mean one.
-CHANGED = [("pelvis", 0), ("head", 0), ("shoulder", 0), ("wrist", 0), ("hip", 0), ("knee", 0), ("ankle", 0), ("tail", 0)]
+CHANGED = [("pelvis", 0), ("waist", 0), ("chest", 0), ("ear", 0), ("shoulder", 0), ("wrist", 0), ("hip", 0), ("knee", 0), ("ankle", 0), ("tail", 0)]
+EARS_AT = 0.7  # share of the neck's way: beyond it may run to a nose, a horn or an ear
 
 
 def features(row, way, sign):
@@ -169,12 +160,7 @@ def joint_samples(meshes, chosen):
                 if side + name not in m.truth["joints"] or not row["ways"][nodes]:
                     continue
                 place = np.array(m.truth["joints"][side + name])
-                if role == "ear":
-                    frame = head_frame(row)
-                    off = (place - np.array(row["ways"][nodes][-1])) / row["size"]
-                    value = [1.0] + [float(off @ frame[d]) for d in ("forward", "up")] + [sign * float(off @ frame["left"])]
-                else:
-                    value = place_on(row["ways"][nodes], place, row["frame"], row["size"], sign)
+                value = place_on(row["ways"][nodes], place, row["frame"], row["size"], sign, EARS_AT if role == "ear" else None)
                 if not sign:
                     value[3] = 0.0  # in the middle
                 found[role, ordinal].append({"mesh": m, "row": row, "way": nodes, "sign": sign, "maker": m.group, "x": features(row, nodes, sign), "y": np.array(value), "place": place})
@@ -219,7 +205,7 @@ def error_of(sample, table, scales):
     mean, deviation = scales[way]
     value = table[0] + np.clip((sample["x"] - mean) / deviation, -2.5, 2.5) @ table[1]
     row = sample["row"]
-    frame = head_frame(row) if value[0] == 1.0 and way == "neck" else {d: np.array(row["frame"][d]) for d in ("forward", "up", "left")}
+    frame = {d: np.array(row["frame"][d]) for d in ("forward", "up", "left")}
     nodes = np.array(row["ways"][sample["way"]])
     along = min(max(value[0], 0), 1) * (len(nodes) - 1)
     i = min(int(along), len(nodes) - 2)

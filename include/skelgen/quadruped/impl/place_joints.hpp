@@ -50,22 +50,6 @@ struct WayLine {
     [[nodiscard]] Scalar radius(double share) const { return core::value_at(radii, arc, length_to(share)); }
 };
 
-/// The animal's directions at its head, which may be turned and lowered: forward along the end of the neck.
-template <typename Scalar>
-BodyFrame<Scalar> head_frame(const CurveSkeleton<Scalar>& curve, const Limbs<Scalar>& limbs) {
-    BodyFrame<Scalar> out = limbs.frame;
-    constexpr double before = 0.7;
-    const WayLine<Scalar> neck(curve, limbs.neck);
-    const Vector3<Scalar> way = neck.place(1) - neck.place(before);
-    if (!(way.norm() > 0)) return out;
-    out.forward = way.normalized();
-    const Vector3<Scalar> up = out.forward.cross(limbs.frame.left);
-    if (!(up.norm() > 0)) return limbs.frame;
-    out.up = up.normalized();
-    out.left = out.up.cross(out.forward);
-    return out;
-}
-
 /// How many joints of the same role and side come before a joint.
 inline int ordinal_of(const SkeletonTemplate& skeleton_template, int joint) {
     const TemplateJoint& own = skeleton_template.joint(joint);
@@ -116,7 +100,6 @@ KinematicSkeleton<Scalar> place_joints(const CurveSkeleton<Scalar>& curve, const
                                        const SkeletonTemplate& skeleton_template) {
     KinematicSkeleton<Scalar> out;
     out.template_name = skeleton_template.name;
-    const BodyFrame<Scalar> head = detail::head_frame(curve, limbs);
     for (int j = 0; j < static_cast<int>(skeleton_template.joints.size()); ++j) {
         const TemplateJoint& wanted = skeleton_template.joint(j);
         Joint<Scalar>& joint = out.joints.emplace_back();
@@ -129,7 +112,7 @@ KinematicSkeleton<Scalar> place_joints(const CurveSkeleton<Scalar>& curve, const
             joint.position = limbs.frame.origin;
             continue;
         }
-        const BodyFrame<Scalar>& frame = wanted.role == JointRole::ear ? head : limbs.frame;
+        const BodyFrame<Scalar>& frame = limbs.frame;
         const detail::WayLine<Scalar> line(curve, way);
         const int side = sign_of(wanted.side);
         const bool is_leg = place.way == Way::fore_leg || place.way == Way::hind_leg;
