@@ -55,6 +55,19 @@ TEST_CASE("a plate grown to a body is left out where the body has sunk through i
     CHECK(kept(0.5).notes.empty()); // a table's top, say
 }
 
+TEST_CASE("a plate that toes reach past beside it is no floor") {
+    const Mesh tube = capsule(0.3, 4);
+    const Mesh toes = moved_by(sphere(0.2, 3), Vec3(0, -0.28, tube.vertices.col(2).minCoeff() + 0.2));
+    const Mesh shield = moved_by(box(Vec3(1, 0.05, 1)), Vec3(-0.5, -0.36, 2));
+    Mesh all = side_by_side(side_by_side(tube, toes), shield);
+    const auto corner = static_cast<int>(all.vertices.rows() - shield.vertices.rows());
+    all.faces.conservativeResize(all.faces.rows() + 1, 3);
+    all.faces.row(all.faces.rows() - 1) << corner, corner + 1, 0; // makes the shield no piece of its own
+    const BodyFaces body = faces_of_body(all);
+    CHECK(body.notes.empty());
+    CHECK(body.faces.rows() == all.faces.rows());
+}
+
 TEST_CASE("bodies apart are counted, and each can be had", "[slow]") {
     const Mesh tube = capsule(0.3, 4), other = moved_by(capsule(0.28, 4), Vec3(1, 0, 0));
     const Mesh both = side_by_side(tube, other);

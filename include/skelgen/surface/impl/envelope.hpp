@@ -72,13 +72,13 @@ TriangleMesh<Scalar> in_small_faces(const TriangleMesh<Scalar>& mesh, Scalar cel
     return out;
 }
 
-/// The size of the cells wanted or, where the envelope would have too many faces, a larger one: at four times the cell,
-/// for which `face_count_at` tells their number, a surface has a sixteenth of them.
+/// The size of the cells wanted or, where the envelope would have too many faces, a larger one: at twice the cell, for
+/// which `face_count_at` tells their number, a surface has a quarter of them.
 template <typename Scalar, typename FaceCountAt>
 Scalar cell_for_few_faces(const TriangleMesh<Scalar>& mesh, const EnvelopeOptions& options,
                           const FaceCountAt& face_count_at) {
     const Scalar cell = cell_size(mesh, options);
-    const double faces = 16 * static_cast<double>(face_count_at(4 * cell));
+    const double faces = 4 * static_cast<double>(face_count_at(2 * cell));
     return cell * static_cast<Scalar>(std::sqrt(std::max(1.0, faces / options.most_faces)));
 }
 

@@ -90,6 +90,8 @@ struct FlatSide {
     Vector3<Scalar> normal = Vector3<Scalar>::UnitX();
     Scalar offset = 0; ///< of its plane
     core::Accumulator area = 0;
+    Vector3<Scalar> centre = Vector3<Scalar>::Zero(); ///< of the ball around it
+    Scalar radius = 0;
 };
 
 /// Can there be a flat side with `least` of the area or more: do so many normals point the same way? Counted on a
@@ -128,25 +130,33 @@ std::vector<FlatSide<Scalar>> flat_sides(const TriangleMesh<Scalar>& mesh, core:
                 if (normals[f].dot(normals[static_cast<std::size_t>(g)]) > straight)
                     joined.unite(f, static_cast<std::size_t>(g));
     std::vector<core::Accumulator> area(normals.size(), 0);
-    std::vector<Vector3<Scalar>> sum(normals.size(), Vector3<Scalar>::Zero());
+    std::vector<Vector3<Scalar>> sum(normals.size(), Vector3<Scalar>::Zero()), centre = sum;
+    const auto corner = [&](std::size_t f, int k) -> Vector3<Scalar> {
+        return core::point(mesh.vertices, mesh.faces(static_cast<Eigen::Index>(f), k));
+    };
     for (std::size_t f = 0; f < normals.size(); ++f) {
         const Vector3<Scalar> own = core::face_area_vector(mesh, static_cast<Eigen::Index>(f));
         area[joined.find(f)] += own.norm();
         sum[joined.find(f)] += own;
+        centre[joined.find(f)] += own.norm() * (corner(f, 0) + corner(f, 1) + corner(f, 2)) / 3;
     }
     std::vector<FlatSide<Scalar>> out;
     for (std::size_t f = 0; f < normals.size(); ++f) {
         // A slowly bending surface has no single normal.
         if (area[f] < least || sum[f].norm() < straight * static_cast<Scalar>(area[f])) continue;
         const Vector3<Scalar> normal = sum[f].stableNormalized();
-        out.push_back(
-            {normal, normal.dot(core::point(mesh.vertices, mesh.faces(static_cast<Eigen::Index>(f), 0))), area[f]});
+        FlatSide<Scalar> side{normal, normal.dot(corner(f, 0)), area[f], centre[f] / static_cast<Scalar>(area[f])};
+        for (std::size_t g = 0; g < normals.size(); ++g)
+            for (int k = 0; k < 3 && joined.find(g) == f; ++k)
+                side.radius = std::max(side.radius, (corner(g, k) - side.centre).norm());
+        out.push_back(side);
     }
     return out;
 }
 
 /// Marks, in `keep`, the faces of plates that are grown to something: between two flat sides that look away from each
-/// other, the outer one with all else behind it, but for soles that have sunk through it. How many there were.
+/// other, the outer one with all else behind it, but for soles that have sunk through it: what is beyond its plane
+/// beside it, as toes below a shield, shows that it is none. How many there were.
 template <typename Scalar>
 int drop_grown_plates(const TriangleMesh<Scalar>& mesh, std::vector<bool>& keep) {
     constexpr double least_side = 0.05;                               // of the area: soles have 1.5 % each (LB44)
@@ -163,8 +173,11 @@ int drop_grown_plates(const TriangleMesh<Scalar>& mesh, std::vector<bool>& keep)
         for (int v = 0; v < static_cast<int>(mesh.vertices.rows()) && is_outermost; ++v)
             is_outermost = depth(v) > -sunk * size;
         core::Accumulator beyond = 0;
-        for (Eigen::Index f = 0; f < mesh.faces.rows() && is_outermost; ++f)
-            if (depth(mesh.faces(f, 0)) < -slack * size) beyond += core::face_area_vector(mesh, f).norm();
+        for (Eigen::Index f = 0; f < mesh.faces.rows() && is_outermost; ++f) {
+            if (depth(mesh.faces(f, 0)) >= -slack * size) continue;
+            beyond += core::face_area_vector(mesh, f).norm();
+            is_outermost = (core::point(mesh.vertices, mesh.faces(f, 0)) - outer.centre).norm() <= outer.radius;
+        }
         is_outermost = is_outermost && beyond <= most_sunk * static_cast<core::Accumulator>(core::surface_area(mesh));
         if (!is_outermost) continue;
         Scalar deepest = -1;
