@@ -12,7 +12,6 @@ mesh's right and wrong ways counting once together. Where joints lie is fitted b
 """
 import argparse
 import collections
-import copy
 import json
 import os
 
@@ -22,7 +21,6 @@ import calibrate
 
 FEET = ["left_fore_foot", "right_fore_foot", "left_hind_foot", "right_hind_foot"]
 LEGS = ["left_fore_leg", "right_fore_leg", "left_hind_leg", "right_hind_leg"]
-SURE_ENOUGH = 0.7  # search/trust.hpp
 # Of each role and place among its joints: the way that it lies on, and the joint of a truth that has it.
 PLACES = [
     ("pelvis", 0, "trunk", "hips"), ("waist", 0, "trunk", "spine1"), ("waist", 1, "trunk", "spine2"), ("chest", 0, "trunk", "chest"),
@@ -70,14 +68,6 @@ class Mesh:
                 del row["ways"]
 
 
-def thinned(mesh):
-    """The mesh with the right ways and every fourth of the wrong ones, which are many and much alike."""
-    out = copy.copy(mesh)
-    kept = mesh.right | (np.arange(len(mesh.rows)) % 4 == 0)
-    out.rows, out.right, out.evidence = [r for r, k in zip(mesh.rows, kept) if k], mesh.right[kept], mesh.evidence[kept]
-    return out
-
-
 def balanced(used):
     """What each way counts: a mesh's right ones once together, its wrong ones, too."""
     return np.concatenate([np.where(m.right, 1 / max(m.right.sum(), 1), 1 / max((~m.right).sum(), 1)) for m in used])
@@ -92,21 +82,12 @@ def folds_of(meshes):
 def by_folds(meshes, penalty, trees):
     folds, chosen = folds_of(meshes), [(-1, 0.0)] * len(meshes)
     for fold in set(folds):
-        table = calibrate.fit([thinned(m) for m, f in zip(meshes, folds) if f != fold and len(m.rows)], penalty, trees, 0, balanced)
+        table = calibrate.fit([m for m, f in zip(meshes, folds) if f != fold], penalty, trees, 0, balanced)
         for k, m in enumerate(meshes):
             if folds[k] == fold and len(m.rows):
-                chosen[k] = as_searched(m, calibrate.probability(table, m.evidence))
+                p = calibrate.probability(table, m.evidence)
+                chosen[k] = int(np.argmax(p)), float(p.max())
     return chosen
-
-
-def as_searched(mesh, p):
-    """The way that the search comes to, and its probability: the likeliest in the curves up to the first that is sure."""
-    curves = [row["curve"] for row in mesh.rows]
-    best = int(np.argmax(p))
-    sure = [c for c, q in zip(curves, p) if q >= SURE_ENOUGH]
-    if sure:
-        best = max((i for i in range(len(p)) if curves[i] <= min(sure)), key=lambda i: p[i])
-    return best, float(p[best])
 
 
 def scaling_of(meshes, chosen):
@@ -122,21 +103,27 @@ def scaling_of(meshes, chosen):
     return beta
 
 
-def place_on(way, place, frame, size, sign, share=None):
-    """Share of the way, the nearest one if none is given, and forward, up and outward of it in sizes, of a place."""
+def place_on(way, place, frame, size, sign):
+    """Share of the way, and forward, up and outward of it in sizes, of a place."""
     way = np.array(way)
     fine = np.array([way[min(int(s), len(way) - 2)] * (1 - (s - min(int(s), len(way) - 2))) + way[min(int(s), len(way) - 2) + 1] * (s - min(int(s), len(way) - 2)) for s in np.linspace(0, len(way) - 1, 101)])
-    i = int(np.argmin(np.linalg.norm(fine - place, axis=1))) if share is None else round(100 * share)
+    i = int(np.argmin(np.linalg.norm(fine - place, axis=1)))
     off = (np.array(place) - fine[i]) / size
     return [i / 100] + [float(off @ np.array(frame[d])) for d in ("forward", "up")] + [sign * float(off @ np.array(frame["left"]))]
 
 
-# What the place of a joint is told from, beside its role: see quadruped::detail::features_of (place_joints.hpp).
-PLACE_SHARES, RADIUS_SHARES, BUILD = (0, 5, 10, 15), (2, 6, 10, 14, 18), ("trunk_length", "neck_length", "trunk_girth", "neck_girth")
+def head_frame(row):
+    """The directions at the head, as place_joints.hpp has them."""
+    neck, left = np.array(row["ways"]["neck"]), np.array(row["frame"]["left"])
+    forward = neck[-1] - neck[round(0.7 * (len(neck) - 1))]
+    forward /= np.linalg.norm(forward) + 1e-12
+    up = np.cross(forward, left)
+    up /= np.linalg.norm(up) + 1e-12
+    return {"forward": forward, "up": up, "left": np.cross(up, forward)}
 
-# Joints whose place goes with the features. Of the others makers left out have theirs nearer to the mean one.
-CHANGED = [("pelvis", 0), ("waist", 0), ("chest", 0), ("ear", 0), ("shoulder", 0), ("wrist", 0), ("hip", 0), ("knee", 0), ("ankle", 0), ("tail", 0)]
-EARS_AT = 0.7  # share of the neck's way: beyond it may run to a nose, a horn or an ear
+
+# What the place of a joint is told from, beside its role: see quadruped::detail::features_of (place_joints.hpp).
+PLACE_SHARES, RADIUS_SHARES, BUILD = (0, 4, 8, 12, 16), (2, 6, 10, 14, 18), 12
 
 
 def features(row, way, sign):
@@ -144,7 +131,7 @@ def features(row, way, sign):
     is_leg = "leg" in way
     off = (places[list(PLACE_SHARES)] - places[-1 if is_leg else 0]) / size
     out = [off @ np.array(row["frame"]["forward"]), off @ np.array(row["frame"]["up"]), sign * (off @ np.array(row["frame"]["left"])) * is_leg]
-    return np.concatenate([np.stack(out, 1).ravel(), np.array(row["radii"][way])[list(RADIUS_SHARES)] / size, [row["evidence"][w] for w in BUILD]])
+    return np.concatenate([np.stack(out, 1).ravel(), np.array(row["radii"][way])[list(RADIUS_SHARES)] / size, list(row["evidence"].values())[:BUILD]])
 
 
 def joint_samples(meshes, chosen):
@@ -160,7 +147,12 @@ def joint_samples(meshes, chosen):
                 if side + name not in m.truth["joints"] or not row["ways"][nodes]:
                     continue
                 place = np.array(m.truth["joints"][side + name])
-                value = place_on(row["ways"][nodes], place, row["frame"], row["size"], sign, EARS_AT if role == "ear" else None)
+                if role == "ear":
+                    frame = head_frame(row)
+                    off = (place - np.array(row["ways"][nodes][-1])) / row["size"]
+                    value = [1.0] + [float(off @ frame[d]) for d in ("forward", "up")] + [sign * float(off @ frame["left"])]
+                else:
+                    value = place_on(row["ways"][nodes], place, row["frame"], row["size"], sign)
                 if not sign:
                     value[3] = 0.0  # in the middle
                 found[role, ordinal].append({"mesh": m, "row": row, "way": nodes, "sign": sign, "maker": m.group, "x": features(row, nodes, sign), "y": np.array(value), "place": place})
@@ -193,8 +185,7 @@ def fit_places(samples, scales, penalty):
             k = makers == maker
             x[k] -= np.average(x[k], axis=0, weights=w[k]) / 2
             y[k] -= np.average(y[k], axis=0, weights=w[k]) / 2
-        strength = penalty if (role, ordinal) in CHANGED else 1e9
-        change = np.linalg.solve((x * w[:, None]).T @ x + strength * np.eye(x.shape[1]), (x * w[:, None]).T @ y)
+        change = np.linalg.solve((x * w[:, None]).T @ x + penalty * np.eye(x.shape[1]), (x * w[:, None]).T @ y)
         out[role, ordinal] = centre - lift @ change, change
     return out
 
@@ -205,7 +196,7 @@ def error_of(sample, table, scales):
     mean, deviation = scales[way]
     value = table[0] + np.clip((sample["x"] - mean) / deviation, -2.5, 2.5) @ table[1]
     row = sample["row"]
-    frame = {d: np.array(row["frame"][d]) for d in ("forward", "up", "left")}
+    frame = head_frame(row) if value[0] == 1.0 and way == "neck" else {d: np.array(row["frame"][d]) for d in ("forward", "up", "left")}
     nodes = np.array(row["ways"][sample["way"]])
     along = min(max(value[0], 0), 1) * (len(nodes) - 1)
     i = min(int(along), len(nodes) - 2)
@@ -269,14 +260,11 @@ def write_joints(path, tables, scales):
         f.write(head + "/// Mean and deviation of the features on each way, by Way.\ninline constexpr std::array<WayScale, 5> way_scales{{\n")
         for way in ("fore_leg", "hind_leg", "trunk", "neck", "tail"):
             f.write("    {{{" + numbers(scales[way][0]) + "}},\n     {{" + numbers(scales[way][1]) + "}}},\n")
-        f.write("}};\n\n")
-        for role, ordinal in CHANGED:
-            rows = ",\n    ".join("{{" + numbers(column) + "}}" for column in tables[role, ordinal][1].T)
-            f.write(f"inline constexpr PlaceChange change_of_{role}{{{{\n    {rows}}}}};\n")
-        f.write("\ninline constexpr std::array<JointPlace, " + str(len(PLACES)) + "> joint_places{{\n")
+        f.write("}};\n\ninline constexpr std::array<JointPlace, " + str(len(PLACES)) + "> joint_places{{\n")
         for role, ordinal, way, _ in PLACES:
-            change = f"&change_of_{role}" if (role, ordinal) in CHANGED else "nullptr"
-            f.write(f"    {{JointRole::{role}, {ordinal}, Way::{way}, {{{{{numbers(tables[role, ordinal][0])}}}}}, {change}}},\n")
+            centre, change = tables[role, ordinal]
+            f.write(f"    {{JointRole::{role}, {ordinal}, Way::{way}, {{{{{numbers(centre)}}}}},\n     {{{{")
+            f.write(",\n       ".join("{{" + numbers(column) + "}}" for column in change.T) + "}}},\n")
         f.write("""}};
 
 /// Of a role; its last one where there are not so many. Templates keep to that (core/template_rules.hpp).
@@ -292,8 +280,9 @@ def write_joints(path, tables, scales):
 
 
 def likeliest(mesh):
-    """The way that the search comes to by the table that the program has, and how likely it is."""
-    return as_searched(mesh, [row["probability"] for row in mesh.rows]) if mesh.rows else (-1, 0.0)
+    """The likeliest way by the table that the program has, and how likely it is."""
+    p = [row["probability"] for row in mesh.rows]
+    return (int(np.argmax(p)), float(max(p))) if p else (-1, 0.0)
 
 
 def fit_trust(meshes, a):
@@ -303,7 +292,7 @@ def fit_trust(meshes, a):
     scaled = [(i, float(calibrate.logistic(scaling[0] * calibrate.log_odds(p) + scaling[1])) if i >= 0 else 0.0) for i, p in chosen]
     calibrate.report(meshes, scaled)
     print("wrong:", [(m.name, round(p, 2)) for m, (i, p) in zip(meshes, scaled) if m.is_body and (i < 0 or not m.right[i])])
-    table = calibrate.fit([thinned(m) for m in meshes if len(m.rows)], a.penalty, a.trees, 0, balanced)
+    table = calibrate.fit(meshes, a.penalty, a.trees, 0, balanced)
     table["offset"] = scaling[0] * table["offset"] + scaling[1]
     table["weights"] = scaling[0] * table["weights"]
     table["trees"] = [{**tree, "voice": scaling[0] * tree["voice"]} for tree in table["trees"]]
@@ -318,7 +307,7 @@ def main():
     parser.add_argument("--tables", help="folder of the tables to write: include/skelgen/quadruped")
     parser.add_argument("--penalty", type=float, default=8.0)
     parser.add_argument("--trees", type=int, default=100)
-    parser.add_argument("--place-penalty", type=float, default=0.15)
+    parser.add_argument("--place-penalty", type=float, default=0.3)
     parser.add_argument("--joints-alone", action="store_true", help="the trust's table stays as it is")
     a = parser.parse_args()
     meshes = []

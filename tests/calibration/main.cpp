@@ -60,12 +60,12 @@ void put_way(Json& out, const char* name, const Body<double>& body, const CurveS
 }
 
 /// All ways to see an animal in the curve of what was found.
-void describe_animals(const search::Found<double>& found, std::size_t curve_number) {
+void describe_animals(const search::Found<double>& found) {
     const Body<double>& body = *found.body;
     const CurveSkeleton<double>& curve = found.curve->curve;
     for (const quadruped::Limbs<double>& limbs : quadruped::find_limbs(curve, 150)) {
         Json out;
-        out["curve"] = curve_number;
+        out["effort"] = std::string(search::to_string(found.hypothesis.effort));
         for (std::size_t w = 0; w < quadruped::witness_count; ++w)
             out["evidence"][std::string(to_string(static_cast<quadruped::Witness>(w)))] = limbs.evidence.values[w];
         out["probability"] = limbs.probability;
@@ -103,10 +103,9 @@ int main(int argc, char** argv) try {
     const search::Climb<double> climb =
         search::climb(mesh, wanted, search_options,
                       is_exhaustive ? search::Thoroughness::exhaustive : search::Thoroughness::until_sure);
-    std::size_t curves = 0;
     for (const search::Found<double>& found : climb.found)
         if (wanted.plan == BodyKind::quadruped)
-            describe_animals(found, curves++);
+            describe_animals(found);
         else
             std::cout << described(found, wanted).dump() << '\n';
     return 0;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -80,13 +81,20 @@ std::string least_certain_limb(const KinematicSkeleton<Scalar>& skeleton, const 
 /// Why the likeliest skeleton is no answer, or why there is none.
 template <typename Scalar>
 Failure failure_of(const search::Climb<Scalar>& climb, const SkeletonTemplate& wanted, const ExtractOptions& options) {
-    if (climb.found.empty()) return climb.failure;
+    constexpr std::string_view no_person = "no human body: ", no_animal = "no four-legged animal: ",
+                               neither = "neither a human body nor a four-legged animal: ";
+    if (climb.found.empty()) {
+        Failure failure = climb.failure;
+        for (const std::string_view one : {no_person, no_animal})
+            if (options.or_quadruped && failure.what.starts_with(one)) failure.what.replace(0, one.size(), neither);
+        return failure;
+    }
     if (wanted.plan == BodyKind::quadruped || options.or_quadruped)
-        return {Refusal::unlikely, std::string(options.or_quadruped ? "neither a human body nor a" : "no") +
-                                       " four-legged animal: its parts have unlikely lengths, directions or girths"};
+        return {Refusal::unlikely, std::string(options.or_quadruped ? neither : no_animal) +
+                                       "its parts have unlikely lengths, directions or girths"};
     const search::Found<Scalar>& found = climb.found.front();
     const std::string limb = least_certain_limb(search::skeleton_in_input(found), wanted);
-    return {Refusal::unlikely, std::string("no human body: ") + search::strongest_doubt(found.candidate.evidence) +
+    return {Refusal::unlikely, std::string(no_person) + search::strongest_doubt(found.candidate.evidence) +
                                    (limb.empty() ? "" : " (" + limb + ")")};
 }
 

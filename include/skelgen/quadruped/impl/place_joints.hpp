@@ -50,6 +50,22 @@ struct WayLine {
     [[nodiscard]] Scalar radius(double share) const { return core::value_at(radii, arc, length_to(share)); }
 };
 
+/// The animal's directions at its head, which may be turned and lowered: forward along the end of the neck.
+template <typename Scalar>
+BodyFrame<Scalar> head_frame(const CurveSkeleton<Scalar>& curve, const Limbs<Scalar>& limbs) {
+    BodyFrame<Scalar> out = limbs.frame;
+    constexpr double before = 0.7;
+    const WayLine<Scalar> neck(curve, limbs.neck);
+    const Vector3<Scalar> way = neck.place(1) - neck.place(before);
+    if (!(way.norm() > 0)) return out;
+    out.forward = way.normalized();
+    const Vector3<Scalar> up = out.forward.cross(limbs.frame.left);
+    if (!(up.norm() > 0)) return limbs.frame;
+    out.up = up.normalized();
+    out.left = out.up.cross(out.forward);
+    return out;
+}
+
 /// How many joints of the same role and side come before a joint.
 inline int ordinal_of(const SkeletonTemplate& skeleton_template, int joint) {
     const TemplateJoint& own = skeleton_template.joint(joint);
@@ -68,7 +84,7 @@ PlaceFeatures features_of(const WayLine<Scalar>& line, const Limbs<Scalar>& limb
     const Vector3<Scalar> root = line.place(is_leg ? 1 : 0); // where it leaves the trunk
     PlaceFeatures out{};
     std::size_t next = 0;
-    for (const double share : {0.0, 0.25, 0.5, 0.75}) {
+    for (const double share : {0.0, 0.2, 0.4, 0.6, 0.8}) {
         const Vector3<Scalar> off = (line.place(share) - root) / limbs.size;
         out[next++] = static_cast<double>(off.dot(limbs.frame.forward));
         out[next++] = static_cast<double>(off.dot(limbs.frame.up));
@@ -76,7 +92,7 @@ PlaceFeatures features_of(const WayLine<Scalar>& line, const Limbs<Scalar>& limb
     }
     for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9})
         out[next++] = static_cast<double>(line.radius(share) / limbs.size);
-    for (const Witness witness : build_witnesses) out[next++] = limbs.evidence[witness];
+    for (std::size_t w = 0; next < out.size(); ++w) out[next++] = limbs.evidence.values[w];
     const WayScale& scale = way_scales[static_cast<std::size_t>(way)];
     constexpr double most = 2.5; // deviations: beyond them nothing was seen that tells more
     for (std::size_t i = 0; i < out.size(); ++i)
@@ -87,8 +103,8 @@ PlaceFeatures features_of(const WayLine<Scalar>& line, const Limbs<Scalar>& limb
 /// Share of the way, and forward, up and outward of it, as that animal has them.
 inline std::array<double, 4> place_in(const JointPlace& place, const PlaceFeatures& features) {
     std::array<double, 4> out = place.mean;
-    for (std::size_t k = 0; place.change && k < out.size(); ++k)
-        for (std::size_t i = 0; i < features.size(); ++i) out[k] += (*place.change)[k][i] * features[i];
+    for (std::size_t k = 0; k < out.size(); ++k)
+        for (std::size_t i = 0; i < features.size(); ++i) out[k] += place.change[k][i] * features[i];
     out[0] = std::clamp(out[0], 0.0, 1.0);
     return out;
 }
@@ -100,6 +116,7 @@ KinematicSkeleton<Scalar> place_joints(const CurveSkeleton<Scalar>& curve, const
                                        const SkeletonTemplate& skeleton_template) {
     KinematicSkeleton<Scalar> out;
     out.template_name = skeleton_template.name;
+    const BodyFrame<Scalar> head = detail::head_frame(curve, limbs);
     for (int j = 0; j < static_cast<int>(skeleton_template.joints.size()); ++j) {
         const TemplateJoint& wanted = skeleton_template.joint(j);
         Joint<Scalar>& joint = out.joints.emplace_back();
@@ -112,7 +129,7 @@ KinematicSkeleton<Scalar> place_joints(const CurveSkeleton<Scalar>& curve, const
             joint.position = limbs.frame.origin;
             continue;
         }
-        const BodyFrame<Scalar>& frame = limbs.frame;
+        const BodyFrame<Scalar>& frame = wanted.role == JointRole::ear ? head : limbs.frame;
         const detail::WayLine<Scalar> line(curve, way);
         const int side = sign_of(wanted.side);
         const bool is_leg = place.way == Way::fore_leg || place.way == Way::hind_leg;
