@@ -40,7 +40,6 @@ namespace skelgen::curve {
     template BranchedCurve<Scalar> without_knot(BranchedCurve<Scalar>, int);                                           \
     template JoinedCurve<Scalar> join_branches(const BranchedCurve<Scalar>&);                                          \
     template BranchSection<Scalar> section_across(const Body<Scalar>&, const Points<Scalar>&, Eigen::Index, Scalar);   \
-    template std::vector<BranchSection<Scalar>> sections_across(const Body<Scalar>&, const Points<Scalar>&, Scalar);   \
     template BranchedCurve<Scalar> ends_on_axes(                                                                       \
         BranchedCurve<Scalar>, const std::vector<std::vector<BranchSection<Scalar>>>&, const Body<Scalar>&);           \
     template BranchedCurve<Scalar> prune_twigs(BranchedCurve<Scalar>, const Body<Scalar>&, double);                    \

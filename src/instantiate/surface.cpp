@@ -35,8 +35,6 @@ namespace skelgen::surface {
     template class FaceTree<Scalar>;                                                                                   \
     template Scalar distance_to_triangle(const Vector3<Scalar>&, const Vector3<Scalar>&, const Vector3<Scalar>&,       \
                                          const Vector3<Scalar>&);                                                      \
-    template std::vector<Contour<Scalar>> plane_contours(const TriangleMesh<Scalar>&, const Triangles&,                \
-                                                         const FaceTree<Scalar>&, const Vector3<Scalar>&, Scalar);     \
     template class LevelSets<Scalar>;                                                                                  \
     template PlanarRelation<Scalar> relate(const Contour<Scalar>&, const Vector3<Scalar>&, const Vector3<Scalar>&);    \
     template std::optional<ContourAround<Scalar>> contour_around(const TriangleMesh<Scalar>&, const Triangles&,        \
@@ -62,8 +60,6 @@ namespace skelgen::surface {
     template Lattice<Scalar> lattice_around(const TriangleMesh<Scalar>&, Scalar, int);                                 \
     template SparseGrid<Scalar> distance_band(const TriangleMesh<Scalar>&, const Lattice<Scalar>&, Scalar);            \
     template class WindingTree<Scalar>;                                                                                \
-    template Eigen::Index lattice_face_count(const Lattice<Scalar>&, const std::vector<LatticeNode>&,                  \
-                                             const LatticeShape<Scalar>&);                                             \
     template TriangleMesh<Scalar> lattice_surface(const Lattice<Scalar>&, const std::vector<LatticeNode>&,             \
                                                   const LatticeShape<Scalar>&);                                        \
     template std::map<Twins, PairedPieces> without_lone_pieces(const TriangleMesh<Scalar>&);                           \

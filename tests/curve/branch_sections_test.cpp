@@ -4,6 +4,7 @@
 #include <skelgen/curve/branch_sections.hpp>
 
 #include "catch.hpp"
+#include "curve/branched_lines.hpp"
 #include "curve/unit_body.hpp"
 #include "shapes.hpp"
 

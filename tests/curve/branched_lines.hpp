@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -32,12 +33,22 @@ straight_branches(const std::vector<Vec3>& knots, const std::vector<std::pair<in
     return out;
 }
 
+/// The sections of a line across itself, as many as it has points; none at its first and its last one.
+template <typename Scalar>
+std::vector<curve::BranchSection<Scalar>> sections_across(const Body<Scalar>& body, const Points<Scalar>& line,
+                                                          std::type_identity_t<Scalar> reach) {
+    std::vector<curve::BranchSection<Scalar>> out(static_cast<std::size_t>(line.rows()));
+    for (Eigen::Index i = 1; i + 1 < line.rows(); ++i)
+        out[static_cast<std::size_t>(i)] = curve::section_across(body, line, i, reach);
+    return out;
+}
+
 /// The sections across each branch at all of its points.
 inline std::vector<std::vector<curve::BranchSection<double>>> sections_of(const curve::BranchedCurve<double>& branched,
                                                                           const Body<double>& body, double reach) {
     std::vector<std::vector<curve::BranchSection<double>>> out;
     for (const curve::Branch<double>& branch : branched.branches)
-        out.push_back(curve::sections_across(body, branch.line, reach));
+        out.push_back(sections_across(body, branch.line, reach));
     return out;
 }
 

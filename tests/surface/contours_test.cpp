@@ -24,7 +24,7 @@ struct Surface {
     explicit Surface(Mesh m) : mesh(std::move(m)), adjacency(face_adjacency(mesh.faces)), tree(mesh) {}
 
     [[nodiscard]] std::vector<Contour<double>> cut(const Vec3& normal, double offset) const {
-        return plane_contours(mesh, adjacency, tree, normal, offset);
+        return LevelSets<double>(mesh, adjacency, mesh.vertices * normal).contours(offset);
     }
     [[nodiscard]] std::optional<Contour<double>> around(const Vec3& place, const Vec3& normal, double reach) const {
         return contour_around(mesh, adjacency, tree, place, normal, reach);

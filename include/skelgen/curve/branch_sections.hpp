@@ -51,11 +51,6 @@ template <typename Scalar>
 [[nodiscard]] BranchSection<Scalar> section_across(const Body<Scalar>& body, const Points<Scalar>& line,
                                                    Eigen::Index point, std::type_identity_t<Scalar> reach);
 
-/// The sections of a line across itself, as many as it has points; none at its first and its last one.
-template <typename Scalar>
-[[nodiscard]] std::vector<BranchSection<Scalar>> sections_across(const Body<Scalar>& body, const Points<Scalar>& line,
-                                                                 std::type_identity_t<Scalar> reach);
-
 } // namespace skelgen::curve
 
 #ifdef SKELGEN_HEADER_ONLY

@@ -14,6 +14,9 @@ struct PruningOptions {
     double branch = 0.06; ///< fingers, ears, nose
 };
 
+/// Those that leave fingers, tails, horns and table legs.
+inline constexpr PruningOptions pruning_for_digits{0.01, 0.02};
+
 /// \throws Error usage when an option is out of its range.
 void validate(const PruningOptions& options);
 

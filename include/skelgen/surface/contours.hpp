@@ -21,23 +21,16 @@ struct Contour {
         faces; ///< faces[i] carries the segment from points[i] to points[i + 1], the last back to the first
 };
 
-/// The contours in which the plane of points p with normal . p = offset cuts an edge-manifold surface; `adjacency` as
-/// from core::face_adjacency, `tree` of the same mesh. Contours broken by holes are closed straight. By ascending first
-/// face. O(log faces) for each face that is cut.
-template <typename Scalar>
-[[nodiscard]] std::vector<Contour<Scalar>> plane_contours(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency,
-                                                          const FaceTree<Scalar>& tree, const Vector3<Scalar>& normal,
-                                                          Scalar offset);
-
-/// The contours of a field on an edge-manifold surface; `adjacency` as above. Holds references to mesh and adjacency,
-/// which must outlive it.
+/// The contours of a field on an edge-manifold surface; `adjacency` as from core::face_adjacency. Holds references to
+/// mesh and adjacency, which must outlive it.
 template <typename Scalar = double>
 class LevelSets {
 public:
     /// `field` is given at the vertices (n entries, finite), linear on each face. O(faces).
     LevelSets(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency, Eigen::VectorX<Scalar> field);
 
-    /// The contours on which the field has the value `level`. Otherwise as plane_contours. O(1) for each face whose
+    /// The contours on which the field has the value `level`. Broken by holes they are closed straight. By
+    /// ascending first face. O(1) for each face whose
     /// values are no farther from `level` than twice what the field changes on any face.
     [[nodiscard]] std::vector<Contour<Scalar>> contours(Scalar level) const;
 

@@ -23,13 +23,11 @@ public:
     explicit FaceTree(const TriangleMesh<Scalar>& mesh);
 
     /// The faces with one or two corners on or above the plane of points p with normal . p = offset and the others
-    /// below, in ascending order. O(log faces) for each of them.
+    /// below, in ascending order: all that have a point within `reach` of a place, and perhaps others near it. O(log
+    /// faces) for each of them.
     [[nodiscard]] std::vector<int> faces_across(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& normal,
-                                                Scalar offset) const;
-
-    /// Those of them that have a point within `reach` of a place, and perhaps others near it. O(log faces) for each.
-    [[nodiscard]] std::vector<int> faces_across(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& normal,
-                                                Scalar offset, const Vector3<Scalar>& place, Scalar reach) const;
+                                                Scalar offset, const Vector3<Scalar>& place = Vector3<Scalar>::Zero(),
+                                                Scalar reach = std::numeric_limits<Scalar>::infinity()) const;
 
     /// Distance from a place to the surface, or `most` where it is no nearer; infinite when there is no face. O(log
     /// faces) where faces are no longer than the distance.

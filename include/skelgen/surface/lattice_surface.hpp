@@ -28,11 +28,6 @@ template <typename Scalar>
                                                    const std::vector<LatticeNode>& seeds,
                                                    const LatticeShape<Scalar>& shape);
 
-/// How many faces that surface has. As lattice_surface, but for making them.
-template <typename Scalar>
-[[nodiscard]] Eigen::Index lattice_face_count(const Lattice<Scalar>& lattice, const std::vector<LatticeNode>& seeds,
-                                              const LatticeShape<Scalar>& shape);
-
 } // namespace skelgen::surface
 
 #ifdef SKELGEN_HEADER_ONLY

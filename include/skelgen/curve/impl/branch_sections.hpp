@@ -85,13 +85,4 @@ BranchSection<Scalar> section_across(const Body<Scalar>& body, const Points<Scal
     return contour ? detail::measured(*std::move(contour), place, tangent) : BranchSection<Scalar>{};
 }
 
-template <typename Scalar>
-std::vector<BranchSection<Scalar>> sections_across(const Body<Scalar>& body, const Points<Scalar>& line,
-                                                   std::type_identity_t<Scalar> reach) {
-    std::vector<BranchSection<Scalar>> out(static_cast<std::size_t>(line.rows()));
-    for (Eigen::Index i = 1; i + 1 < line.rows(); ++i)
-        out[static_cast<std::size_t>(i)] = section_across(body, line, i, reach);
-    return out;
-}
-
 } // namespace skelgen::curve

@@ -34,7 +34,7 @@ inline CurveOptions at_detail(CurveOptions options) {
     if (options.detail == Detail::limbs) return options;
     const bool all = options.detail == Detail::all;
     options.proxy.vertices = 20'000;
-    options.pruning = {all ? 0 : 0.01, all ? 0 : 0.02};
+    options.pruning = all ? PruningOptions{0, 0} : pruning_for_digits;
     options.centring.least_relief = all ? 0.25 : 0.5;
     return options;
 }

@@ -19,7 +19,7 @@ SKELGEN_INLINE curve::CurveOptions curve_options(Effort effort, curve::CurveOpti
     }
     if (effort == Effort::finer) vertices = std::min(vertices + vertices / 2, curve::most_proxy_vertices);
     const bool is_detailed = effort == Effort::detailed || effort == Effort::more_detailed;
-    if (is_detailed) wanted.pruning = {0.01, 0.02}; // as for digits
+    if (is_detailed) wanted.pruning = curve::pruning_for_digits;
     if (effort == Effort::more_detailed) vertices = std::min(3 * vertices, curve::most_proxy_vertices);
     wanted.is_draft = effort == Effort::draft || is_detailed;
     return wanted;

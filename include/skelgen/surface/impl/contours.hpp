@@ -207,15 +207,6 @@ int crossing_of_axis(const std::array<Scalar, 2>& a, const std::array<Scalar, 2>
 } // namespace detail
 
 template <typename Scalar>
-std::vector<Contour<Scalar>> plane_contours(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency,
-                                            const FaceTree<Scalar>& tree, const Vector3<Scalar>& normal,
-                                            Scalar offset) {
-    const auto height = [&](int v) { return normal.dot(core::point(mesh.vertices, v)) - offset; };
-    const detail::FaceCutter<Scalar, decltype(height)> cutter(mesh, height);
-    return detail::contours_through(cutter, adjacency, tree.faces_across(mesh, normal, offset));
-}
-
-template <typename Scalar>
 LevelSets<Scalar>::LevelSets(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency, Eigen::VectorX<Scalar> field)
     : mesh_(mesh), adjacency_(adjacency), field_(std::move(field)) {
     struct Varying {

@@ -72,16 +72,6 @@ TriangleMesh<Scalar> in_small_faces(const TriangleMesh<Scalar>& mesh, Scalar cel
     return out;
 }
 
-/// The size of the cells wanted or, where the envelope would have too many faces, a larger one: at twice the cell, for
-/// which `face_count_at` tells their number, a surface has a quarter of them.
-template <typename Scalar, typename FaceCountAt>
-Scalar cell_for_few_faces(const TriangleMesh<Scalar>& mesh, const EnvelopeOptions& options,
-                          const FaceCountAt& face_count_at) {
-    const Scalar cell = cell_size(mesh, options);
-    const double faces = 4 * static_cast<double>(face_count_at(2 * cell));
-    return cell * static_cast<Scalar>(std::sqrt(std::max(1.0, faces / options.most_faces)));
-}
-
 } // namespace detail
 
 SKELGEN_INLINE void validate(const EnvelopeOptions& options) {
@@ -96,8 +86,7 @@ TriangleMesh<Scalar> winding_envelope(const TriangleMesh<Scalar>& mesh, const En
     constexpr int margin = 3;
     const TriangleMesh<Scalar> fine = detail::in_small_faces(mesh, detail::cell_size(mesh, options));
     const WindingTree<Scalar> tree(fine);
-    /// Makes a surface, or counts its faces.
-    const auto with_cells = [&](Scalar cell, const auto& make) {
+    const auto with_cells = [&](Scalar cell) {
         const Lattice<Scalar> lattice = lattice_around(mesh, cell, margin);
         const SparseGrid<Scalar> distance = distance_band(mesh, lattice, cell);
         LatticeShape<Scalar> shape;
@@ -105,11 +94,13 @@ TriangleMesh<Scalar> winding_envelope(const TriangleMesh<Scalar>& mesh, const En
             return tree.winding_number(fine, lattice.place(node)) - Scalar(0.5);
         };
         shape.crossing = detail::crossing_by(distance, cell);
-        return make(lattice, detail::nodes_within(distance, cell), shape);
+        return lattice_surface(lattice, detail::nodes_within(distance, cell), shape);
     };
-    const Scalar cell = detail::cell_for_few_faces(
-        mesh, options, [&](Scalar wide) { return with_cells(wide, lattice_face_count<Scalar>); });
-    return smoothed(with_cells(cell, lattice_surface<Scalar>), options.smoothing_passes);
+    // At twice the cell a surface has a quarter of the faces; too many ask for larger cells.
+    const Scalar cell = detail::cell_size(mesh, options);
+    const double faces = 4 * static_cast<double>(with_cells(2 * cell).faces.rows());
+    const double wider = std::sqrt(std::max(1.0, faces / options.most_faces));
+    return smoothed(with_cells(cell * static_cast<Scalar>(wider)), options.smoothing_passes);
 }
 
 } // namespace skelgen::surface

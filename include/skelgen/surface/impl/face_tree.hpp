@@ -18,15 +18,19 @@ namespace detail {
 template <typename Scalar>
 using Box = Eigen::AlignedBox<Scalar, 3>;
 
-/// The faces that a plane cuts.
+/// The faces that a plane cuts near a place.
 template <typename Scalar>
 struct PlaneQuery {
     const TriangleMesh<Scalar>& mesh;
     Vector3<Scalar> normal;
     Scalar offset;
-    std::vector<int> found;
+    Vector3<Scalar> place;
+    Scalar reach_of_place;
+    std::vector<int> found = {};
 
     [[nodiscard]] bool wants(const Box<Scalar>& box) const {
+        constexpr Scalar rounded_up = 1 + 64 * std::numeric_limits<Scalar>::epsilon();
+        if (squared_distance_to_box<Scalar>(place, box) > reach_of_place * reach_of_place * rounded_up) return false;
         Scalar middle = -offset, reach = 0;
         for (int k = 0; k < 3; ++k) {
             middle += normal[k] * (box.min()[k] + box.max()[k]) / 2;
@@ -43,20 +47,6 @@ struct PlaneQuery {
         if (above == 1 || above == 2) found.push_back(face);
         return false;
     }
-};
-
-/// The faces that a plane cuts near a place.
-template <typename Scalar>
-struct NearPlaneQuery {
-    PlaneQuery<Scalar> across;
-    Vector3<Scalar> place;
-    Scalar reach;
-
-    [[nodiscard]] bool wants(const Box<Scalar>& box) const {
-        constexpr Scalar rounded_up = 1 + 64 * std::numeric_limits<Scalar>::epsilon();
-        return squared_distance_to_box<Scalar>(place, box) <= reach * reach * rounded_up && across.wants(box);
-    }
-    bool ends_with(int face) { return across.ends_with(face); }
 };
 
 /// What a ray meets.
@@ -353,20 +343,11 @@ void FaceTree<Scalar>::ask_nearest_first(Query& query) const {
 
 template <typename Scalar>
 std::vector<int> FaceTree<Scalar>::faces_across(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& normal,
-                                                Scalar offset) const {
-    detail::PlaneQuery<Scalar> query{mesh, normal, offset, {}};
+                                                Scalar offset, const Vector3<Scalar>& place, Scalar reach) const {
+    detail::PlaneQuery<Scalar> query{mesh, normal, offset, place, reach};
     ask(query);
     std::sort(query.found.begin(), query.found.end());
     return std::move(query.found);
-}
-
-template <typename Scalar>
-std::vector<int> FaceTree<Scalar>::faces_across(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& normal,
-                                                Scalar offset, const Vector3<Scalar>& place, Scalar reach) const {
-    detail::NearPlaneQuery<Scalar> query{{mesh, normal, offset, {}}, place, reach};
-    ask(query);
-    std::sort(query.across.found.begin(), query.across.found.end());
-    return std::move(query.across.found);
 }
 
 template <typename Scalar>

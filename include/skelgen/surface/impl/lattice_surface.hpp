@@ -75,14 +75,6 @@ public:
         }
     }
 
-    [[nodiscard]] Eigen::Index face_count() const {
-        Eigen::Index count = 0;
-        for (const LatticeNode& node : known_)
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                if (is_crossed(node, moved_by(node, axis, 1))) count += 2;
-        return count;
-    }
-
     TriangleMesh<Scalar> surface() {
         SparseGrid<int> vertex_of_cell(lattice_.nodes, -1);
         std::vector<Vector3<Scalar>> sums;
@@ -212,15 +204,6 @@ private:
 };
 
 } // namespace detail
-
-template <typename Scalar>
-Eigen::Index lattice_face_count(const Lattice<Scalar>& lattice, const std::vector<LatticeNode>& seeds,
-                                const LatticeShape<Scalar>& shape) {
-    detail::LatticeBorder<Scalar> border(lattice, shape);
-    border.follow(seeds);
-    border.unpinch();
-    return border.face_count();
-}
 
 template <typename Scalar>
 TriangleMesh<Scalar> lattice_surface(const Lattice<Scalar>& lattice, const std::vector<LatticeNode>& seeds,

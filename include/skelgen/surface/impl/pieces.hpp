@@ -146,9 +146,10 @@ std::vector<FlatSide<Scalar>> flat_sides(const TriangleMesh<Scalar>& mesh, core:
         if (area[f] < least || sum[f].norm() < straight * static_cast<Scalar>(area[f])) continue;
         const Vector3<Scalar> normal = sum[f].stableNormalized();
         FlatSide<Scalar> side{normal, normal.dot(corner(f, 0)), area[f], centre[f] / static_cast<Scalar>(area[f])};
-        for (std::size_t g = 0; g < normals.size(); ++g)
-            for (int k = 0; k < 3 && joined.find(g) == f; ++k)
-                side.radius = std::max(side.radius, (corner(g, k) - side.centre).norm());
+        for (std::size_t g = 0; g < normals.size(); ++g) {
+            if (joined.find(g) != f) continue;
+            for (int k = 0; k < 3; ++k) side.radius = std::max(side.radius, (corner(g, k) - side.centre).norm());
+        }
         out.push_back(side);
     }
     return out;
