@@ -7,8 +7,8 @@ namespace skelgen::quadruped {
 
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
     template std::vector<Limbs<Scalar>> find_limbs(const CurveSkeleton<Scalar>&, std::size_t);                         \
-    template KinematicSkeleton<Scalar> place_joints(const CurveSkeleton<Scalar>&, const Limbs<Scalar>&,                \
-                                                    const SkeletonTemplate&);
+    template KinematicSkeleton<Scalar> place_joints(const Body<Scalar>&, const CurveSkeleton<Scalar>&,                 \
+                                                    const Limbs<Scalar>&, const SkeletonTemplate&);
 
 SKELGEN_INSTANTIATE(SKELGEN_SCALAR)
 

@@ -4,40 +4,37 @@
 usage: calibrate_quadruped.py FOLDER... [--tables FOLDER]
 
 Each FOLDER holds truth/NAME.json and candidates/NAME.jsonl, as find_candidates.py --template quadruped writes the latter:
-of every way to see an animal in a curve the evidence and the ways of its limbs. A way is RIGHT when each foot's and the
+of every way to see an animal in a curve the evidence and the ends of its limbs. A way is RIGHT when each foot's and the
 tail's end lies nearer to its own marker than to the others and within 0.12 of the scale, and the head's end within 0.26 of
 the head's, nose's or crown's. People and things are wrong. The trust is fitted as calibrate.py fits that in people, each
-mesh's right and wrong ways counting once together. Where joints lie is fitted by how the ways run, on generated animals
-(skelgen synth --set quadrupeds), too. What is printed is of folds by maker.
+mesh's right and wrong ways counting once together. How far off its way a joint lies, and in which of the directions that
+place_joints.hpp names, is fitted on generated animals (skelgen synth --set quadrupeds), too. What is printed is of folds by maker.
 """
 import argparse
 import collections
 import json
 import os
+import re
 
 import numpy as np
 
 import calibrate
 
 FEET = ["left_fore_foot", "right_fore_foot", "left_hind_foot", "right_hind_foot"]
-LEGS = ["left_fore_leg", "right_fore_leg", "left_hind_leg", "right_hind_leg"]
-# Of each role and place among its joints: the way that it lies on, and the joint of a truth that has it.
+# Of each role and place among its joints, as the table has them: the joint of a truth that has it, but for its side.
 PLACES = [
-    ("pelvis", 0, "trunk", "hips"), ("waist", 0, "trunk", "spine1"), ("waist", 1, "trunk", "spine2"), ("chest", 0, "trunk", "chest"),
-    ("neck", 0, "neck", "neck1"), ("neck", 1, "neck", "neck2"), ("head", 0, "neck", "head"), ("ear", 0, "neck", "ear"),
-    ("shoulder_girdle", 0, "fore_leg", "fore_girdle"), ("shoulder", 0, "fore_leg", "fore_upper"), ("elbow", 0, "fore_leg", "fore_lower"),
-    ("wrist", 0, "fore_leg", "fore_ankle"), ("hand", 0, "fore_leg", "fore_foot"),
-    ("hip_girdle", 0, "hind_leg", "hind_girdle"), ("hip", 0, "hind_leg", "hind_upper"), ("knee", 0, "hind_leg", "hind_lower"),
-    ("ankle", 0, "hind_leg", "hind_ankle"), ("foot", 0, "hind_leg", "hind_foot"),
-    ("tail", 0, "tail", "tail1"), ("tail", 1, "tail", "tail2"), ("tail", 2, "tail", "tail3"), ("tail", 3, "tail", "tail4"),
+    ("pelvis", 0, "hips"), ("waist", 0, "spine1"), ("waist", 1, "spine2"), ("chest", 0, "chest"),
+    ("neck", 0, "neck1"), ("neck", 1, "neck2"), ("head", 0, "head"), ("ear", 0, "ear"),
+    ("shoulder_girdle", 0, "fore_girdle"), ("shoulder", 0, "fore_upper"), ("elbow", 0, "fore_lower"), ("wrist", 0, "fore_ankle"), ("hand", 0, "fore_foot"),
+    ("hip_girdle", 0, "hind_girdle"), ("hip", 0, "hind_upper"), ("knee", 0, "hind_lower"), ("ankle", 0, "hind_ankle"), ("foot", 0, "hind_foot"),
+    ("tail", 0, "tail1"), ("tail", 1, "tail2"), ("tail", 2, "tail3"), ("tail", 3, "tail4"),
 ]
+SIDES = ["left_", "right_", ""]
+OF_SIZE = 16  # the first of the directions that are the size forward, up and outward
 
 
 def is_right(truth, row):
-    places = {name: row["ways"][leg][0] for name, leg in zip(FEET, LEGS)}
-    places["head"] = row["ways"]["neck"][-1]
-    if row["ways"]["tail"]:
-        places["tail"] = row["ways"]["tail"][-1]
+    places = row["ends"]
     markers, joints = truth["markers"], truth.get("joints", {})
     ends = [e for e in FEET + ["head", "tail"] if e in markers]
     own = {e: [p[e] for p in (markers, joints) if e in p] for e in ends}
@@ -63,9 +60,6 @@ class Mesh:
         self.right = np.array([self.is_body and is_right(truth, row) for row in self.rows])
         self.evidence = np.array([list(row["evidence"].values()) for row in self.rows])
         self.errors = [{} for _ in self.rows]
-        if not self.is_body:
-            for row in self.rows:
-                del row["ways"]
 
 
 def balanced(used):
@@ -103,126 +97,65 @@ def scaling_of(meshes, chosen):
     return beta
 
 
-def place_on(way, place, frame, size, sign):
-    """Share of the way, and forward, up and outward of it in sizes, of a place."""
-    way = np.array(way)
-    fine = np.array([way[min(int(s), len(way) - 2)] * (1 - (s - min(int(s), len(way) - 2))) + way[min(int(s), len(way) - 2) + 1] * (s - min(int(s), len(way) - 2)) for s in np.linspace(0, len(way) - 1, 101)])
-    i = int(np.argmin(np.linalg.norm(fine - place, axis=1)))
-    off = (np.array(place) - fine[i]) / size
-    return [i / 100] + [float(off @ np.array(frame[d])) for d in ("forward", "up")] + [sign * float(off @ np.array(frame["left"]))]
-
-
-def head_frame(row):
-    """The directions at the head, as place_joints.hpp has them."""
-    neck, left = np.array(row["ways"]["neck"]), np.array(row["frame"]["left"])
-    forward = neck[-1] - neck[round(0.7 * (len(neck) - 1))]
-    forward /= np.linalg.norm(forward) + 1e-12
-    up = np.cross(forward, left)
-    up /= np.linalg.norm(up) + 1e-12
-    return {"forward": forward, "up": up, "left": np.cross(up, forward)}
-
-
-# What the place of a joint is told from, beside its role: see quadruped::detail::features_of (place_joints.hpp).
-PLACE_SHARES, RADIUS_SHARES, BUILD = (0, 4, 8, 12, 16), (2, 6, 10, 14, 18), 12
-
-
-def features(row, way, sign):
-    places, size = np.array(row["ways"][way]), row["size"]
-    is_leg = "leg" in way
-    off = (places[list(PLACE_SHARES)] - places[-1 if is_leg else 0]) / size
-    out = [off @ np.array(row["frame"]["forward"]), off @ np.array(row["frame"]["up"]), sign * (off @ np.array(row["frame"]["left"])) * is_leg]
-    return np.concatenate([np.stack(out, 1).ravel(), np.array(row["radii"][way])[list(RADIUS_SHARES)] / size, list(row["evidence"].values())[:BUILD]])
-
-
 def joint_samples(meshes, chosen):
-    """Per role and place among its joints: maker, features and the share and offsets that the true joint has."""
+    """Per role and place among its joints: maker, and offset and directions, in sizes, of each such joint that is known."""
     found = collections.defaultdict(list)
     for m, (i, _) in zip(meshes, chosen):
-        if i < 0 or not m.right[i] or "joints" not in m.truth:
+        if i < 0 or not m.right[i] or "joints" not in m.rows[i]:
             continue
         row = m.rows[i]
-        for role, ordinal, way, name in PLACES:
-            for side, sign in (("left_", 1), ("right_", -1), ("", 0)):
-                nodes = side + way if "leg" in way else way
-                if side + name not in m.truth["joints"] or not row["ways"][nodes]:
+        known = {"head": m.truth["markers"].get("head"), **m.truth.get("joints", {})}  # where rigs lack it heads are marked
+        for role, ordinal, name in PLACES:
+            for side in SIDES:
+                true, found_one = known.get(side + name), row["joints"].get(side + name)
+                if not true or not found_one:
                     continue
-                place = np.array(m.truth["joints"][side + name])
-                if role == "ear":
-                    frame = head_frame(row)
-                    off = (place - np.array(row["ways"][nodes][-1])) / row["size"]
-                    value = [1.0] + [float(off @ frame[d]) for d in ("forward", "up")] + [sign * float(off @ frame["left"])]
-                else:
-                    value = place_on(row["ways"][nodes], place, row["frame"], row["size"], sign)
-                if not sign:
-                    value[3] = 0.0  # in the middle
-                found[role, ordinal].append({"mesh": m, "row": row, "way": nodes, "sign": sign, "maker": m.group, "x": features(row, nodes, sign), "y": np.array(value), "place": place})
+                found[role, ordinal].append({"mesh": m.name, "maker": m.group, "offset": np.subtract(true, found_one["place"]) / row["size"],
+                                             "directions": np.array(found_one["directions"]) / row["size"], "sized": row["size"] / m.truth["scale"]})
     return found
 
 
-def scales_of(samples):
-    """Mean and deviation of the features on each kind of way."""
-    by_way = collections.defaultdict(list)
-    for (role, ordinal), rows in samples.items():
-        by_way[next(w for r, o, w, _ in PLACES if (r, o) == (role, ordinal))] += [r["x"] for r in rows]
-    return {way: (np.mean(x, axis=0), np.std(x, axis=0) + 1e-6) for way, x in by_way.items()}
+def fit_weights(rows, penalty):
+    """Weights of the directions: by ridge regression, makers counting by the root of their samples. Each maker has an
+    offset of its own beside that, forward, up and outward, as makers differ in where they put joints; it is forgotten
+    (a mixed model: Laird & Ware, Random-Effects Models for Longitudinal Data, 1982). The generator is one of the makers."""
+    makers = sorted({r["maker"] for r in rows})
+    counts = collections.Counter(r["maker"] for r in rows)
+    count, taste = len(rows[0]["directions"]), 5 / len(makers)
+    own = slice(OF_SIZE, OF_SIZE + 3)
+    x, y, w = np.zeros((len(rows), 3, count + 3 * len(makers))), np.array([r["offset"] for r in rows]), np.array([1 / np.sqrt(counts[r["maker"]]) for r in rows])
+    for k, r in enumerate(rows):
+        x[k, :, :count] = r["directions"].T
+        first = count + 3 * makers.index(r["maker"])
+        x[k, :, first : first + 3] = r["directions"][own].T
+    scale = np.sqrt((x[:, :, :count] ** 2).sum(axis=1).mean(axis=0)) + 1e-9
+    x[:, :, :count] /= scale
+    ridge = np.full(x.shape[2], taste)
+    ridge[:count] = penalty
+    ridge[own] = penalty / 1000  # what all have in common
+    w /= w.sum()
+    square, right = np.einsum("k,kai,kaj->ij", w, x, x, optimize=True), np.einsum("k,kai,ka->i", w, x, y, optimize=True)
+    return np.linalg.solve(square + np.diag(ridge), right)[:count] / scale
 
 
-def fit_places(samples, scales, penalty):
-    """Per role and place: means of share and offsets, makers counting by the root of their samples, and how they change
-    with the features: by ridge regression, half of each maker's own mean taken off, as makers differ in where they put
-    joints. The generator of animals is one of the makers."""
-    out = {}
-    for (role, ordinal), rows in samples.items():
-        mean, deviation = scales[next(w for r, o, w, _ in PLACES if (r, o) == (role, ordinal))]
-        x, y = (np.array([r["x"] for r in rows]) - mean) / deviation, np.array([r["y"] for r in rows])
-        makers = np.array([r["maker"] for r in rows])
-        counts = collections.Counter(makers)
-        w = np.array([1 / np.sqrt(counts[m]) for m in makers])
-        w /= w.sum()
-        lift, centre = w @ x, w @ y
-        x, y = x - lift, y - centre
-        for maker in counts:
-            k = makers == maker
-            x[k] -= np.average(x[k], axis=0, weights=w[k]) / 2
-            y[k] -= np.average(y[k], axis=0, weights=w[k]) / 2
-        change = np.linalg.solve((x * w[:, None]).T @ x + penalty * np.eye(x.shape[1]), (x * w[:, None]).T @ y)
-        out[role, ordinal] = centre - lift @ change, change
-    return out
-
-
-def error_of(sample, table, scales):
+def error_of(row, weights):
     """How far the joint comes to lie from the true one, relative to the truth's scale."""
-    way = sample["way"].replace("left_", "").replace("right_", "")
-    mean, deviation = scales[way]
-    value = table[0] + np.clip((sample["x"] - mean) / deviation, -2.5, 2.5) @ table[1]
-    row = sample["row"]
-    frame = head_frame(row) if value[0] == 1.0 and way == "neck" else {d: np.array(row["frame"][d]) for d in ("forward", "up", "left")}
-    nodes = np.array(row["ways"][sample["way"]])
-    along = min(max(value[0], 0), 1) * (len(nodes) - 1)
-    i = min(int(along), len(nodes) - 2)
-    place = nodes[i] + (along - i) * (nodes[i + 1] - nodes[i])
-    place = place + row["size"] * (value[1] * frame["forward"] + value[2] * frame["up"] + sample["sign"] * value[3] * frame["left"])
-    return float(np.linalg.norm(place - sample["place"]) / sample["mesh"].truth["scale"])
+    return float(np.linalg.norm(weights @ row["directions"] - row["offset"]) * row["sized"])
 
 
 def report_places(samples, penalty):
-    """Mean errors per joint of makers left out, without and with what the features tell."""
+    """Mean errors per joint of makers left out, and with all fitted."""
     makers = sorted({r["maker"] for rows in samples.values() for r in rows} - {"skelgen"})  # of real animals
-    for name, strength in (("means alone", 1e9), ("with features", penalty)):
-        errors = collections.defaultdict(list)
-        for maker in makers:
-            rest = {k: [r for r in rows if r["maker"] != maker] or rows for k, rows in samples.items()}
-            scales = scales_of(rest)
-            tables = fit_places(rest, scales, strength)
-            for key, rows in samples.items():
+    for name, left_out in (("makers left out", makers), ("all makers fitted", ["nobody"]), ("generated ones, all fitted", ["skelgen"])):
+        errors, animals = collections.defaultdict(list), collections.defaultdict(list)
+        for key, rows in samples.items():
+            for maker in left_out:
+                weights = fit_weights([r for r in rows if r["maker"] != maker or name.startswith("gen")] or rows, penalty)
                 for r in rows:
-                    if r["maker"] == maker:
-                        errors[key].append((r["mesh"].name, error_of(r, tables[key], scales)))
-        animals = collections.defaultdict(list)
-        for rows in errors.values():
-            for mesh, error in rows:
-                animals[mesh].append(error)
-        print(f"joints, makers left out, {name}: {np.mean([np.mean(v) for v in animals.values()]):.4f};", ", ".join(f"{k[0]}{k[1]} {np.mean([e for _, e in v]):.3f}" for k, v in errors.items()))
+                    if r["maker"] == maker or maker == "nobody" and r["maker"] in makers:
+                        errors[key].append(error_of(r, weights))
+                        animals[r["mesh"]].append(errors[key][-1])
+        print(f"joints, {name}: {np.mean([np.mean(v) for v in animals.values()]):.4f};", ", ".join(f"{k[0]}{k[1]} {np.mean(v):.3f}" for k, v in errors.items()))
 
 
 def write_trust(path, table, meshes):
@@ -252,31 +185,12 @@ inline constexpr std::array<core::QuestionTree, {len(table["trees"])}> trust_tre
 """)
 
 
-def write_joints(path, tables, scales):
-    """Puts the numbers into the table; what is before the first of them stays."""
-    numbers = lambda values: ", ".join(f"{v:.3g}" for v in values)
-    head = open(path).read().split("/// Mean and deviation of the features")[0]
-    with open(path, "w") as f:
-        f.write(head + "/// Mean and deviation of the features on each way, by Way.\ninline constexpr std::array<WayScale, 5> way_scales{{\n")
-        for way in ("fore_leg", "hind_leg", "trunk", "neck", "tail"):
-            f.write("    {{{" + numbers(scales[way][0]) + "}},\n     {{" + numbers(scales[way][1]) + "}}},\n")
-        f.write("}};\n\ninline constexpr std::array<JointPlace, " + str(len(PLACES)) + "> joint_places{{\n")
-        for role, ordinal, way, _ in PLACES:
-            centre, change = tables[role, ordinal]
-            f.write(f"    {{JointRole::{role}, {ordinal}, Way::{way}, {{{{{numbers(centre)}}}}},\n     {{{{")
-            f.write(",\n       ".join("{{" + numbers(column) + "}}" for column in change.T) + "}}},\n")
-        f.write("""}};
-
-/// Of a role; its last one where there are not so many. Templates keep to that (core/template_rules.hpp).
-[[nodiscard]] constexpr const JointPlace& place_of(JointRole role, int ordinal) {
-    const JointPlace* out = joint_places.data();
-    for (const JointPlace& place : joint_places)
-        if (place.role == role && place.ordinal <= ordinal) out = &place;
-    return *out;
-}
-
-} // namespace skelgen::quadruped
-""")
+def write_joints(path, samples, penalty):
+    """Puts the weights into the table; ways and shares stay."""
+    before, after = re.split(r"(?s)(?<=direction_weights\{\{\n).*?(?=\}\};)", open(path).read())
+    rows = ["    {{" + ", ".join(f"{v:.3g}" for v in fit_weights(samples[role, ordinal], penalty)) + "}},\n" for role, ordinal, _ in PLACES]
+    with open(path, "w") as file:
+        file.write(before + "".join(rows) + after)
 
 
 def likeliest(mesh):
@@ -307,7 +221,7 @@ def main():
     parser.add_argument("--tables", help="folder of the tables to write: include/skelgen/quadruped")
     parser.add_argument("--penalty", type=float, default=8.0)
     parser.add_argument("--trees", type=int, default=100)
-    parser.add_argument("--place-penalty", type=float, default=0.3)
+    parser.add_argument("--place-penalty", type=float, default=0.012)
     parser.add_argument("--joints-alone", action="store_true", help="the trust's table stays as it is")
     a = parser.parse_args()
     meshes = []
@@ -322,10 +236,8 @@ def main():
         chosen = fit_trust(meshes, a)
     samples = joint_samples(meshes, chosen)
     report_places(samples, a.place_penalty)
-    scales = scales_of(samples)
-    tables = fit_places(samples, scales, a.place_penalty)
     if a.tables:
-        write_joints(a.tables + "/joint_table.hpp", tables, scales)
+        write_joints(a.tables + "/joint_table.hpp", samples, a.place_penalty)
 
 
 if __name__ == "__main__":

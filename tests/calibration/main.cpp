@@ -45,22 +45,30 @@ Json described(const search::Found<double>& found, const SkeletonTemplate& wante
     return out;
 }
 
-/// Puts a way along an animal's curve, in equal steps, in the input's coordinates, and how thick the body is there.
-void put_way(Json& out, const char* name, const Body<double>& body, const CurveSkeleton<double>& curve,
-             const std::vector<int>& way) {
-    constexpr int steps = 20;
-    Json &places = out["ways"][name] = Json::array(), &radii = out["radii"][name] = Json::array();
-    if (way.empty()) return;
-    const quadruped::detail::WayLine<double> line(curve, way);
-    for (int i = 0; i <= steps; ++i) {
-        const double share = static_cast<double>(i) / steps;
-        places.push_back(numbers(body.similarity.to_input(line.place(share))));
-        radii.push_back(body.similarity.scale * line.radius(share));
+/// Of each joint its share of its way, and the directions in which it may lie off that.
+Json described_places(const Body<double>& body, const CurveSkeleton<double>& curve,
+                      const quadruped::Limbs<double>& limbs, const SkeletonTemplate& wanted) {
+    Json out;
+    for (int j = 0; j < static_cast<int>(wanted.joints.size()); ++j) {
+        const TemplateJoint& joint = wanted.joint(j);
+        const auto& place = quadruped::place_of(joint.role, quadruped::detail::ordinal_of(wanted, j));
+        const std::vector<int>& way = quadruped::detail::way_of(limbs, place.way, joint.side);
+        if (way.empty()) continue;
+        const quadruped::detail::WayLine<double> line(curve, way);
+        const Vector3<double> from = body.similarity.to_input(line.place(place.share));
+        const Vector3<double> zero = body.similarity.to_input(Vector3<double>::Zero());
+        Json& described = out[joint.name];
+        described["place"] = numbers(from);
+        for (const auto& direction :
+             quadruped::detail::directions_of(body, curve, limbs, line, place.share, sign_of(joint.side)).colwise())
+            described["directions"].push_back(numbers(body.similarity.to_input(direction) - zero));
     }
+    return out;
 }
 
-/// All ways to see an animal in the curve of what was found.
-void describe_animals(const search::Found<double>& found) {
+/// All ways to see an animal in the curve of what was found; the likeliest with what their joints' places go by.
+void describe_animals(const search::Found<double>& found, const SkeletonTemplate& wanted) {
+    std::size_t count = 0;
     const Body<double>& body = *found.body;
     const CurveSkeleton<double>& curve = found.curve->curve;
     for (const quadruped::Limbs<double>& limbs : quadruped::find_limbs(curve, 150)) {
@@ -70,15 +78,17 @@ void describe_animals(const search::Found<double>& found) {
             out["evidence"][std::string(to_string(static_cast<quadruped::Witness>(w)))] = limbs.evidence.values[w];
         out["probability"] = limbs.probability;
         out["size"] = body.similarity.scale * limbs.size;
-        const Vector3<double> zero = body.similarity.to_input(Vector3<double>::Zero());
-        for (const auto& [name, direction] : {std::pair("left", limbs.frame.left), std::pair("up", limbs.frame.up),
-                                              std::pair("forward", limbs.frame.forward)})
-            out["frame"][name] = numbers((body.similarity.to_input(direction) - zero).normalized());
-        const std::array legs{"left_fore_leg", "right_fore_leg", "left_hind_leg", "right_hind_leg"};
-        for (std::size_t leg = 0; leg < legs.size(); ++leg) put_way(out, legs[leg], body, curve, limbs.legs[leg]);
-        put_way(out, "trunk", body, curve, limbs.trunk);
-        put_way(out, "neck", body, curve, limbs.neck);
-        put_way(out, "tail", body, curve, limbs.tail);
+        const auto put_end = [&](const char* name, const std::vector<int>& way, bool is_last) {
+            if (way.empty()) return;
+            const int node = is_last ? way.back() : way.front();
+            out["ends"][name] = numbers(body.similarity.to_input(core::point(curve.nodes, node)));
+        };
+        const std::array feet{"left_fore_foot", "right_fore_foot", "left_hind_foot", "right_hind_foot"};
+        for (std::size_t leg = 0; leg < feet.size(); ++leg) put_end(feet[leg], limbs.legs[leg], false);
+        put_end("head", limbs.neck, true);
+        put_end("tail", limbs.tail, true);
+        constexpr std::size_t with_places = 5;
+        if (count++ < with_places) out["joints"] = described_places(body, curve, limbs, wanted);
         std::cout << out.dump() << '\n';
     }
 }
@@ -105,7 +115,7 @@ int main(int argc, char** argv) try {
                       is_exhaustive ? search::Thoroughness::exhaustive : search::Thoroughness::until_sure);
     for (const search::Found<double>& found : climb.found)
         if (wanted.plan == BodyKind::quadruped)
-            describe_animals(found);
+            describe_animals(found, wanted);
         else
             std::cout << described(found, wanted).dump() << '\n';
     return 0;

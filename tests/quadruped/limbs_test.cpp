@@ -17,6 +17,7 @@
 #include <skelgen/quadruped/place_joints.hpp>
 
 #include "catch.hpp"
+#include "shapes.hpp"
 
 using namespace skelgen;
 
@@ -79,6 +80,17 @@ Eigen::Affine3d somewhere() {
     return out;
 }
 
+/// A box around the horse, as far as joints are concerned a body, wherever it was moved.
+Body<double> box_around(const Eigen::Affine3d& by = Eigen::Affine3d::Identity()) {
+    Body<double> out;
+    out.mesh = test::box({1, 2.1, 3.1});
+    for (Eigen::Index v = 0; v < out.mesh.vertices.rows(); ++v)
+        out.mesh.vertices.row(v) =
+            (by * Place(out.mesh.vertices.row(v).transpose() - Place(0.5, 0.1, 0.7))).transpose();
+    out.tree = surface::FaceTree<double>(out.mesh);
+    return out;
+}
+
 Place joint_of(const KinematicSkeleton<double>& skeleton, const std::string& name) {
     const int j = find_joint(skeleton, name);
     REQUIRE(j >= 0);
@@ -112,8 +124,8 @@ TEST_CASE("quadruped: turned, scaled and moved the same is found", "[quadruped]"
     CHECK(after[0].tail == before[0].tail);
     CHECK(std::abs(after[0].probability - before[0].probability) < 1e-6);
     const SkeletonTemplate& wanted = builtin_template("quadruped");
-    const auto here = quadruped::place_joints(animal.curve, before[0], wanted),
-               there = quadruped::place_joints(other, after[0], wanted);
+    const auto here = quadruped::place_joints(box_around(), animal.curve, before[0], wanted),
+               there = quadruped::place_joints(box_around(somewhere()), other, after[0], wanted);
     for (const Joint<double>& joint : here.joints)
         CHECK((somewhere() * joint.position - joint_of(there, joint.name)).norm() < 40 * 1e-9);
 }
@@ -134,7 +146,7 @@ TEST_CASE("quadruped: joints lie in order along the limbs; without a tail its jo
     const auto found = quadruped::find_limbs(animal.curve, 1);
     REQUIRE(found.size() == 1);
     const SkeletonTemplate& wanted = builtin_template("quadruped");
-    const auto skeleton = quadruped::place_joints(animal.curve, found[0], wanted);
+    const auto skeleton = quadruped::place_joints(box_around(), animal.curve, found[0], wanted);
     REQUIRE(skeleton.joints.size() == wanted.joints.size());
     for (const std::string side : {"left", "right"})
         for (const std::string pair : {"fore", "hind"}) {
@@ -166,22 +178,36 @@ TEST_CASE("quadruped: no animal in fewer than five ends, in pieces, or in nothin
     CHECK(quadruped::find_limbs(pieces.curve, 1).empty());
 }
 
-TEST_CASE("quadruped: a mean animal has the table's mean places, and an odd one none beyond what was seen",
-          "[quadruped]") {
+TEST_CASE("quadruped: a mirrored animal's joints are the mirrored ones of the other side", "[quadruped]") {
     const DrawnAnimal animal = horse();
-    const auto found = quadruped::find_limbs(animal.curve, 1);
+    Eigen::Affine3d mirror = Eigen::Affine3d::Identity();
+    mirror.linear()(0, 0) = -1;
+    CurveSkeleton<double> bent = animal.curve; // no side like the other
+    bent.nodes.row(animal.feet[quadruped::left_fore]) += Eigen::RowVector3d(0.05, 0.1, 0.2);
+    const CurveSkeleton<double> mirrored = moved(bent, mirror);
+    const auto found = quadruped::find_limbs(bent, 1), other = quadruped::find_limbs(mirrored, 1);
     REQUIRE(found.size() == 1);
-    quadruped::Limbs<double> odd = found[0];
-    odd.size /= 50; // all features far from those of animals
-    for (const quadruped::JointPlace& place : quadruped::joint_places) {
-        CHECK(quadruped::detail::place_in(place, {}) == place.mean);
-        const auto& way = quadruped::detail::way_of(odd, place.way, Side::left);
-        const quadruped::detail::WayLine<double> line(animal.curve, way);
-        for (const double feature : quadruped::detail::features_of(line, odd, place.way, 1))
-            CHECK(std::abs(feature) <= 2.5);
-        for (const double feature : quadruped::detail::features_of(line, found[0], place.way, 1))
-            CHECK(std::isfinite(feature));
+    REQUIRE(other.size() == 1);
+    const SkeletonTemplate& wanted = builtin_template("quadruped");
+    const auto here = quadruped::place_joints(box_around(), bent, found[0], wanted),
+               there = quadruped::place_joints(box_around(mirror), mirrored, other[0], wanted);
+    for (int j = 0; j < static_cast<int>(here.joints.size()); ++j) {
+        const Joint<double>& joint = here.joints[static_cast<std::size_t>(j)];
+        const Place expected = mirror * joint.position;
+        CHECK((expected - joint_of(there, mirrored_name(joint.name))).norm() < 1e-9);
     }
+}
+
+TEST_CASE("quadruped: where all of an animal is one place, so are its joints", "[quadruped]") {
+    const DrawnAnimal animal = horse();
+    auto found = quadruped::find_limbs(animal.curve, 1);
+    REQUIRE(found.size() == 1);
+    CurveSkeleton<double> shrunk = animal.curve;
+    shrunk.nodes.setConstant(3);
+    std::fill(shrunk.radii.begin(), shrunk.radii.end(), 0.0);
+    found[0].size = 0;
+    const auto skeleton = quadruped::place_joints(box_around(), shrunk, found[0], builtin_template("quadruped"));
+    for (const Joint<double>& joint : skeleton.joints) CHECK((joint.position - Place::Constant(3)).norm() < 1e-12);
 }
 
 TEST_CASE("quadruped: every joint of the template has a row of its own in the table", "[quadruped]") {

@@ -50,22 +50,6 @@ struct WayLine {
     [[nodiscard]] Scalar radius(double share) const { return core::value_at(radii, arc, length_to(share)); }
 };
 
-/// The animal's directions at its head, which may be turned and lowered: forward along the end of the neck.
-template <typename Scalar>
-BodyFrame<Scalar> head_frame(const CurveSkeleton<Scalar>& curve, const Limbs<Scalar>& limbs) {
-    BodyFrame<Scalar> out = limbs.frame;
-    constexpr double before = 0.7;
-    const WayLine<Scalar> neck(curve, limbs.neck);
-    const Vector3<Scalar> way = neck.place(1) - neck.place(before);
-    if (!(way.norm() > 0)) return out;
-    out.forward = way.normalized();
-    const Vector3<Scalar> up = out.forward.cross(limbs.frame.left);
-    if (!(up.norm() > 0)) return limbs.frame;
-    out.up = up.normalized();
-    out.left = out.up.cross(out.forward);
-    return out;
-}
-
 /// How many joints of the same role and side come before a joint.
 inline int ordinal_of(const SkeletonTemplate& skeleton_template, int joint) {
     const TemplateJoint& own = skeleton_template.joint(joint);
@@ -76,47 +60,61 @@ inline int ordinal_of(const SkeletonTemplate& skeleton_template, int joint) {
     return out;
 }
 
-/// What a joint's place on a way is told from, of a mean animal 0: how the way runs and how thick the body is along it,
-/// in parts of the animal's size, and its build. `outward`: 1 on the left, -1 on the right, 0 for ways in the middle.
+/// Place in the middle between both legs of a pair, at a share of each.
 template <typename Scalar>
-PlaceFeatures features_of(const WayLine<Scalar>& line, const Limbs<Scalar>& limbs, Way way, int outward) {
-    const bool is_leg = way == Way::fore_leg || way == Way::hind_leg;
-    const Vector3<Scalar> root = line.place(is_leg ? 1 : 0); // where it leaves the trunk
-    PlaceFeatures out{};
-    std::size_t next = 0;
-    for (const double share : {0.0, 0.2, 0.4, 0.6, 0.8}) {
-        const Vector3<Scalar> off = (line.place(share) - root) / limbs.size;
-        out[next++] = static_cast<double>(off.dot(limbs.frame.forward));
-        out[next++] = static_cast<double>(off.dot(limbs.frame.up));
-        out[next++] = outward * static_cast<double>(off.dot(limbs.frame.left));
-    }
-    for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9})
-        out[next++] = static_cast<double>(line.radius(share) / limbs.size);
-    for (std::size_t w = 0; next < out.size(); ++w) out[next++] = limbs.evidence.values[w];
-    const WayScale& scale = way_scales[static_cast<std::size_t>(way)];
-    constexpr double most = 2.5; // deviations: beyond them nothing was seen that tells more
-    for (std::size_t i = 0; i < out.size(); ++i)
-        out[i] = std::clamp((out[i] - scale.mean[i]) / scale.deviation[i], -most, most);
-    return out;
+Vector3<Scalar> between_legs(const CurveSkeleton<Scalar>& curve, const Limbs<Scalar>& limbs, Way pair, double share) {
+    return (WayLine<Scalar>(curve, way_of(limbs, pair, Side::left)).place(share) +
+            WayLine<Scalar>(curve, way_of(limbs, pair, Side::right)).place(share)) /
+           2;
 }
 
-/// Share of the way, and forward, up and outward of it, as that animal has them.
-inline std::array<double, 4> place_in(const JointPlace& place, const PlaceFeatures& features) {
-    std::array<double, 4> out = place.mean;
-    for (std::size_t k = 0; k < out.size(); ++k)
-        for (std::size_t i = 0; i < features.size(); ++i) out[k] += place.change[k][i] * features[i];
-    out[0] = std::clamp(out[0], 0.0, 1.0);
+/// What a joint's offset from its share of a way is a weighted sum of, as columns: to places on the own way, between
+/// the legs, on trunk and neck; the animal's size and the radii along the way, forward, up, outward, along the way and
+/// across it; to the surface. They turn and grow with the animal, so that what holds for one pose holds for others.
+template <typename Scalar>
+Eigen::Matrix<Scalar, 3, direction_count> directions_of(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve,
+                                                        const Limbs<Scalar>& limbs, const WayLine<Scalar>& line,
+                                                        double share, int side) {
+    Eigen::Matrix<Scalar, 3, direction_count> out;
+    Eigen::Index next = 0;
+    const Vector3<Scalar> from = line.place(share);
+    for (const double at : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) out.col(next++) = line.place(at) - from;
+    for (const Way pair : {Way::fore_leg, Way::hind_leg})
+        for (const double at : {0.0, 0.5, 1.0}) out.col(next++) = between_legs(curve, limbs, pair, at) - from;
+    const WayLine<Scalar> trunk(curve, limbs.trunk), neck(curve, limbs.neck);
+    for (const double at : {0.0, 0.5, 1.0}) out.col(next++) = trunk.place(at) - from;
+    out.col(next++) = neck.place(0.5) - from;
+    constexpr double near = 0.2;
+    const Vector3<Scalar> along =
+        (line.place(std::min(1.0, share + near)) - line.place(std::max(0.0, share - near))).stableNormalized();
+    const Vector3<Scalar> outward = static_cast<Scalar>(side) * limbs.frame.left;
+    Eigen::Matrix<Scalar, 3, 5> units;
+    units << limbs.frame.forward, limbs.frame.up, outward, along, along.cross(limbs.frame.left).stableNormalized();
+    std::array<Scalar, 7> lengths{limbs.size};
+    constexpr std::array radius_shares{0.1, 0.3, 0.5, 0.7, 0.9};
+    for (std::size_t i = 0; i < radius_shares.size(); ++i) lengths[i + 1] = line.radius(radius_shares[i]);
+    lengths.back() = trunk.radii.mean();
+    for (const Scalar length : lengths) {
+        out.template middleCols<5>(next) = length * units;
+        next += 5;
+    }
+    const auto farthest = static_cast<Scalar>(0.5) * limbs.size; // where a curve lies outside there may be no surface
+    for (const Vector3<Scalar>& axis : {limbs.frame.forward, limbs.frame.up, outward})
+        for (const int sign : {1, -1}) {
+            const Vector3<Scalar> direction = static_cast<Scalar>(sign) * axis;
+            out.col(next++) =
+                std::min(body.tree.first_along(body.mesh, from, direction).distance, farthest) * direction;
+        }
     return out;
 }
 
 } // namespace detail
 
 template <typename Scalar>
-KinematicSkeleton<Scalar> place_joints(const CurveSkeleton<Scalar>& curve, const Limbs<Scalar>& limbs,
-                                       const SkeletonTemplate& skeleton_template) {
+KinematicSkeleton<Scalar> place_joints(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve,
+                                       const Limbs<Scalar>& limbs, const SkeletonTemplate& skeleton_template) {
     KinematicSkeleton<Scalar> out;
     out.template_name = skeleton_template.name;
-    const BodyFrame<Scalar> head = detail::head_frame(curve, limbs);
     for (int j = 0; j < static_cast<int>(skeleton_template.joints.size()); ++j) {
         const TemplateJoint& wanted = skeleton_template.joint(j);
         Joint<Scalar>& joint = out.joints.emplace_back();
@@ -129,16 +127,12 @@ KinematicSkeleton<Scalar> place_joints(const CurveSkeleton<Scalar>& curve, const
             joint.position = limbs.frame.origin;
             continue;
         }
-        const BodyFrame<Scalar>& frame = wanted.role == JointRole::ear ? head : limbs.frame;
         const detail::WayLine<Scalar> line(curve, way);
-        const int side = sign_of(wanted.side);
-        const bool is_leg = place.way == Way::fore_leg || place.way == Way::hind_leg;
-        const auto [share, forward, up, outward] =
-            detail::place_in(place, detail::features_of(line, limbs, place.way, is_leg ? side : 0));
-        joint.position = line.place(share) + limbs.size * (static_cast<Scalar>(forward) * frame.forward +
-                                                           static_cast<Scalar>(up) * frame.up +
-                                                           static_cast<Scalar>(side * outward) * frame.left);
-        joint.radius = line.radius(share);
+        joint.position = line.place(place.share) +
+                         detail::directions_of(body, curve, limbs, line, place.share, sign_of(wanted.side)) *
+                             Eigen::Map<const Eigen::Matrix<double, direction_count, 1>>(weights_of(place).data())
+                                 .template cast<Scalar>();
+        joint.radius = line.radius(place.share);
     }
     out.quality.matched_nodes = limbs.tail.empty() ? 5 : 6; // feet, head and tail
     out.frame = limbs.frame;

@@ -300,7 +300,7 @@ private:
             return;
         }
         Candidate<Scalar> candidate;
-        candidate.skeleton = quadruped::place_joints(curve->curve, limbs.front(), *animal_);
+        candidate.skeleton = quadruped::place_joints(*lead.body, curve->curve, limbs.front(), *animal_);
         candidate.doubt.assign(candidate.skeleton.joints.size(), 0);
         candidate.geodesic_diameter = core::geodesic_diameter(lead.body->graph);
         candidate.probability = limbs.front().probability;
