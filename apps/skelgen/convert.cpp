@@ -36,7 +36,8 @@ void add_convert_command(CLI::App& app) {
     CLI::App* sub =
         app.add_subcommand("convert", "Write a mesh, or a scene's meshes as they are shown, in another format");
     add_mesh_input(*sub, command->mesh, "Mesh to read");
-    sub->add_option("OUT", command->output, "Mesh to write: " + io::written_mesh_extensions_text())->required();
+    sub->add_option("-o,--output,OUT", command->output, "Mesh to write: " + io::written_mesh_extensions_text())
+        ->required();
     sub->footer("Examples:\n  skelgen convert character.glb character.ply\n"
                 "  skelgen convert character.glb walking.obj --animation walk --time 0.5\n"
                 "  xz -dc body.off.xz | skelgen convert - body.glb");

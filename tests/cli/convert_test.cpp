@@ -45,6 +45,8 @@ TEST_CASE("convert: a mesh goes through all formats and keeps its vertices and f
     CHECK((back.faces == mesh.faces));
     CHECK((back.vertices - mesh.vertices).cwiseAbs().maxCoeff() < 1e-6); // GLB has floats
     REQUIRE(run_cli(folder.path(), {"convert", last, "5.stl"}).status == 0);
+    REQUIRE(run_cli(folder.path(), {"convert", "-o", "6.stl", last}).status == 0); // as with other commands
+    CHECK(test::read_file(folder / "6.stl") == test::read_file(folder / "5.stl"));
     CHECK(read_mesh(folder / "5.stl").faces.rows() == mesh.faces.rows());
 }
 
