@@ -170,7 +170,9 @@ def ring(mesh: Mesh, place: list[float], normal: list[float]) -> list[list[list[
 
 def rings(mesh: Mesh, measures: dict) -> str:
     """Where a tape lies, of each girth, as lines of OBJ."""
-    segments = [part for plane in measures["girth_places"].values() for part in ring(mesh, plane["place"], plane["normal"])]
+    segments = [
+        part for plane in measures["girth_places"].values() for part in ring(mesh, plane["place"], plane["normal"])
+    ]
     text = "".join("v {} {} {}\n".format(*end) for part in segments for end in part)
     return text + "".join(f"l {2 * i + 1} {2 * i + 2}\n" for i in range(len(segments)))
 

@@ -141,7 +141,9 @@ def public_headers(root: Path) -> set[Path]:
 def readers(root: Path) -> dict[Path, list]:
     """The files that readers meet, and what of each they read."""
     found: dict[Path, list] = {}
-    pages = [root / name for name in ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "RELEASE_CHECKLIST.md")]
+    pages = [
+        root / name for name in ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "RELEASE_CHECKLIST.md")
+    ]
     for folder in ("docs", "contrib", "apps/web/samples"):
         pages += sorted((root / folder).rglob("*.md"))
     for page in pages:
