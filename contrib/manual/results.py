@@ -35,9 +35,9 @@ PUBLISHED = {
 }
 MEAN_PUBLISHED = (".0125", ".0088", ".0163")
 REAL = {
-    "faust": ("FAUST, 5 people", "18, by SMPL's regressor on the registration"),
-    "scape": ("SCAPE, 1 person", "shoulders, elbows, knees, neck, waist: midpoints of landmarks"),
-    "psb": ("PSB humans, 10 people", "as SCAPE"),
+    "faust": ("FAUST, 5 people", "18, regressed"),
+    "scape": ("SCAPE, 1 person", "8, by landmarks"),
+    "psb": ("PSB humans, 10 people", "8, by landmarks"),
 }
 SETS = {
     "scape": "poses as that set has them",
@@ -87,16 +87,16 @@ def sides(joints: dict, name: str) -> str:
 def real(program: Path, bodies: Path, work: Path) -> dict[str, str]:
     found = {name: scores(program, bodies / "meshes" / name, bodies / "truth" / name, work / name) for name in REAL}
     accuracy = table(
-        ["set", "bodies", "solved, sides right", "joints inside", "joints compared", "mean error", "95th percentile"],
+        ["set", "bodies", "solved, sides right", "mean error", "95 % below", "joints inside", "joints compared"],
         [
             [
                 REAL[name][0],
                 str(score["meshes"]),
                 f"{score['solved']}, {score['sides']}",
-                f"{100 * score['inside']:.4g} %",
-                REAL[name][1],
                 short(score["mean_error"]),
                 short(score["p95_error"]),
+                f"{100 * score['inside']:.4g} %",
+                REAL[name][1],
             ]
             for name, score in found.items()
         ],
