@@ -172,8 +172,10 @@ void require_own_files(const std::vector<BatchItem>& items, const std::vector<st
                 throw Error(ErrorCode::usage, file.string() + ": is a mesh that --also " + part +
                                                   " would replace; choose another folder with -o");
             if (!results.insert(place_of(file)).second)
-                throw Error(ErrorCode::usage,
-                            file.string() + ": would be written twice; give the meshes names that differ in more");
+                throw Error(
+                    ErrorCode::usage,
+                    file.string() +
+                        ": would be written twice; give the meshes names that differ in more than their endings");
         }
     for (const fs::path& file : others)
         if (!results.insert(place_of(file)).second)

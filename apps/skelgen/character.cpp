@@ -63,8 +63,9 @@ void print_warnings(const std::filesystem::path& file, const Character& characte
         print_warning(file.string() + ": " + lost);
     if (!character.kept.warning.empty()) print_warning(file.string() + ": " + character.kept.warning);
     if (!character.rig.unit_is_known)
-        print_warning(file.string() + ": its unit is unknown, as it has no person's height in any; " +
-                      "lengths are left as they are (--unit tells it)");
+        print_warning(file.string() +
+                      ": its unit is unknown, since in none it is as high as a person; lengths stay as they " +
+                      "are, unless you give --unit");
     else if (character.rig.metres_per_unit != 1)
         print_note(file.string() + ": its unit is " + number_text(character.rig.metres_per_unit) +
                    " m; what is written is in metres");

@@ -100,7 +100,7 @@ void run(const CorrespondCommand& command) {
     const std::vector<BatchItem> items = find_items(command.to, command.output);
     const bool reads_input = std::any_of(items.begin(), items.end(), [](const auto& item) { return item.mesh == "-"; });
     if (command.from == "-" && reads_input)
-        throw Error(ErrorCode::usage, "two bodies cannot both come through standard input");
+        throw Error(ErrorCode::usage, "two bodies cannot both come through standard input; name the file of one");
     const bool into_folder = are_many(command.to, items) || is_folder_name(command.output);
     if (into_folder && (command.output == "-" || fs::path(command.output).extension() == ".json"))
         throw Error(ErrorCode::usage, "-o " + command.output + ": several meshes need a folder");

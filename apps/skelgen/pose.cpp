@@ -67,17 +67,18 @@ void require_bones_of_a_body(const KinematicSkeleton<double>& skeleton) {
     std::nth_element(lengths.begin(), middle, lengths.end());
     for (const Joint<double>& joint : skeleton.joints)
         if (length_of(joint) > most * *middle)
-            throw Error(ErrorCode::bad_input,
-                        "its joint " + joint.name + " is more than " + std::to_string(static_cast<int>(most)) +
-                            " times as far from its parent as joints are there; " + "write it with `skelgen extract`");
+            throw Error(ErrorCode::bad_input, "the bone to its joint " + joint.name + " is more than " +
+                                                  std::to_string(static_cast<int>(most)) +
+                                                  " times as long as the others; write it with `skelgen extract`");
 }
 
 /// Whether a file's skeleton says how someone is held. \throws Error bad_input when it does not.
 void require_pose(const KinematicSkeleton<double>& skeleton) {
     const SkeletonTemplate& wanted = template_of(skeleton);
     if (skeleton.template_name != wanted.name)
-        throw Error(ErrorCode::bad_input, "is a skeleton of the template " + skeleton.template_name +
-                                              "; extract it with human21, an animal's with quadruped");
+        throw Error(ErrorCode::bad_input,
+                    "is a skeleton of the template " + skeleton.template_name +
+                        ", which cannot be taken here; extract one of human21, or of an animal quadruped");
     const auto is_same = [](const Joint<double>& joint, const TemplateJoint& known) {
         return joint.name == known.name && joint.parent == known.parent;
     };
@@ -88,7 +89,7 @@ void require_pose(const KinematicSkeleton<double>& skeleton) {
     for (const Joint<double>& joint : skeleton.joints)
         if (!(joint.position.cwiseAbs().maxCoeff() <= std::numeric_limits<float>::max()))
             throw Error(ErrorCode::bad_input, "its joint " + joint.name +
-                                                  " is at no place that can be reckoned with; " +
+                                                  " has a position that is too large or not finite; " +
                                                   "write it with `skelgen extract`");
     const auto has_length = [&](const Joint<double>& joint) {
         return joint.parent >= 0 && joint.position != skeleton.joints[static_cast<std::size_t>(joint.parent)].position;
@@ -127,7 +128,8 @@ Held held_like_model(const PoseCommand& command, const FittedFile& body, const M
     return in_file(command.mesh.file, [&] {
         const SkeletonTemplate& own = template_of(body.skeleton());
         if (model.skeleton.template_name != own.name)
-            throw Error(ErrorCode::usage, "a person is not held as an animal is, nor an animal as a person");
+            throw Error(ErrorCode::usage,
+                        "a person cannot take an animal's pose, nor an animal a person's; name two of one kind");
         auto posed = applications::pose_like(body.mesh(), body.found.body, body.skeleton(), model.skeleton, own);
         if (model.floor) posed = put_on(std::move(posed), *model.floor);
         return Held{std::move(posed.mesh), std::move(posed.turns)};

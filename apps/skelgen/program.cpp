@@ -82,7 +82,7 @@ std::string footer() {
     std::string text =
         "Example:\n  skelgen extract body.off -o body.json\n\n"
         "Exit status: 0 done; 1 a fault of skelgen's own; 2 wrong usage; 3 the input cannot be read or is no\n"
-        "mesh; 4 no skeleton could be found in it. 5: some meshes failed (batch, merge, render, view). 6: the\n"
+        "mesh; 4 no skeleton is found. 5: some meshes failed (batch, merge, render, view). 6: the\n"
         "result cannot be stored, on a full disk for example.";
     for (const auto& [name, build_option, is_there] : optional_commands)
         if (!is_there)

@@ -71,10 +71,12 @@ Extraction<double> extract_with_rig(const MeshInput& input, const ExtractOptions
     });
     const std::string sound = std::to_string(joints.size()) + " of " + std::to_string(all) + " of its rig's joints";
     if (joints.size() < least) {
-        if (!own) throw Error(ErrorCode::bad_input, "no more than " + sound + " lie in the mesh, and no body is found");
+        if (!own)
+            throw Error(ErrorCode::bad_input,
+                        "only " + sound + " lie in the mesh, and without them no body is found; give a --skeleton");
         own->mesh = std::move(mesh);
         own->skeleton.quality.warnings.insert(own->skeleton.quality.warnings.begin(),
-                                              "no more than " + sound + " lie in the body: they are not taken");
+                                              "only " + sound + " lie in the body, so its rig is not used");
         return *std::move(own);
     }
     std::string said = sound + " are taken";
@@ -87,8 +89,8 @@ Extraction<double> extract_with_rig(const MeshInput& input, const ExtractOptions
         }
         std::sort(distances.begin(), distances.end());
         worst = distances.back().first;
-        said += "; without them they are found " + per_cent(distances[distances.size() / 2].first) +
-                " of the size away, " + distances.back().second + " " + per_cent(worst);
+        said += "; without them joints are found " + per_cent(distances[distances.size() / 2].first) +
+                " of the size away from these, the farthest, " + distances.back().second + ", " + per_cent(worst);
     } else {
         said += "; without them no body is found";
     }

@@ -62,8 +62,9 @@ def run_skelgen(program, points, polygons, names):
 
 
 class Rig:
-    """What is in a GLB of `skelgen rig`: positions (n x 3), joints and weights (n x 4) of the vertices; of each joint
-    its name, parent (-1: none) and 4 x 4 from its axes to the rig's, parents before children."""
+    """What is in a GLB of `skelgen rig`. Of the vertices: positions (n x 3), joints and weights (n x 4).
+
+    Of each joint its name, parent (-1: none) and the 4 x 4 from its axes to the rig's, parents before children."""
 
     def __init__(self, glb):
         (length,) = struct.unpack_from("<I", glb, 12)

@@ -1,4 +1,4 @@
-"""For the manual's Python reference: sessions in docstrings (`>>> ...`) are shown as code."""
+"""For the manual's Python reference: sessions in docstrings (`>>> ...`), and what follows `::`, are shown as code."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ def with_fences(text: str) -> str:
     inside = False
     for line in text.splitlines():
         bare = line.lstrip()
+        line = line[:-1] if line.endswith("::") else line  # code follows, which its indent says, too
         if not inside and bare.startswith(">>> "):
             lines += ["", line[: len(line) - len(bare)] + "```pycon"]
             inside = True

@@ -100,6 +100,149 @@ def draw_stages(program: Path, body: Path, out: Path, work: Path) -> None:
     run(program, "render", body, "--size", "284x362", "-o", out / "5-symmetry.png")
     options = ["--size", "520x420", "--view", "three-quarter", "--names"]
     run(program, "render", body, *options, "-o", out / "6-anatomy.png")
+    stages = ["1-surface", "2-curve", "3-embedding", "4-refinement", "5-symmetry"]
+    strip([out / f"{stage}.png" for stage in stages], out / "all.png")
+
+
+Mesh = tuple[list[list[float]], list[list[int]]]
+
+
+def read_off(file: Path) -> Mesh:
+    words = file.read_text(encoding="utf-8").split()[1:]
+    vertices, faces = int(words[0]), int(words[1])
+    numbers = words[3:]
+    faces_from = 3 * vertices
+    return (
+        [[float(word) for word in numbers[i : i + 3]] for i in range(0, faces_from, 3)],
+        [[int(word) for word in numbers[i + 1 : i + 4]] for i in range(faces_from, faces_from + 4 * faces, 4)],
+    )
+
+
+def write_off(mesh: Mesh, file: Path) -> None:
+    vertices, faces = mesh
+    lines = ["OFF", f"{len(vertices)} {len(faces)} 0", *(" ".join(map(repr, vertex)) for vertex in vertices)]
+    lines += ["3 " + " ".join(map(str, face)) for face in faces]
+    file.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def turned(mesh: Mesh, degrees: float) -> Mesh:
+    """A mesh turned about an axis that slants, as a scanner may have it."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    about_x = [(x, c * y - s * z, s * y + c * z) for x, y, z in mesh[0]]
+    return [[c * x - s * y, s * x + c * y, z] for x, y, z in about_x], mesh[1]
+
+
+def ring(mesh: Mesh, place: list[float], normal: list[float]) -> list[list[list[float]]]:
+    """The segments in which a plane cuts a mesh, of the loop that is the nearest to the place."""
+    vertices, faces = mesh
+    heights = [sum(n * (x - p) for n, x, p in zip(normal, vertex, place)) for vertex in vertices]
+    places: dict[tuple[int, int], list[float]] = {}
+    beside: dict[tuple[int, int], list[tuple[int, int]]] = {}
+    for face in faces:
+        cut_edges = []
+        for a, b in zip(face, face[1:] + face[:1]):
+            if (heights[a] < 0) != (heights[b] < 0):
+                edge = (min(a, b), max(a, b))
+                t = heights[edge[0]] / (heights[edge[0]] - heights[edge[1]])
+                places[edge] = [x + t * (y - x) for x, y in zip(vertices[edge[0]], vertices[edge[1]])]
+                cut_edges.append(edge)
+        if len(cut_edges) == 2:
+            beside.setdefault(cut_edges[0], []).append(cut_edges[1])
+            beside.setdefault(cut_edges[1], []).append(cut_edges[0])
+    loops, seen = [], set()
+    for start in beside:
+        loop, waiting = [], [start]
+        while waiting:
+            edge = waiting.pop()
+            if edge not in seen:
+                seen.add(edge)
+                loop.append(edge)
+                waiting += beside[edge]
+        if loop:
+            loops.append(loop)
+
+    def away(loop: list[tuple[int, int]]) -> float:
+        return math.dist([sum(places[edge][i] for edge in loop) / len(loop) for i in range(3)], place)
+
+    nearest = min(loops, key=away)
+    return [[places[edge], places[other]] for edge in nearest for other in beside[edge] if edge < other]
+
+
+def rings(mesh: Mesh, measures: dict) -> str:
+    """Where a tape lies, of each girth, as lines of OBJ."""
+    segments = [
+        part for plane in measures["girth_places"].values() for part in ring(mesh, plane["place"], plane["normal"])
+    ]
+    text = "".join("v {} {} {}\n".format(*end) for part in segments for end in part)
+    return text + "".join(f"l {2 * i + 1} {2 * i + 2}\n" for i in range(len(segments)))
+
+
+def draw_commands(program: Path, sample: Path, out: Path, work: Path) -> None:
+    """A picture for each command whose work is seen on the sample body."""
+    out.mkdir(parents=True, exist_ok=True)
+    body, clip = sample / "body.off", sample / "walk.bvh"
+
+    def folder(name: str) -> Path:
+        (work / name).mkdir()
+        return work / name
+
+    def sheet(name: str, meshes: Path, *options: object) -> None:
+        run(program, "render", meshes, "-o", out / f"{name}.png", "--size", "300x420", *options)
+
+    nothing = folder("nothing")
+
+    def bare(name: str, meshes: Path, *options: object) -> None:
+        """Without skeletons, which the sheet of each says by a frame and a caption: these are cut off."""
+        pictures = []
+        for mesh in sorted(meshes.iterdir()):
+            alone = folder(f"{name}-{mesh.stem}")
+            shutil.copy(mesh, alone)
+            framed = work / f"{name}-{mesh.stem}.png"
+            view = ["--size", "300x420", "--view", "three-quarter"]
+            run(program, "render", alone, "--skeleton", nothing, "-o", framed, *view, *options)
+            cut(framed, framed, margin=8, caption=40)
+            pictures.append(framed)
+        strip(pictures, out / f"{name}.png")
+
+    shown = folder("align")
+    write_off(turned(read_off(body), 50), shown / "as-it-lies.off")
+    run(program, "align", shown / "as-it-lies.off", "-q", "-o", work / "aligned")
+    shutil.copy(work / "aligned/as-it-lies.off", shown / "turned.off")
+    sheet("align", shown, "--view", "0.3,0.2,1")
+
+    shown = folder("convert")
+    run(program, "animate", body, "--clip", clip, "-q", "-o", work / "walk.glb")
+    for moment in ("0", "0.3", "0.6", "0.9"):
+        options = ["--animation", "1", "--time", moment]
+        run(program, "convert", work / "walk.glb", shown / f"at-{moment}-s.off", *options)
+    bare("convert", shown)
+
+    shown = folder("pose")
+    posed = shown / "frame-18.off"
+    shutil.copy(body, shown / "as-it-is.off")
+    run(program, "pose", body, "--clip", clip, "--frame", 18, "-q", "-o", posed)
+    sheet("pose", shown, "--view", "three-quarter")
+
+    run(program, "correspond", body, posed, "-q", "-o", work / "map.json", "--ply", folder("like"))
+    bare("correspond", work / "like")
+
+    run(program, "measure", body, "-o", work / "measures.json")
+    (work / "rings.obj").write_text(
+        rings(read_off(body), json.loads((work / "measures.json").read_text(encoding="utf-8"))["bodies"][0]),
+        encoding="utf-8",
+    )
+    for kind, file in (("girths", body), ("girth-lines", work / "rings.obj")):
+        shutil.copy(file, folder(kind) / ("girths" + file.suffix))
+    bare("measure", work / "girths", "--curve", work / "girth-lines")
+
+    run(program, "render", body, "--truth", sample / "body.json", "--size", "300x420", "-o", out / "evaluate.png")
+
+
+def strip(pictures: list[Path], out: Path) -> None:
+    """Pictures of one kind side by side, as high as the lowest."""
+    parts = [pixel_rows(picture.read_bytes()) for picture in pictures]
+    header, size, height = parts[0][0], parts[0][2], min(len(rows) for _, rows, _ in parts)
+    write_png([bytearray().join(rows[y] for _, rows, _ in parts) for y in range(height)], header, size, out)
 
 
 def pixel_rows(data: bytes) -> tuple[bytes, list[bytearray], int]:
@@ -135,12 +278,17 @@ def cut(source: Path, target: Path, margin: int, caption: int) -> None:
     """A picture without its margin, and without what is written below it."""
     header, rows, size = pixel_rows(source.read_bytes())
     kept = [row[margin * size : len(row) - margin * size] for row in rows[margin : len(rows) - margin - caption]]
-    header = struct.pack(">II", len(kept[0]) // size, len(kept)) + header[8:]
+    write_png(kept, header, size, target)
+
+
+def write_png(rows: list[bytearray], header: bytes, size: int, target: Path) -> None:
+    """Rows of pixels of so many bytes each, with the kind of colours that a header has."""
+    header = struct.pack(">II", len(rows[0]) // size, len(rows)) + header[8:]
 
     def chunk(kind: bytes, content: bytes) -> bytes:
         return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
 
-    pixels = zlib.compress(b"".join(b"\0" + bytes(row) for row in kept), 9)
+    pixels = zlib.compress(b"".join(b"\0" + bytes(row) for row in rows), 9)
     target.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", pixels) + chunk(b"IEND", b""))
 
 
@@ -153,6 +301,7 @@ def main() -> None:
     work.mkdir(parents=True)
     fill_options(program, out / "commands", work)
     draw_stages(program, docs.parent / "data/sample/body.off", out / "stages", work)
+    draw_commands(program, docs.parent / "data/sample", out / "commands", work)
 
 
 if __name__ == "__main__":

@@ -207,11 +207,12 @@ private:
         const std::size_t most = (scanner_.bytes_left() + 1) / 2 / channels_;
         if (count < 1 || static_cast<std::uint64_t>(count) > most)
             scanner_.fail(count < 1 ? std::string("there are no frames")
-                                    : "there is not as much motion as " + std::to_string(count) + " frames take");
+                                    : "there are fewer numbers than " + std::to_string(count) + " frames take");
         if (count > most_frames) scanner_.fail("there are more than " + std::to_string(most_frames) + " frames");
         clip_.frames.resize(count, static_cast<Eigen::Index>(channels_));
         for (Eigen::Index i = 0; i < clip_.frames.size(); ++i) clip_.frames.data()[i] = read_number("channel's value");
-        if (scanner_.seek_word()) scanner_.fail("there is more motion than " + std::to_string(count) + " frames take");
+        if (scanner_.seek_word())
+            scanner_.fail("there are more numbers than " + std::to_string(count) + " frames take");
     }
 
     /// A joint whose closing brace has not come yet.

@@ -58,7 +58,7 @@ std::size_t component_count(const GltfValue& type) {
         {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}}};
     for (const auto& [name, count] : counts)
         if (type.text() == name) return count;
-    type.fail("is '" + type.text() + "', and SCALAR, VEC2, VEC3, VEC4 or MAT4 is what shapes are made of");
+    type.fail("is '" + type.text() + "'; of a mesh it must be SCALAR, VEC2, VEC3, VEC4 or MAT4");
 }
 
 GltfArray read_rows(GltfArray array, std::string_view bytes, const GltfRows& rows, const GltfValue& place) {

@@ -106,7 +106,7 @@ std::string_view GltfData::view(const GltfValue& index) {
 /// Rows that no view holds are zeros, until sparse ones are put in place. A file's size says how many may be.
 GltfArray GltfData::zeros(const GltfValue& accessor, std::size_t columns) const {
     GltfArray array{accessor.at("count").whole_number(), columns, {}};
-    if (array.rows > file_bytes_) accessor.fail("promises more zeros than a file of this size has use for");
+    if (array.rows > file_bytes_) accessor.fail("has more rows than a mesh in a file of this size");
     array.values.assign(array.rows * columns, 0.0);
     return array;
 }
@@ -124,7 +124,7 @@ GltfData::RowsInUse GltfData::read_sparse(const GltfValue& accessor, std::size_t
                          {values.whole_number("byteOffset", 0), 0, component_type, accessor.truth("normalized", false)},
                          values);
     for (const double place : places.values) {
-        if (!(place >= 0 && place < static_cast<double>(out.all))) sparse.fail("puts a value where there is no row");
+        if (!(place >= 0 && place < static_cast<double>(out.all))) sparse.fail("names a row that does not exist");
         out.places.push_back(static_cast<std::size_t>(place));
     }
     return out;
@@ -173,7 +173,7 @@ GltfData::RowsInUse GltfData::rows_in_use(const GltfValue& index, std::size_t co
     if (is_sparse && component_count(value.at("type")) == columns) {
         RowsInUse sparse = read_sparse(value, columns);
         const auto unordered = std::adjacent_find(sparse.places.begin(), sparse.places.end(), std::greater_equal<>());
-        if (unordered != sparse.places.end()) value.fail("has sparse rows in no rising order");
+        if (unordered != sparse.places.end()) value.fail("has sparse indices that do not rise");
         return sparse;
     }
     GltfArray array = accessor(index, columns);
@@ -190,8 +190,8 @@ GltfData::RowsInUse GltfData::rows_in_use(const GltfValue& index, std::size_t co
 GltfArray GltfData::accessor(const GltfValue& index, std::size_t columns) {
     GltfArray array = accessor(index);
     if (array.columns != columns)
-        index.fail("refers to an accessor with " + std::to_string(array.columns) + " numbers in a row; it must have " +
-                   std::to_string(columns));
+        index.fail("refers to an accessor whose rows have " + std::to_string(array.columns) +
+                   " numbers; they must have " + std::to_string(columns));
     return array;
 }
 

@@ -53,7 +53,8 @@ std::string gunzip(std::string_view bytes, std::size_t limit) {
         const int status = ::inflate(&stream, Z_NO_FLUSH);
         bytes.remove_prefix(part.size() - stream.avail_in);
         used += room - stream.avail_out;
-        if (used > limit) refuse("grows beyond all measure when it is decompressed; decompress it and look what it is");
+        if (used > limit)
+            refuse("is far larger than any mesh when decompressed; decompress it yourself to see what it is");
         if (status == Z_STREAM_END) {
             result.resize(used);
             if (!is_gzip(bytes)) return result; // padding of tapes

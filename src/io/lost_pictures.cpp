@@ -28,7 +28,7 @@ bool renumber(LooksJson& holder, const char* key, const NewNumbers& numbers, con
     if (found == holder.end()) return true;
     const GltfValue reference(*found, place + "." + key);
     const std::size_t number = reference.whole_number();
-    if (number >= numbers.size()) reference.fail("refers to what is not there");
+    if (number >= numbers.size()) reference.fail("refers to an entry that does not exist");
     if (!numbers[number]) {
         holder.erase(found);
         return true;

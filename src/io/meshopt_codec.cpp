@@ -102,7 +102,7 @@ void apply_filter(const LoadedLibrary& meshoptimizer, const MeshoptStream& strea
 std::string decode_meshopt(const MeshoptStream& stream, std::size_t most_bytes) {
     if (!is_sound(stream) || !is_sound_filter(stream)) refuse_damaged();
     if (stream.count * stream.stride > most_bytes)
-        refuse("parts compressed with EXT_meshopt_compression grow beyond all measure; export the scene uncompressed");
+        refuse("parts compressed with EXT_meshopt_compression become far too large; export the scene uncompressed");
     std::string rows(stream.count * stream.stride, '\0');
     static const LoadedLibrary meshoptimizer = load_library();
     if (decode(meshoptimizer, stream, rows.data()) != 0) refuse_damaged();

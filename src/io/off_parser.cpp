@@ -187,7 +187,7 @@ PolygonMesh parse_off(std::string_view bytes) {
     // The keyword may be missing.
     const bool headerless = first.find_first_not_of("0123456789") == std::string_view::npos;
     if (!keyword.known && !headerless)
-        scanner.fail("neither OFF, COFF, NOFF, STOFF or a mixture of them, nor the number of vertices comes first");
+        scanner.fail("the mesh begins neither with OFF (or COFF, NOFF, STOFF) nor with the number of vertices");
     if (keyword.known && scanner.peek_word() == "BINARY") {
         scanner.skip_line();
         return parse_binary(BinaryReader(tail(scanner.position()), std::endian::big), keyword.extra_floats);

@@ -44,7 +44,7 @@ Json describe_humanoid(const std::vector<std::string>& names, const std::vector<
             bones[names[j]] = {{"node", nodes[j]}};
     for (const char* bone : bones_of_a_humanoid)
         if (!bones.contains(bone))
-            refuse(std::string("VRM asks for the bone ") + bone + ", which it has not; write GLB");
+            refuse(std::string("VRM needs the bone ") + bone + ", which the rig lacks; write GLB");
     return bones;
 }
 
@@ -107,7 +107,7 @@ std::string rig_to_fbx(const Rig<double>& rig, JointNames names, const SceneLook
 
 std::string rig_to_vrm(const Rig<double>& rig, const std::string& name, const SceneLooks& looks) {
     if (!is_near_t_pose(rig)) refuse("VRM's rest pose is the T-pose; make the rig in that");
-    if (name.empty()) refuse("VRM asks for a name of the avatar");
+    if (name.empty()) refuse("VRM needs a name of the avatar; give one");
     const std::vector<std::string> names = names_of(rig.joints, JointNames::vrm);
     detail::RigScene scene = detail::make_rig_scene(rig, names, looks);
     detail::add_vrm(scene, rig, looks, name, describe_humanoid(names, scene.joint_nodes, rig.joints));

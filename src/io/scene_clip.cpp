@@ -111,7 +111,7 @@ MotionClip clip_of(SceneMotion motion, std::optional<double> time) {
             row.tail<3>() = degrees * (back * turns[j]).toRotationMatrix().eulerAngles(2, 0, 1).transpose();
         }
     }
-    if (!clip.frames.allFinite()) refuse("moves a skeleton to no place; export it again");
+    if (!clip.frames.allFinite()) refuse("moves a skeleton to places that are not finite; export it again");
     return clip;
 }
 

@@ -189,7 +189,7 @@ TEST_CASE("BVH: damaged files are refused with the line", "[io][bvh]") {
         {{"Frames: 2", "Frames: 0"}, "no frames"},
         {{"Frames: 2", "Frames: 3"}, "3 frames"},
         {{"Frames: 2", "Frames: 999999999999999999"}, "999999999999999999 frames"},
-        {{"Frames: 2", "Frames: 1"}, "more motion than 1"},
+        {{"Frames: 2", "Frames: 1"}, "more numbers than 1"},
         {{"Frames: 2", "Frames 2"}, "\"Frames:\" is missing"},
         {{"Frame Time: 0.04", "Frame Rate: 25"}, "\"Frame Time:\" is missing"},
         {{"Frame Time: 0.04", "Frame Time: 0"}, "not above zero"},

@@ -202,7 +202,7 @@ TEST_CASE("read glTF: sparse accessors", "[io][gltf]") {
     check_near(parse_mesh(scene.glb()).vertices.row(2), {0, 0, 0});
     check_near(parse_mesh(scene.glb()).vertices.row(3), {0, 0, 6});
     positions["count"] = 3;
-    CHECK_THAT(reading_error(scene.glb()), Catch::Matchers::Contains("no row"));
+    CHECK_THAT(reading_error(scene.glb()), Catch::Matchers::Contains("names a row that does not exist"));
     positions["count"] = 1000000000;
     CHECK_THAT(reading_error(scene.glb()), Catch::Matchers::Contains("glTF"));
 }
@@ -311,7 +311,7 @@ TEST_CASE("read glTF: what does not hold together is refused, with its place", "
         {"accessors[0]", json([](Json& j) { j["accessors"][0]["byteOffset"] = 1099511627776; })},
         {"accessors[0]", json([](Json& j) { j["accessors"][0]["componentType"] = 5124; })},
         {"VEC9", json([](Json& j) { j["accessors"][0]["type"] = "VEC9"; })},
-        {"in a row", json([](Json& j) { j["accessors"][0]["type"] = "VEC2"; })},
+        {"whose rows have 2 numbers", json([](Json& j) { j["accessors"][0]["type"] = "VEC2"; })},
         {"overlap", json([](Json& j) { j["bufferViews"][0]["byteStride"] = 4; })},
         {"accessors[0]", json([](Json& j) { j["bufferViews"][0]["byteStride"] = 1099511627776; })},
         {"bufferViews[0]", json([](Json& j) { j["bufferViews"][0]["byteLength"] = 1099511627776; })},

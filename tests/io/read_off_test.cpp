@@ -115,8 +115,8 @@ TEST_CASE("OFF: what is wrong is named with its line", "[io][off]") {
     CHECK_THAT(off("0 0 0\n"), Contains("no vertices"));
     CHECK_THAT(off("-3 1 0\n"), Contains("-3 vertices"));
     CHECK_THAT(off(""), Contains("number of vertices is missing"));
-    CHECK_THAT(reading_error("4OFF\n1 1 0\n", MeshFormat::off), Contains("comes first"));
-    CHECK_THAT(reading_error("OOPS\n1 1 0\n", MeshFormat::off), Contains("comes first"));
+    CHECK_THAT(reading_error("4OFF\n1 1 0\n", MeshFormat::off), Contains("begins neither"));
+    CHECK_THAT(reading_error("OOPS\n1 1 0\n", MeshFormat::off), Contains("begins neither"));
     CHECK_THAT(reading_error("OOPS\n1 1 0\n"), Contains("no mesh in a known format"));
     CHECK_THAT(reading_error(""), Contains("empty"));
     CHECK(reading_error(" \n\n", MeshFormat::off) != "no error");

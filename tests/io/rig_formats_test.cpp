@@ -205,9 +205,11 @@ TEST_CASE("glTF: materials that are none, or refer to what is not there, are nam
     CHECK_THAT(failure(R"([{"normalTexture": 5}])", "[]"), Contains("materials[0].normalTexture is no object"));
     CHECK_THAT(failure(R"([{"normalTexture": {"index": 0, "texCoord": "x"}}])", "[{}]"), Contains("texCoord"));
     CHECK_THAT(failure(R"([{"pbrMetallicRoughness": {"baseColorTexture": {}}}])", "[]"), Contains("index"));
-    CHECK_THAT(failure(sound, "[]"), Contains("materials[0].normalTexture.index refers to what is not there"));
+    CHECK_THAT(failure(sound, "[]"),
+               Contains("materials[0].normalTexture.index refers to an entry that does not exist"));
     CHECK_THAT(failure(sound, "[3]"), Contains("textures[0] is no object"));
-    CHECK_THAT(failure(sound, R"([{"source": 1}])"), Contains("textures[0].source refers to what is not there"));
+    CHECK_THAT(failure(sound, R"([{"source": 1}])"),
+               Contains("textures[0].source refers to an entry that does not exist"));
     CHECK_THAT(failure(sound, R"([{"sampler": 0}])"), Contains("samplers"));
     CHECK_THAT(failure(R"([{"extensions": {"a": {"bTexture": {"index": 1}}}}])", "[{}]"), Contains("bTexture.index"));
 }

@@ -1,7 +1,7 @@
 # cmake -D SOURCE_DIR=<root> -P check_documentation.cmake
 # Fails unless README.md and the pages of docs/ name in the first line of each block of C++ and CMake the file that they quote to
 # the letter, all their links to files lead somewhere, every page is in the manual's navigation, the page on refusals explains
-# each code and doubt of the source, README.md leads to the manual, and is short.
+# each code and doubt of the source, README.md leads to the manual, tells the errors that were measured, and is short.
 cmake_minimum_required(VERSION 3.25)
 set(most_lines 130)
 file(GLOB_RECURSE pages RELATIVE "${SOURCE_DIR}" "${SOURCE_DIR}/docs/*.md")
@@ -37,6 +37,9 @@ foreach(page IN LISTS pages)
     string(REPLACE "\nlink:" "" link "${link}")
     if(link MATCHES "^[a-z]+:")
       continue()
+    endif()
+    if(link MATCHES "^\\.\\./\\.\\./actions/workflows/([a-z]+\\.yml)") # a badge, relative to the page of the repository
+      set(link "${SOURCE_DIR}/.github/workflows/${CMAKE_MATCH_1}")
     endif()
     cmake_path(ABSOLUTE_PATH link BASE_DIRECTORY "${folder}" NORMALIZE OUTPUT_VARIABLE target)
     if(NOT EXISTS "${target}")
@@ -103,7 +106,20 @@ foreach(bound IN ITEMS least_probability likely_enough)
   endif()
 endforeach()
 
+# README.md tells the errors that ./dev results has written into docs/results.md.
 file(READ "${SOURCE_DIR}/README.md" readme)
+file(READ "${SOURCE_DIR}/docs/results.md" results)
+foreach(set IN ITEMS FAUST SCAPE PSB)
+  if(NOT results MATCHES "\n[|] ${set}[^|]*[|] ([0-9]+) [|] ([0-9]+), [^|]*[|] (0\\.[0-9]+) [|]")
+    message(FATAL_ERROR "docs/results.md has no measured error of ${set}")
+  endif()
+  set(solved "${CMAKE_MATCH_2} of ${CMAKE_MATCH_1}")
+  set(error "${CMAKE_MATCH_3}")
+  if(NOT readme MATCHES "\n[|] ${set}[^|]*[|] ${solved}[^|]*[|] ${error} ")
+    message(FATAL_ERROR "README.md has to say of ${set}: ${solved}, ${error}, as docs/results.md")
+  endif()
+endforeach()
+
 string(REGEX MATCHALL "\n" ends "${readme}")
 list(LENGTH ends count)
 if(count GREATER most_lines)

@@ -23,7 +23,7 @@ struct PelvisDirections {
 template <typename Scalar>
 [[nodiscard]] PelvisDirections<Scalar> pelvis_directions(const KinematicSkeleton<Scalar>& skeleton);
 
-/// As above, but left is the normal of the plane in which the pelvis's back mirrors itself (`mirror_plane`): hips
+/// As above, but left is the normal of the plane in which the pelvis's back mirrors itself (`mirror_plane`). Hips
 /// follow thighs that are drawn up or back, buttocks and loins do so less. Up is at right angles to it. Where the
 /// surface says nothing, or is 35 degrees and more from the hips, their line stays; an animal's always does. `skeleton`
 /// in the input's coordinates, and so the result. O(n log n).

@@ -58,7 +58,7 @@ struct Landmark {
 };
 
 /// Brings a body into the common pose: each part is turned, and scaled along its bone, from where its bone is to where
-/// its template has it; where parts meet the places are blended. `skeleton` has the joints of human21 or quadruped and
+/// its template has it. Where parts meet the places are blended. `skeleton` has the joints of human21 or quadruped and
 /// is in the input's coordinates. \throws Error usage when a joint is missing, an option is out of its range, or the
 /// body has too few vertices. O(n^1.5).
 template <typename Scalar>
@@ -83,7 +83,7 @@ template <typename Scalar>
                                                          const ComparableBody<Scalar>& to_comparable,
                                                          const Correspondence& correspondence);
 
-/// In each part of one body the vertex whose heat kernel signature (SOG09) is the largest, as in LF20 section 5.4, and
+/// In each part of one body the vertex with the largest heat kernel signature (SOG09), as in LF20 section 5.4. With it
 /// the vertex of the other body that it corresponds to. Parts without vertices have none. O(n functions).
 template <typename Scalar>
 [[nodiscard]] std::vector<Landmark> landmarks(const ComparableBody<Scalar>& from, const Correspondence& correspondence);

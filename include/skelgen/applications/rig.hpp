@@ -45,7 +45,7 @@ struct RigOptions {
 };
 
 /// A mesh bound to joints, in its rest pose: +y up, facing +z. An input that stands so within 20 degrees, or with other
-/// axes of its coordinates up and ahead, is not turned but by these axes: it stays as level as it was.
+/// axes of its coordinates up and ahead, is turned by these axes alone. It stays as level as it was.
 template <typename Scalar = double>
 struct Rig {
     TriangleMesh<Scalar> mesh;            ///< the input's vertices and faces in their order, faces as `outward_faces`
@@ -66,8 +66,8 @@ template <typename Scalar>
 [[nodiscard]] Scalar height_by_bones(const KinematicSkeleton<Scalar>& skeleton,
                                      const SkeletonTemplate& skeleton_template);
 
-/// Metres in the unit in which someone has this height: 1, 0.01 or 0.001 where people of 0.5 to 2.5 m have it in
-/// metres, centimetres or millimetres; else 0: not known.
+/// Metres in the unit in which someone has this height: 1, 0.01 or 0.001. People of 0.5 to 2.5 m have it then in
+/// metres, centimetres or millimetres. 0: not known.
 [[nodiscard]] double metres_per_unit(double height);
 
 /// From a body to a character: binds the mesh to its skeleton (`bind`), puts it into the rest pose, and gives joints

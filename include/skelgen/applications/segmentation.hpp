@@ -38,7 +38,7 @@ struct Segmentation {
 /// The body's parts (LF20 section 5.3). Each vertex belongs to the nearest bone of those that it can belong to, so that
 /// borders are where the joints' bisecting planes cut the surface. A limb's bones have the vertices alone that are
 /// nearest to the limb's end along the surface, so that a hand at the thigh stays a hand. Where a knee or an elbow is
-/// bent so far that the bones come near each other, they have those alone that are as far from the end as the bone is.
+/// bent so far that its bones come near each other, they have those as far from the end as the bone is.
 /// Arms begin below the shoulder, which is where the trunk ends beyond its joint; thighs where the legs fork, across
 /// the direction between the thigh's and the pelvis's own. Borders are then smoothed by random walks that start at
 /// these labels (Gra05) and laid where they are shortest (KT03), and each part is in one piece. Of an animal's, limbs

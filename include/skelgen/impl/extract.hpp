@@ -90,12 +90,14 @@ Failure failure_of(const search::Climb<Scalar>& climb, const SkeletonTemplate& w
         return failure;
     }
     if (wanted.plan == BodyKind::quadruped || options.or_quadruped)
-        return {Refusal::unlikely, std::string(options.or_quadruped ? neither : no_animal) +
-                                       "its parts have unlikely lengths, directions or girths"};
+        return {Refusal::unlikely,
+                std::string(options.or_quadruped ? neither : no_animal) +
+                    "its parts have unlikely lengths, directions or girths; check that it is one body alone"};
     const search::Found<Scalar>& found = climb.found.front();
     const std::string limb = least_certain_limb(search::skeleton_in_input(found), wanted);
-    return {Refusal::unlikely, std::string(no_person) + search::strongest_doubt(found.candidate.evidence) +
-                                   (limb.empty() ? "" : " (" + limb + ")")};
+    std::string doubt = search::strongest_doubt(found.candidate.evidence); // what is wrong; what to do
+    if (!limb.empty()) doubt.insert(std::min(doubt.find("; "), doubt.size()), " (" + limb + ")");
+    return {Refusal::unlikely, std::string(no_person) + doubt};
 }
 
 template <typename Scalar>

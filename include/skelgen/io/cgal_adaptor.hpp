@@ -32,7 +32,7 @@ template <typename Scalar = double, typename Point>
 
 /// A CGAL::Surface_mesh with the same vertex and face indices. Linear. \throws Error bad_input when a half-edge mesh
 /// cannot hold a face. That is so where three faces meet at an edge, neighbours are turned against each other, or fans
-/// of faces touch in one vertex in an order that CGAL cannot link.
+/// of faces touch in a vertex so that CGAL cannot link them.
 template <typename Point, typename Scalar>
 [[nodiscard]] CGAL::Surface_mesh<Point> to_cgal(const TriangleMesh<Scalar>& mesh) {
     using Mesh = CGAL::Surface_mesh<Point>;

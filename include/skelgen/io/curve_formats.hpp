@@ -14,15 +14,15 @@ namespace skelgen::io {
 /// ascending indices in ascending order, whatever the file's. Time is linear, but for the edges, which are sorted.
 ///
 /// Every `curve_to_...` throws Error usage when there are no nodes, a coordinate or radius is not finite, or a radius
-/// is negative. It throws it, too, when an edge names no node, is there twice or goes from a node to itself, or when
-/// `radii` or `regions` are neither empty nor one for each node.
+/// is negative. It throws it, too, when an edge names no node, is there twice or goes from a node to itself. So it does
+/// when `radii` or `regions` are neither empty nor one for each node.
 ///
 /// Every `curve_from_...` throws Error bad_input when the text is not of its format or is no such curve skeleton. The
 /// message names the line (of binary data the byte, of JSON the member) and what is wrong with it. None allocates more
 /// than a multiple of the text's size, whatever its header claims.
 
-/// JSON, the only format that keeps everything: {"format": "skelgen-curve", "version": 1, "nodes": [[x, y, z], ...],
-/// "edges": [[i, j], ...], "radii": [r, ...], "regions": [[vertex, ...], ...]}, indices counted from 0; the last two
+/// JSON, the only format that keeps everything. {"format": "skelgen-curve", "version": 1, "nodes": [[x, y, z], ...],
+/// "edges": [[i, j], ...], "radii": [r, ...], "regions": [[vertex, ...], ...]}, indices counted from 0. The last two
 /// are left out when empty.
 template <typename Scalar>
 [[nodiscard]] std::string curve_to_json(const CurveSkeleton<Scalar>& curve);

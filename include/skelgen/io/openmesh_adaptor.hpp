@@ -34,7 +34,7 @@ template <typename Scalar = double, typename Kernel>
 
 /// An OpenMesh mesh (`Mesh` is a TriMesh or PolyMesh type) with the same vertex and face indices. Linear. \throws Error
 /// bad_input when a half-edge mesh cannot hold a face. That is so where three faces meet at an edge, neighbours are
-/// turned against each other, or fans of faces touch in one vertex in an order that OpenMesh cannot link.
+/// turned against each other, or fans of faces touch in a vertex so that OpenMesh cannot link them.
 template <typename Mesh, typename Scalar>
 [[nodiscard]] Mesh to_openmesh(const TriangleMesh<Scalar>& mesh) {
     using Point = typename Mesh::Point;

@@ -66,8 +66,8 @@ enum class JointNames {
                                      const SceneLooks& looks = {},
                                      const std::vector<applications::Animation<double>>& animations = {});
 
-/// The skeleton as BVH: offsets in the rest pose, centimetres (where the unit is known, else the rig's own), +Y up;
-/// channels in the order Z, X, Y; one frame that moves nothing. O(joints).
+/// The skeleton as BVH: offsets in the rest pose, centimetres (where the unit is known, else the rig's own), +Y up.
+/// Channels are in the order Z, X, Y, and one frame moves nothing. O(joints).
 [[nodiscard]] std::string rig_to_bvh(const applications::Rig<double>& rig, JointNames names = JointNames::skelgen);
 
 /// The formats that rigs are written in.

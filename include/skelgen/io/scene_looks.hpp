@@ -100,7 +100,7 @@ struct Credits {
 ///
 /// - GLB, glTF, VRM: materials and all they need, texture coordinates, colours, normals; objects with their names and
 ///   morph targets. Normals of objects with morph targets are those without them.
-/// - OBJ: normals, texture coordinates, colours behind vertices, and of the materials of its MTL files colour (Kd),
+/// - OBJ: normals, texture coordinates, colours behind vertices. Of the materials of its MTL files colour (Kd),
 ///   opacity (d, Tr), roughness (Pr, else Ns), metalness (Pm) and picture (map_Kd, PNG or JPEG). These files are looked
 ///   for as the OBJ names them, in its folder or below; a picture also beside the MTL, or by its bare name.
 /// - PLY: normals and colours of vertices; a picture that it names is said to be lost.

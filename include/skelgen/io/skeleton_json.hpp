@@ -35,7 +35,7 @@ struct SkeletonProvenance {
     std::vector<std::pair<std::string, std::vector<std::string>>> fused = {};
 };
 
-/// The skeleton as the text of a skeleton file (data/schema/skeleton.schema.json): JSON in UTF-8, keys in fixed order,
+/// The skeleton as the text of a skeleton file (data/schema/skeleton.schema.json). JSON in UTF-8, keys in fixed order,
 /// one joint a line, numbers in the shortest form that reads back as the same `Scalar`. Instantiated for float and
 /// double. O(joints).
 /// \throws Error internal when a number is not finite: such a file could not be read back.

@@ -14,7 +14,7 @@ namespace skelgen::io {
 /// binary little-endian with properties of type `Scalar`. STL, GLB and FBX are binary (FBX 7.4, whose unit is said to
 /// be the metre, as glTF's is). STL, GLB and FBX have single precision, and STL no indices. `Scalar` is float or
 /// double. Linear. \throws Error usage when the format is one that is only read, a face names no vertex, a coordinate
-/// is not finite, or is too large for a float where the format has floats.
+/// is not finite, or too large for the format's floats.
 template <typename Scalar>
 [[nodiscard]] std::string format_mesh(const TriangleMesh<Scalar>& mesh, MeshFormat format);
 

@@ -21,7 +21,7 @@ struct RenderOptions {
 };
 
 /// Draws a scene: the translucent body, the curve skeleton thin, bones blue on the person's left, yellow on the right
-/// and grey in the middle, joints as dots, marks as red crosses. Orthographic, no display and no GPU needed; the same
+/// and grey in the middle. Joints are dots, marks red crosses. Orthographic, no display and no GPU needed; the same
 /// scene gives the same pixels. Bones are veiled by the surface in front of them, so one that has left the body shows.
 /// O(faces + pixels x supersampling^2) time; the memory besides the picture grows with its width only.
 /// \throws Error usage when the options are out of range, bad_input when the mesh has indices without a vertex or

@@ -28,7 +28,8 @@ struct Candidate {
 
 /// What a curve that is a point is refused for.
 [[nodiscard]] inline Failure too_compact() {
-    return {Refusal::too_compact, "no human body: too compact a shape for one with arms and legs"};
+    return {Refusal::too_compact,
+            "no human body: too compact a shape for one with arms and legs; have limbs stand free"};
 }
 
 /// Joints of a template in a body, left and right not told apart yet, and what is known of how they came to be.

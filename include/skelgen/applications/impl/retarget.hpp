@@ -369,7 +369,7 @@ Outcome<Animation<Scalar>> retarget(const MotionClip& clip, const Rig<Scalar>& r
         const Vector3<double> root =
             scale * follower.between_hips(pose) + orientations.front() * back.front() * hips.to_root;
         if (!(root.cwiseAbs().array() <= detail::farthest_place).all())
-            return Failure{Refusal::none, "the clip's skeleton moves farther than numbers reach in frame " +
+            return Failure{Refusal::none, "the clip's skeleton is moved too far to compute with in frame " +
                                               std::to_string(frame) + "; export it with its own offsets"};
         held.root = root.cast<Scalar>();
         out.frames.push_back(std::move(held));

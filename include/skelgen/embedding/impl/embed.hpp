@@ -77,7 +77,8 @@ inline std::vector<int> without_merged(const std::vector<int>& path, const std::
 }
 
 inline Failure in_several_pieces() {
-    return {Refusal::curve_in_pieces, "no human body: its curve skeleton is in several pieces"};
+    return {Refusal::curve_in_pieces,
+            "no human body: its curve skeleton is in several pieces; join the pieces of the mesh"};
 }
 
 } // namespace detail

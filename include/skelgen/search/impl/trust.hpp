@@ -62,7 +62,7 @@ SKELGEN_INLINE const char* strongest_doubt(const Evidence& evidence) {
     case Witness::clutter_legs:
         return "much of its shape belongs to no limb; separate what is joined to it";
     case Witness::reach:
-        return "its shape is too compact, or too long, for one with arms and legs";
+        return "its shape is too compact, or too long, for one with arms and legs; check that it is one body alone";
     case Witness::lacks_head:
     case Witness::lacks_limbs:
         return "a limb or the head is not found; check that all stand free";
@@ -73,15 +73,15 @@ SKELGEN_INLINE const char* strongest_doubt(const Evidence& evidence) {
     case Witness::doubt:
     case Witness::misplaced:
     case Witness::pairs_lengths:
-        return "its bones would have unlikely lengths";
+        return "its bones would have unlikely lengths; give hints (--hint)";
     case Witness::outside:
     case Witness::support:
-        return "joints would lie outside of it";
+        return "joints would lie outside of it; close holes and turn its faces outwards";
     case Witness::legs_go_on:
     case Witness::four_legged:
-        return "it stands on four legs";
+        return "it stands on four legs; for an animal take the template quadruped";
     default:
-        return "its proportions are no person's";
+        return "its proportions are no person's; if it is one, give hints (--hint)";
     }
 }
 

@@ -42,7 +42,7 @@ void require_usable_size(Scalar size) {
     const Scalar part = Scalar(1e-3) * size;
     if (!std::isnormal(part * part * part) || !std::isnormal(size * size * size))
         throw Error(ErrorCode::bad_input, "the mesh is too " + std::string(size < 1 ? "small" : "large") +
-                                              " for its volume to be a number; scale it to metres, say");
+                                              " to compute with; scale it to metres");
 }
 
 /// The squares over the longest edges of the faces that lie within reach of a mesh's robust box, beside that over the
@@ -359,7 +359,8 @@ Outcome<Body<Scalar>> body_of_envelope(const BodyMaterial<Scalar>& material, con
     TriangleMesh<Scalar>& envelope = largest.mesh;
     if (largest.as_large > 0)
         return Failure{Refusal::several_bodies,
-                       std::to_string(largest.as_large + 1) + " bodies apart, or parts of one: leave all but one away"};
+                       std::to_string(largest.as_large + 1) +
+                           " bodies apart, or parts of one; leave all but one away, or join the parts"};
     if (envelope.faces.rows() == 0)
         return Failure{Refusal::nothing_enclosed, "no body: its " + overlapping_pieces(material.clean.mesh) +
                                                       " pieces enclose nothing; close its surface"};

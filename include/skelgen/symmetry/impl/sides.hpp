@@ -156,7 +156,8 @@ Outcome<SidesDecision<Scalar>> decide_sides(const refinement::RefinedJoints<Scal
     const Vector3<Scalar> up = spine.normalized();
     const Vector3<Scalar> across = detail::without_component(hips, up).normalized();
     if (!(spine.norm() > 0) || !(across.norm() > Scalar(0.5))) // a unit vector, or zero
-        return Failure{Refusal::flat_trunk, "no human body: its trunk or its hips have no extent"};
+        return Failure{Refusal::flat_trunk,
+                       "no human body: its trunk or its hips have no extent; check that it was not scaled flat"};
 
     SidesDecision<Scalar> out;
     // Does a direction that ought to be the left one say that `across` points left?
