@@ -4,6 +4,7 @@ import { cp, mkdir, readFile, rm, writeFile } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
 
 const [wasm, out] = process.argv.slice(2);
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
@@ -22,12 +23,12 @@ await build({
 });
 const copies = {
   "index.html": here("page.html"), "style.css": here("style.css"), "icon.svg": here("icon.svg"), "skelgen.wasm": join(wasm, "skelgen.wasm"),
-  "walk.bvh": here("../../data/sample/walk.bvh"), "samples/body.off": here("../../data/sample/body.off"),
-  "samples/man.glb": here("samples/man.glb"), "samples/zombie.glb": here("samples/zombie.glb"), "samples/README.md": here("samples/README.md"),
+  "walk.bvh": here("../../data/sample/walk.bvh"), "samples/man.glb": here("samples/man.glb"), "samples/zombie.glb": here("samples/zombie.glb"), "samples/README.md": here("samples/README.md"),
 };
 for (const [to, from] of Object.entries(copies)) await cp(from, join(out, to));
+await writeFile(join(out, "samples/body.off.gz"), gzipSync(await readFile(here("../../data/sample/body.off")), { level: 9 }));
 
-const kept = ["main.js", "worker.js", ...Object.keys(copies)];
+const kept = ["main.js", "worker.js", "samples/body.off.gz", ...Object.keys(copies)];
 const hash = createHash("sha256");
 for (const file of kept) hash.update(await readFile(join(out, file)));
 const offline = (await readFile(here("offline.js"), "utf8"))

@@ -5,7 +5,7 @@ import { basename, join } from "node:path";
 import { createRequire } from "node:module";
 import validator from "gltf-validator";
 import { Faults, changed, launch, picture } from "./browser.mjs";
-import { Glb, Program, apart, difference } from "./checks.mjs";
+import { Glb, Program, apart, difference, drop, settled, state } from "./checks.mjs";
 import { serve } from "./serve.mjs";
 
 const [folder, program_path, shots, ...meshes] = process.argv.slice(2);
@@ -26,29 +26,6 @@ async function opened(options = {}) {
   await page.goto(server.url);
   await page.waitForSelector('body[data-worker="ready"]', { timeout: 60000 });
   return page;
-}
-
-const state = (page) => page.evaluate(() => document.body.dataset.state);
-const settled = async (page, most = 120000) => {
-  await page.waitForFunction(() => document.body.dataset.state !== "busy", null, { timeout: most });
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-};
-
-/// As if files were dropped from a file manager; their content comes through an input, since a script may not name paths.
-async function drop(page, ...paths) {
-  await page.evaluate(() => {
-    if (document.getElementById("carrier")) return;
-    const input = Object.assign(document.createElement("input"), { type: "file", multiple: true, id: "carrier", hidden: true, ariaLabel: "carrier" });
-    document.body.append(input);
-  });
-  await page.setInputFiles("#carrier", paths);
-  await page.evaluate(() => {
-    const input = document.getElementById("carrier"), dataTransfer = new DataTransfer();
-    for (const file of input.files) dataTransfer.items.add(file);
-    input.value = "";
-    window.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
-  });
-  await settled(page);
 }
 
 async function downloaded(page, format) {
@@ -227,7 +204,7 @@ await page.waitForFunction(() => navigator.serviceWorker.controller !== null, nu
 await page.context().setOffline(true);
 await page.reload().catch(() => {});
 await page.waitForSelector('body[data-worker="ready"]', { timeout: 30000 }).catch(() => expect(false, "off line the page is not there"));
-await page.click('[data-sample="samples/body.off"]');
+await page.click('[data-sample="samples/body.off.gz"]');
 await page.waitForFunction(() => document.body.dataset.state === "shown", null, { timeout: 60000 }).catch(() => expect(false, "off line nothing is found"));
 await page.context().setOffline(false);
 
