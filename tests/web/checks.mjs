@@ -103,7 +103,7 @@ export function difference(a, b) {
 /// What the page is at.
 export const state = (page) => page.evaluate(() => document.body.dataset.state);
 /// Waits until it computes no more.
-export const settled = async (page, most = 120000) => {
+export const settled = async (page, most = 600000) => {
   await page.waitForFunction(() => document.body.dataset.state !== "busy", null, { timeout: most });
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 };
