@@ -7,7 +7,7 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
 import { createRequire } from "node:module";
 import { Faults, launch } from "./browser.mjs";
-import { Glb, Program, apart, difference, turned } from "./checks.mjs";
+import { Glb, Program, apart, difference, most_weight, turned } from "./checks.mjs";
 import { serve } from "./serve.mjs";
 
 const [source, program_path, ...meshes] = process.argv.slice(2);
@@ -54,7 +54,7 @@ for (const mesh of meshes) {
   expect(turned(wanted, body.skeleton) < 1e-6, `${name}: its directions are ${turned(wanted, body.skeleton)} off`);
   expect(Math.abs(wanted.quality.sides_confidence - body.quality.sides_confidence) < 1e-6, `${name}: the confidence is another`);
   expect(wanted.quality.warnings.join() === body.quality.warnings.join(), `${name}: warnings are ${body.quality.warnings}`);
-  const rigged = await program.rig(mesh, "glb", "--names", "mixamo"), own = body.rig();
+  const rigged = await program.rig(mesh, "glb", "--names", "mixamo", "--fingers", "off"), own = body.rig({ fingers: "off" });
   const { bones, weights } = difference(new Glb(rigged.bytes).rig(), new Glb(own.file("glb", { names: "mixamo" })).rig());
   expect(bones < 1e-5 && weights < 1e-5, `${name}: bones of the glb differ by ${bones}, weights by ${weights}`);
   own.delete();
@@ -77,8 +77,8 @@ for (const mesh of meshes.slice(3, 6)) {
     expect(!wanted, `${input.name}: no vrm: ${made.message}`);
     continue;
   }
-  const { bones, weights } = difference(new Glb(wanted.bytes).rig(), new Glb(made).rig());
-  expect(bones < 1e-5 && weights < 1e-5, `${input.name}: bones of the vrm differ by ${bones}, weights by ${weights}`);
+  const theirs = new Glb(wanted.bytes).rig(), { bones, weights } = difference(theirs, new Glb(made).rig());
+  expect(bones < 1e-5 && weights < most_weight(theirs), `${input.name}: bones of the vrm differ by ${bones}, weights by ${weights}`);
 }
 const sample = { name: "body.off", bytes: readFileSync(meshes[0]) };
 for (const format of ["bvh", "fbx"]) {
