@@ -115,6 +115,7 @@ set(skelgen_core_headers
     include/skelgen/core/options.hpp
     include/skelgen/core/outcome.hpp
     include/skelgen/core/parallel.hpp
+    include/skelgen/core/part_at.hpp
     include/skelgen/core/polyline.hpp
     include/skelgen/core/precision.hpp
     include/skelgen/core/refusal.hpp

@@ -4,6 +4,7 @@ import { cp, mkdir, readFile, rm, writeFile } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
 
 const [wasm, out] = process.argv.slice(2);
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
@@ -22,12 +23,15 @@ await build({
 });
 const copies = {
   "index.html": here("page.html"), "style.css": here("style.css"), "icon.svg": here("icon.svg"), "skelgen.wasm": join(wasm, "skelgen.wasm"),
-  "walk.bvh": here("../../data/sample/walk.bvh"), "samples/body.off": here("../../data/sample/body.off"),
-  "samples/man.glb": here("samples/man.glb"), "samples/zombie.glb": here("samples/zombie.glb"), "samples/README.md": here("samples/README.md"),
+  "walk.bvh": here("../../data/sample/walk.bvh"), "samples/README.md": here("samples/README.md"),
 };
 for (const [to, from] of Object.entries(copies)) await cp(from, join(out, to));
+// Samples are packed here, since not every host packs them; of the body's coordinates a micrometre is enough.
+const body = (await readFile(here("../../data/sample/body.off"), "utf8")).replace(/-?\d+\.\d{7,}/g, (number) => Number(number).toFixed(6));
+const samples = { "body.off": body, "man.glb": await readFile(here("samples/man.glb")), "zombie.glb": await readFile(here("samples/zombie.glb")) };
+for (const [name, bytes] of Object.entries(samples)) await writeFile(join(out, `samples/${name}.gz`), gzipSync(bytes, { level: 9 }));
 
-const kept = ["main.js", "worker.js", ...Object.keys(copies)];
+const kept = ["main.js", "worker.js", ...Object.keys(copies), ...Object.keys(samples).map((name) => `samples/${name}.gz`)];
 const hash = createHash("sha256");
 for (const file of kept) hash.update(await readFile(join(out, file)));
 const offline = (await readFile(here("offline.js"), "utf8"))

@@ -410,7 +410,7 @@ class App {
   }
 
   async sample(path) {
-    const name = path.split("/").pop();
+    const name = path.split("/").pop().replace(/\.gz$/, "");
     try {
       const response = await fetch(here(path));
       if (!response.ok) throw new Error(`it is not there (${response.status})`);

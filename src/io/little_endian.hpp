@@ -24,7 +24,7 @@ T read_little_endian(std::string_view bytes) {
     std::array<char, sizeof(T)> raw{};
     std::copy_n(bytes.begin(), raw.size(), raw.begin());
     if constexpr (std::endian::native != std::endian::little) std::reverse(raw.begin(), raw.end());
-    return std::bit_cast<T>(raw);
+    return bit_cast<T>(raw);
 }
 
 } // namespace skelgen::io::detail

@@ -99,3 +99,31 @@ export function difference(a, b) {
   }
   return { bones, weights };
 }
+
+/// How far weights may be apart. Fingers are narrow beside the faces they are of: there rounding counts for more.
+export const most_weight = ({ bones }) => (bones.some(({ name }) => /index/i.test(name)) ? 1e-3 : 1e-5);
+
+/// What the page is at.
+export const state = (page) => page.evaluate(() => document.body.dataset.state);
+/// Waits until it computes no more.
+export const settled = async (page, most = 600000) => {
+  await page.waitForFunction(() => document.body.dataset.state !== "busy", null, { timeout: most });
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+};
+
+/// As if files were dropped from a file manager; their content comes through an input, since a script may not name paths.
+export async function drop(page, ...paths) {
+  await page.evaluate(() => {
+    if (document.getElementById("carrier")) return;
+    const input = Object.assign(document.createElement("input"), { type: "file", multiple: true, id: "carrier", hidden: true, ariaLabel: "carrier" });
+    document.body.append(input);
+  });
+  await page.setInputFiles("#carrier", paths);
+  await page.evaluate(() => {
+    const input = document.getElementById("carrier"), dataTransfer = new DataTransfer();
+    for (const file of input.files) dataTransfer.items.add(file);
+    input.value = "";
+    window.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+  });
+  await settled(page);
+}

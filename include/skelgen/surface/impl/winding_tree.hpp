@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/part_at.hpp>
 
 namespace skelgen::surface {
 namespace detail {
@@ -100,7 +101,7 @@ int WindingTree<Scalar>::build(const TriangleMesh<Scalar>& mesh, const std::vect
         int axis = 0;
         (high - low).maxCoeff(&axis);
         const int middle = (first + last) / 2;
-        std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last, [&](int a, int b) {
+        core::part_at(order_.begin() + first, order_.begin() + middle, order_.begin() + last, [&](int a, int b) {
             return centre_of(a)[axis] != centre_of(b)[axis] ? centre_of(a)[axis] < centre_of(b)[axis] : a < b;
         });
         node.left = build(mesh, centres, first, middle);
