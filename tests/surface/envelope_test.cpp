@@ -1,4 +1,6 @@
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -7,6 +9,7 @@
 #include <skelgen/surface/distance_band.hpp>
 #include <skelgen/surface/envelope.hpp>
 #include <skelgen/surface/face_tree.hpp>
+#include <skelgen/surface/impl/winding_tree.hpp>
 #include <skelgen/surface/lattice_surface.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
 #include <skelgen/surface/small_parts.hpp>
@@ -51,6 +54,21 @@ EnvelopeOptions with_cells(double cells) {
 }
 
 } // namespace
+
+TEMPLATE_TEST_CASE("the angle of a direction is the inverse tangent's", "", float, double) {
+    constexpr auto pi = std::numbers::pi_v<TestType>;
+    for (const TestType size : {TestType(1e-30), TestType(1), TestType(1e30)}) {
+        for (int i = -1000; i <= 1000; ++i) {
+            const TestType x = size * std::cos(pi * TestType(i) / 1000), y = size * std::sin(pi * TestType(i) / 1000);
+            INFO(x << ", " << y);
+            const TestType off = surface::detail::angle_of(x, y) - std::atan2(y, x);
+            REQUIRE(std::abs(off) <= 4 * pi * std::numeric_limits<TestType>::epsilon());
+        }
+        CHECK(surface::detail::angle_of(-size, TestType(0)) == pi);
+        CHECK(surface::detail::angle_of(-size, -TestType(0)) == -pi); // a place on a face, seen from its other side
+        CHECK(surface::detail::angle_of(TestType(0), -size) == -pi / 2);
+    }
+}
 
 TEMPLATE_TEST_CASE("the tree's winding number is that of the sum over all faces", "", float, double) {
     const Mesh exact = without_top(sphere(1, 4), 0.5);

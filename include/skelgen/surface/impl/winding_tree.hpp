@@ -17,6 +17,22 @@ namespace detail {
 
 inline constexpr int faces_in_winding_leaf = 4;
 
+/// The angle of the direction (x, y), from -pi to pi, by what all machines round alike. C libraries differ in a sixth
+/// of what `std::atan2` gives; where pieces lie on each other a surface that is laid by it then goes another way.
+template <typename Scalar>
+Scalar angle_of(Scalar x, Scalar y) {
+    constexpr Scalar pi = std::numbers::pi_v<Scalar>;
+    if (x < 0) return std::copysign(pi, y) + angle_of(-x, -y);
+    if (std::abs(y) > x) return std::copysign(pi / 2, y) - angle_of(std::abs(y), y < 0 ? -x : x);
+    if (!(x > 0)) return 0;
+    Scalar tangent = y / x;
+    for (int i = 0; i < 3; ++i) tangent /= 1 + std::sqrt(1 + tangent * tangent); // of half the angle; below 0.1 at last
+    const Scalar square = tangent * tangent;
+    Scalar series = 0;
+    for (int power = 17; power > 0; power -= 2) series = 1 / static_cast<Scalar>(power) - square * series;
+    return 8 * tangent * series;
+}
+
 /// A sum of angles, kept as the direction of a product of complex numbers and the whole turns that it has made: the
 /// inverse tangent is taken once in all.
 template <typename Scalar>
@@ -33,7 +49,7 @@ public:
         y_ = im;
     }
     [[nodiscard]] Scalar sum() const {
-        return std::atan2(y_, x_) + 2 * std::numbers::pi_v<Scalar> * static_cast<Scalar>(turns_);
+        return angle_of(x_, y_) + 2 * std::numbers::pi_v<Scalar> * static_cast<Scalar>(turns_);
     }
 
 private:
