@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
 """Measures, and writes the tables of docs/results.md that it can measure itself, each with commit, date and machine.
 
-results.py PROGRAM PAGE [--bodies FOLDER] [--sets FOLDER] [--damages FILE]
+results.py PROGRAM PAGE [--bodies FOLDER] [--characters FOLDER] [--sets FOLDER] [--damages FILE] [--rigs FILE] [--speed FILE]
+           [--repeatability FILE] [--noise FILE]
 
---bodies: a folder with meshes/SET and truth/SET, as SKELGEN_BODIES names; --sets: a folder to make all generated sets in;
---damages: what `skelgen-damage-table` has printed. What is not given stays as it is in the page.
+--bodies: a folder with meshes/SET and truth/SET, as SKELGEN_BODIES names. --characters: what characters.py takes. --sets: a folder
+to make all generated sets in. The others are files with what measuring programs have printed: `skelgen-damage-table`,
+`skelgen-rigs`, `skelgen-bench`, `skelgen-noise`, `skelgen-repeatability` with `skelgen-generated-pairs`. What is not given stays as
+it is in the page.
 """
 
 from __future__ import annotations
@@ -13,10 +16,14 @@ import argparse
 import datetime
 import json
 import platform
+import os
 import re
+import statistics
 import subprocess
 import sys
 from pathlib import Path
+
+from characters import score as score_characters
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -134,6 +141,67 @@ def damages(printed: str) -> str:
     return table(["damage", "right", "mean error", "of that of sound ones", "wrong with confidence above 0.8"], rows)
 
 
+def characters(program: Path, folder: Path) -> str:
+    """What characters.py counts."""
+    found = score_characters(program, folder, os.cpu_count() or 1)
+
+    def share(name: str) -> str:
+        return "{} of {}".format(*found[name])
+
+    return table(
+        ["", ""],
+        [
+            ["usable", share("usable")],
+            ["answered at all", share("answered")],
+            ["mean error of the usable", short(found["mean_error"])],
+            ["usable, of those with a confidence above 0.8", share("usable_above_0.8")],
+            ["no body, and refused or said to be a guess", share("refused")],
+            ["wrong with a confidence above 0.8", ", ".join(f"`{name}`" for name in found["wrong_and_sure"]) or "none"],
+        ],
+    )
+
+
+RIGS = {  # columns of `skelgen-rigs`
+    "2 limbs": "vertices that follow two limbs by more than 1 % each",
+    "islands": "vertices that follow most what none of their neighbours does",
+    "stretch": "largest stretch of an edge, elbows and knees bent by 90 degrees",
+    "volume": "volume that a forearm or calf, closed at its ends, then gains or loses",
+    "gaps": "widest gap that then opens between pieces, of the height",
+    "arms": "upper arms of the un-posed body beside level, extracted again, in degrees",
+    "by rig": "the un-posed body posed back by its rig, as viewers do it: mean distance",
+    "back": "the same, its skeleton and weights found anew",
+    "seconds": "from file to rig, in seconds",
+}
+
+
+def rigs(printed: str) -> str:
+    """Median and worst of the columns of `skelgen-rigs`."""
+    head, *lines = printed[printed.index("body  ") :].splitlines()
+    columns = re.split(r"\s{2,}| (?=sums|2 limbs|islands)", head.strip())
+    rows = [line.split() for line in lines if "refused" not in line]
+    values = {name: [float(row[i].rstrip("%")) for row in rows] for i, name in enumerate(columns) if i > 0}
+    unit = {name: "%" if rows[0][i].endswith("%") else "" for i, name in enumerate(columns)}
+
+    def say(name: str, value: float) -> str:
+        return f"{value:g} {unit[name]}".strip()
+
+    return table(
+        [f"of {len(rows)} rigs", "median", "worst"],
+        [[what, say(name, statistics.median(values[name])), say(name, max(values[name], key=abs))] for name, what in RIGS.items()],
+    )
+
+
+def speed(printed: str) -> str:
+    """The table that `skelgen-bench` prints, and the sentences below it."""
+    return printed[printed.index("| mesh ") :].strip() + "\n"
+
+
+def verbatim(printed: str) -> str:
+    """What a program printed, without what a build says before."""
+    lines = [line for line in printed.splitlines() if not re.match(r"\[\d+/\d+\]|ninja: |== ", line)]
+    return "```text\n" + "\n".join(lines).strip() + "\n```\n"
+
+
 def machine() -> str:
     model = re.search(r"model name\s*: (.*)", Path("/proc/cpuinfo").read_text(encoding="utf-8"))
     system = re.search(r'PRETTY_NAME="([^"]+)"', Path("/etc/os-release").read_text(encoding="utf-8"))
@@ -146,7 +214,9 @@ def main() -> None:
     parser.add_argument("page", type=Path)
     parser.add_argument("--bodies", type=Path)
     parser.add_argument("--sets", type=Path)
-    parser.add_argument("--damages", type=Path)
+    parser.add_argument("--characters", type=Path)
+    for name in ("damages", "rigs", "speed", "repeatability", "noise"):
+        parser.add_argument(f"--{name}", type=Path)
     options = parser.parse_args()
     work = ROOT / "build/results"
     blocks: dict[str, str] = {}
@@ -154,8 +224,12 @@ def main() -> None:
         blocks |= real(options.program, options.bodies, work)
     if options.sets:
         blocks["sets"] = sets(options.program, options.sets)
-    if options.damages:
-        blocks["damages"] = damages(options.damages.read_text(encoding="utf-8"))
+    if options.characters:
+        blocks["characters"] = characters(options.program, options.characters)
+    printed = {"damages": damages, "rigs": rigs, "speed": speed, "repeatability": verbatim, "noise": verbatim}
+    for name, block in printed.items():
+        if file := getattr(options, name):
+            blocks[name] = block(file.read_text(encoding="utf-8"))
     commit = run("git", "-C", ROOT, "rev-parse", "--short", "HEAD").strip()
     version = run(options.program, "--version").split()[1]
     note = f"*Measured with {version}, commit {commit}, on {datetime.date.today():%d %B %Y}: {machine()}.*\n"

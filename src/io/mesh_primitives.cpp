@@ -131,7 +131,7 @@ PartNormals own_normals(const WrittenMesh& written, const ScenePart& part, const
         if (!(length > least) || !std::isfinite(length)) continue;
         is_own[static_cast<std::size_t>(i)] = true;
         const Eigen::Vector3f unit = (own / length).cast<float>();
-        normals.row(i) = unit.normalized().transpose();
+        normals.block<1, 3>(i, 0) = unit.normalized().transpose();
         (normals.row(i).dot(smooth.row(i)) < 0 ? inwards : outwards) += 1;
     }
     const bool are_turned = inwards > outwards;

@@ -101,7 +101,7 @@ export function difference(a, b) {
 }
 
 /// How far weights may be apart. Fingers are narrow beside the faces they are of: there rounding counts for more.
-export const most_weight = ({ bones }) => (bones.some(({ name }) => /index/i.test(name)) ? 1e-3 : 1e-5);
+export const most_weight = ({ bones }) => (bones.some(({ name }) => /index/i.test(name)) ? 2e-4 : 1e-5);
 
 /// What the page is at.
 export const state = (page) => page.evaluate(() => document.body.dataset.state);

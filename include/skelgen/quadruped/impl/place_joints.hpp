@@ -102,8 +102,11 @@ Eigen::Matrix<Scalar, 3, direction_count> directions_of(const Body<Scalar>& body
     for (const Vector3<Scalar>& axis : {limbs.frame.forward, limbs.frame.up, outward})
         for (const int sign : {1, -1}) {
             const Vector3<Scalar> direction = static_cast<Scalar>(sign) * axis;
-            out.col(next++) =
-                std::min(body.tree.first_along(body.mesh, from, direction).distance, farthest) * direction;
+            if (direction.isZero()) // outward of a joint in the middle
+                out.col(next++).setZero();
+            else
+                out.col(next++) =
+                    std::min(body.tree.first_along(body.mesh, from, direction).distance, farthest) * direction;
         }
     return out;
 }
