@@ -176,7 +176,7 @@ Extraction<Scalar> extract_hinted(TriangleMesh<Scalar> mesh, const std::vector<H
     KinematicSkeleton<Scalar> nearest;
     double most = -std::numeric_limits<double>::infinity();
     for (const search::Found<Scalar>& found : climb.found) {
-        KinematicSkeleton<Scalar> skeleton = search::skeleton_in_input(found);
+        KinematicSkeleton<Scalar> skeleton = search::skeleton_in_input(found, wanted);
         for (const bool exchanged : {false, true}) {
             if (exchanged) skeleton = detail::with_exchanged_sides(std::move(skeleton), wanted);
             double worth = std::log(std::max(found.candidate.probability, std::numeric_limits<double>::min()));
