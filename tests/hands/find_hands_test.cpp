@@ -95,6 +95,12 @@ TEST_CASE("digits that are one on the surface are one chain that says so", "[han
     CHECK_FALSE(hands::has_digits<double>({fist}));
 }
 
+TEST_CASE("a finger beside the thumb alone is one, though its tube begins in the palm", "[hands]") {
+    const hands::Hand<double> hand = only_hand({thumb(), finger(0, 0.42, 0)});
+    REQUIRE(digits_of(hand) == std::vector{Digit::thumb, Digit::index});
+    CHECK(hand.digits[1].fused.empty());
+}
+
 TEST_CASE("two fingers that have grown together are told by their width", "[hands]") {
     std::vector<TubeDigit> digits = five_digits();
     digits[3] = finger(-0.02, 0.44, 0); // ring beside middle
