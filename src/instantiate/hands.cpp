@@ -12,7 +12,7 @@ namespace skelgen::hands {
     template std::optional<HandSurface<Scalar>> hand_surface(const TriangleMesh<Scalar>&, const HandPlace<Scalar>&);   \
     template TriangleMesh<Scalar> hand_envelope(const TriangleMesh<Scalar>&, const surface::WindingTree<Scalar>&,      \
                                                 const HandPlace<Scalar>&);                                             \
-    template std::vector<DigitTube<Scalar>> find_tubes(const HandSurface<Scalar>&, Scalar);                            \
+    template std::vector<DigitTube<Scalar>> find_tubes(const HandSurface<Scalar>&, const HandPlace<Scalar>&);          \
     template std::vector<FoundDigit<Scalar>> name_digits(const std::vector<DigitTube<Scalar>>&,                        \
                                                          const HandPlace<Scalar>&, Side);                              \
     template std::vector<Hand<Scalar>> find_hands(const TriangleMesh<Scalar>&, const Body<Scalar>&,                    \

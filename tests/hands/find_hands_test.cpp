@@ -95,6 +95,12 @@ TEST_CASE("digits that are one on the surface are one chain that says so", "[han
     CHECK_FALSE(hands::has_digits<double>({fist}));
 }
 
+TEST_CASE("a finger beside the thumb alone is one, though its tube begins in the palm", "[hands]") {
+    const hands::Hand<double> hand = only_hand({thumb(), finger(0, 0.42, 0)});
+    REQUIRE(digits_of(hand) == std::vector{Digit::thumb, Digit::index});
+    CHECK(hand.digits[1].fused.empty());
+}
+
 TEST_CASE("two fingers that have grown together are told by their width", "[hands]") {
     std::vector<TubeDigit> digits = five_digits();
     digits[3] = finger(-0.02, 0.44, 0); // ring beside middle
@@ -157,6 +163,19 @@ TEST_CASE("a hand of many pieces is one", "[hands]") {
     const auto found = hands_in(make_mesh(vertices, faces), arm_skeleton());
     REQUIRE(found.size() == 1);
     CHECK(digits_of(found[0]).size() == 5);
+}
+
+TEST_CASE("prongs of a thing that a hand holds are no digits", "[hands]") {
+    // One whose prongs are far from the knuckles, and one that bends back to them.
+    const bool is_bent = GENERATE(false, true);
+    const Vec3 held(is_bent ? 0.4 : 0, 0, 0), below = held + Vec3(0, is_bent ? -0.85 : -1.05, 0);
+    const Vec3 fork = below + Vec3(is_bent ? 0.5 : 0, 0, 0), out(is_bent ? 0.15 : 0, is_bent ? 0 : -0.25, 0);
+    const Vec3 side(0, 0, 0.25);
+    const Mesh mesh = hand_of({thumb(), finger(0.1, 0.4, 0.1), finger(-0.1, 0.4, -0.1)},
+                              {{held, below}, {below, fork}, {fork, fork + out + side}, {fork, fork + out - side}});
+    const auto found = hands_in(mesh, arm_skeleton());
+    REQUIRE(found.size() == 1);
+    CHECK(digits_of(found[0]) == std::vector{Digit::thumb, Digit::index, Digit::middle});
 }
 
 TEST_CASE("a skeleton gets the joints of all digits, and loses them again", "[hands]") {

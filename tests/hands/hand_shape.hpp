@@ -67,7 +67,13 @@ inline Mesh hand_of(const std::vector<TubeDigit>& digits, const std::vector<std:
         for (const Tube& tube : tubes) least = std::min(least, segment_distance(p, tube.a, tube.b) - tube.radius);
         return least;
     };
-    return level_set(field, Vec3(-0.9, -0.5, -0.45), Vec3(1.15, 0.25, 0.55), 0.02);
+    Vec3 low(-0.9, -0.5, -0.45), high(1.15, 0.25, 0.55);
+    for (const auto& ends : more)
+        for (const Vec3& end : ends) {
+            low = low.cwiseMin(end - Vec3::Constant(0.1));
+            high = high.cwiseMax(end + Vec3::Constant(0.1));
+        }
+    return level_set(field, low, high, 0.02);
 }
 
 /// What a skeleton says of such a hand.

@@ -19,12 +19,14 @@ struct DigitTube {
 };
 
 /// The digits of a hand's surface: where distances from the forearm have maxima that stand out from where the parts
-/// beyond them meet (persistence: EH08), by a tenth of the hand's `length` at least: knuckles and nails do not. Tubes
-/// that leave the hand's surroundings are none, as what is held, or the body behind a hand that lies on it; of more
-/// than five those that stand out most are taken. A hand without any is one tube, if its end is there. In no order.
-/// O(n log n).
+/// beyond them meet (persistence: EH08), by a tenth of the hand's length at least: knuckles and nails do not. Tubes
+/// that leave the hand's surroundings are none, as what is held, or the body behind a hand that lies on it. Nor are
+/// those that join the rest too far from knuckles or forearm, as the other hand's. Of more than five those that stand
+/// out most are taken. A hand without any is one tube, if its end is there. In no order. `place` is in the surface's
+/// unit. O(n log n).
 template <typename Scalar>
-[[nodiscard]] std::vector<DigitTube<Scalar>> find_tubes(const HandSurface<Scalar>& hand, Scalar length);
+[[nodiscard]] std::vector<DigitTube<Scalar>> find_tubes(const HandSurface<Scalar>& hand,
+                                                        const HandPlace<Scalar>& place);
 
 } // namespace skelgen::hands
 

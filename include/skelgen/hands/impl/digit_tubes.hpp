@@ -157,17 +157,22 @@ Ring<Scalar> ring_around(const HandSurface<Scalar>& hand, const surface::LevelSe
 } // namespace detail
 
 template <typename Scalar>
-std::vector<DigitTube<Scalar>> find_tubes(const HandSurface<Scalar>& hand, Scalar length) {
+std::vector<DigitTube<Scalar>> find_tubes(const HandSurface<Scalar>& hand, const HandPlace<Scalar>& place) {
     constexpr Scalar least = Scalar(0.1); // of the hand's length, calibrated: shorter stubs are knuckles and folds
+    // Digits of characters join their neighbours 0.6 from the knuckles, a cartoon's thumb 0.8, and 1.5 from the
+    // forearm.
+    constexpr Scalar farthest_web = 1;
+    constexpr Scalar longest_way = Scalar(1.6); // over the surface, calibrated
     constexpr std::size_t most = 5;
     constexpr int rings = 24;
     constexpr std::size_t least_rings = 5;
+    const Scalar length = place.length();
     const detail::Peaks<Scalar> found = detail::PartsFromAbove<Scalar>(hand, least * length).peaks();
     const surface::LevelSets<Scalar> levels(hand.mesh, hand.adjacency, hand.distance);
     std::vector<DigitTube<Scalar>> tubes;
     for (std::size_t i = 0; i < found.peaks.size(); ++i) {
         const detail::Peak<Scalar>& peak = found.peaks[i];
-        if (peak.goes_on) continue;
+        if (peak.goes_on || peak.joins > longest_way * length) continue;
         DigitTube<Scalar> tube;
         tube.joins = peak.joins;
         tube.ends = peak.ends;
@@ -182,6 +187,7 @@ std::vector<DigitTube<Scalar>> find_tubes(const HandSurface<Scalar>& hand, Scala
             tube.radii.push_back(ring.girth / (2 * std::numbers::pi_v<Scalar>));
         }
         if (tube.axis.size() < least_rings) continue;
+        if ((tube.axis.front() - place.knuckles).norm() > farthest_web * length) continue;
         tube.axis.push_back(core::point(hand.mesh.vertices, peak.tip));
         tube.radii.push_back(0);
         for (std::size_t v = 0; v < found.of_vertex.size(); ++v)

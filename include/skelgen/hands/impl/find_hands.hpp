@@ -107,7 +107,7 @@ private:
     /// In the input's coordinates.
     static TubesOfHand<Scalar> tubes_on(const HandSurface<Scalar>& hand, const HandPlace<Scalar>& place,
                                         const Similarity<Scalar>& similarity) {
-        TubesOfHand<Scalar> out{find_tubes(hand, place.length()), hand.mesh};
+        TubesOfHand<Scalar> out{find_tubes(hand, place), hand.mesh};
         for (DigitTube<Scalar>& tube : out.tubes) {
             for (Vector3<Scalar>& on_axis : tube.axis) on_axis = similarity.to_input(on_axis);
             for (Scalar& radius : tube.radii) radius *= similarity.scale;

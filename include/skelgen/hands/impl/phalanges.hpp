@@ -75,10 +75,11 @@ OnAxis<Scalar> from_end(const DigitTube<Scalar>& tube, Scalar distance) {
     return {tube.axis[first] - distance * base_direction(tube), tube.radii[first]};
 }
 
-/// The mean radius of a tube over its middle half.
+/// The mean radius of a tube beyond its middle, but for its tip: the tube of a finger alone begins at the thumb's web,
+/// in the palm.
 template <typename Scalar>
-Scalar middle_radius(const DigitTube<Scalar>& tube) {
-    const std::size_t first = tube.radii.size() / 4, last = 3 * tube.radii.size() / 4 + 1;
+Scalar outer_radius(const DigitTube<Scalar>& tube) {
+    const std::size_t first = tube.radii.size() / 2, last = 3 * tube.radii.size() / 4 + 1;
     Scalar sum = 0;
     for (std::size_t i = first; i < last; ++i) sum += tube.radii[i];
     return sum / static_cast<Scalar>(last - first);
@@ -99,7 +100,7 @@ std::optional<std::size_t> find_thumb(const std::vector<DigitTube<Scalar>>& tube
     // five is the thumb in any case.
     const Scalar apart = Scalar(tubes.size() == all_digits.size() ? 0 : 0.03);
     if (tubes.size() < 2) return std::nullopt;
-    if (tubes.size() == 2) return middle_radius(tubes[0]) < middle_radius(tubes[1]) ? 0 : 1;
+    if (tubes.size() == 2) return outer_radius(tubes[0]) < outer_radius(tubes[1]) ? 0 : 1;
     std::size_t first = 0;
     for (std::size_t i = 1; i < tubes.size(); ++i)
         if (tubes[i].joins < tubes[first].joins) first = i;
@@ -179,15 +180,15 @@ std::vector<FoundDigit<Scalar>> name_digits(const std::vector<DigitTube<Scalar>>
     const std::vector<std::size_t> row = detail::in_a_row<Scalar>(tubes, thumb);
     if (row.empty()) return out;
 
-    Scalar thinnest = thumb ? detail::middle_radius(tubes[*thumb]) : detail::middle_radius(tubes[row.front()]);
+    Scalar thinnest = thumb ? detail::outer_radius(tubes[*thumb]) : detail::outer_radius(tubes[row.front()]);
     if (row.size() > 1 || !thumb)
-        for (const std::size_t i : row) thinnest = std::min(thinnest, detail::middle_radius(tubes[i]));
+        for (const std::size_t i : row) thinnest = std::min(thinnest, detail::outer_radius(tubes[i]));
     constexpr std::size_t fingers = 4;
     std::vector<std::size_t> widths;
     std::size_t spare = fingers - std::min(fingers, row.size());
     for (const std::size_t i : row) {
         const std::size_t more =
-            std::min(spare, detail::digits_in<Scalar>(detail::middle_radius(tubes[i]) / thinnest) - 1);
+            std::min(spare, detail::digits_in<Scalar>(detail::outer_radius(tubes[i]) / thinnest) - 1);
         widths.push_back(1 + (tubes[i].is_alone ? spare : more));
         spare -= widths.back() - 1;
     }
