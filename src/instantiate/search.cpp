@@ -26,7 +26,8 @@ namespace skelgen::search {
     template Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>&, const curve::CurveResult<Scalar>&,            \
                                                     const SkeletonTemplate&, const ExtractOptions&);                   \
     template std::vector<MirrorPlane> mirror_planes(const Body<Scalar>&);                                              \
-    template std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>&, const SkeletonTemplate&);                 \
+    template std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>&, const SkeletonTemplate&,                  \
+                                                        const std::vector<KnownPlace>&);                               \
     template Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>&, const curve::CurveResult<Scalar>&,            \
                                                     const PlacedJoints<Scalar>&);                                      \
     template PlacedJoints<Scalar> place_joints(const Body<Scalar>&, const curve::CurveResult<Scalar>&,                 \
@@ -35,7 +36,7 @@ namespace skelgen::search {
     template KinematicSkeleton<Scalar> skeleton_in_input(const Found<Scalar>&, const SkeletonTemplate&);               \
     template std::vector<std::string> warnings_of(const Found<Scalar>&, const SkeletonTemplate&);                      \
     template Climb<Scalar> climb(const TriangleMesh<Scalar>&, const SkeletonTemplate&, const ExtractOptions&,          \
-                                 Thoroughness);
+                                 Thoroughness, std::vector<KnownPlace>);
 
 SKELGEN_INSTANTIATE(SKELGEN_SCALAR)
 

@@ -1,4 +1,5 @@
 #include <limits>
+#include <string>
 
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/error.hpp>
@@ -6,6 +7,7 @@
 #include <skelgen/io/read_mesh.hpp>
 
 #include "catch.hpp"
+#include "fixture_bodies.hpp"
 #include "shapes.hpp"
 
 namespace {
@@ -69,6 +71,22 @@ TEST_CASE("hints: what is no body's gets the skeleton that fits best, and hints 
     CHECK_THROWS_AS(extract_hinted(box, {{"left_hand", {100, 100, 100}}}), Error); // of another mesh
     const Vector3<double> corner(1, 1, 0);
     CHECK(place_of(extract_hinted(box, {{"left_hand", corner}}).skeleton, "left_hand") == corner);
+}
+
+TEST_CASE("hints: the other side's joint goes where the surface mirrors the hint, without its confidence",
+          "[extract][hints]") {
+    const auto mesh = test::load_fixture_body("standing-man").mesh;
+    const auto found = extract(mesh);
+    const auto along = [&](const std::string& side) -> Vector3<double> { // in the middle of a forearm
+        return (place_of(found.skeleton, (side + "_elbow").c_str()) +
+                place_of(found.skeleton, (side + "_wrist").c_str())) /
+               2;
+    };
+    const auto hinted = extract_hinted(mesh, {{"left_hand", along("left")}}).skeleton;
+    const double forearm = (place_of(found.skeleton, "right_elbow") - place_of(found.skeleton, "right_wrist")).norm();
+    CHECK(place_of(hinted, "left_hand") == along("left"));
+    CHECK((place_of(hinted, "right_hand") - along("right")).norm() < 0.3 * forearm);
+    CHECK(hinted.joints.at(static_cast<std::size_t>(find_joint(hinted, "right_hand"))).confidence < 1);
 }
 
 } // namespace

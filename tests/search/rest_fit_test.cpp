@@ -139,6 +139,28 @@ TEST_CASE("of a body at rest the ends of the limbs are placed by the surface, wh
     }
 }
 
+TEST_CASE("a body at rest is laid to where a joint is known to be, and so is the other side's") {
+    const Body<double> body = prepare(load_fixture_body("standing-man").mesh);
+    const auto free = fit_at_rest(body, human21());
+    REQUIRE(free);
+    const double size = core::bounding_diagonal(body.mesh.vertices);
+    for (const JointRole role : {JointRole::knee, JointRole::wrist, JointRole::foot}) {
+        const int left = find_joint(human21(), role, Side::left), right = find_joint(human21(), role, Side::right);
+        INFO(human21().joint(left).name);
+        const Vec3 inwards = core::point(free->joints.positions, right) - core::point(free->joints.positions, left);
+        const Vec3 place = core::point(free->joints.positions, left) + 0.04 * size * inwards.normalized();
+        const auto fit = fit_at_rest(body, human21(), {{left, place}});
+        REQUIRE(fit);
+        CHECK(std::set<int>(fit->known.begin(), fit->known.end()) == std::set<int>{left, right});
+        const auto placed = place_joints(body, *fit);
+        const Vec3 one = core::point(placed.joints.positions, left),
+                   other = core::point(placed.joints.positions, right);
+        // Which side is the left one is not told yet.
+        CHECK(std::min((one - place).norm(), (other - place).norm()) < 0.01 * size);
+        CHECK((one - other).norm() == Approx(inwards.norm() - 0.08 * size).margin(0.02 * size));
+    }
+}
+
 TEST_CASE("no body at rest is laid where there is no volume, no mirror, or no whole template") {
     CHECK_FALSE(fit_at_rest(prepare(box(Vec3(1, 2, 1e-9), 3)), human21()));
     const Body<double> body = prepare(load_fixture_body("standing-man").mesh);

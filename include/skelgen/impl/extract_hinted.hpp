@@ -13,6 +13,7 @@
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/parallel.hpp>
 #include <skelgen/core/stopwatch.hpp>
+#include <skelgen/surface/body.hpp>
 
 namespace skelgen {
 namespace detail {
@@ -82,6 +83,75 @@ KinematicSkeleton<Scalar> with_exchanged_sides(KinematicSkeleton<Scalar> skeleto
     skeleton.frame.left = -skeleton.frame.left;
     skeleton.frame.forward = -skeleton.frame.forward;
     return skeleton;
+}
+
+/// Of all candidates, with their sides as they are and exchanged, the one that is likeliest by itself and has its
+/// joints nearest to the hints.
+template <typename Scalar>
+std::pair<const search::Found<Scalar>*, KinematicSkeleton<Scalar>>
+nearest_to(const std::vector<Hint>& hints, const std::vector<search::Found<Scalar>>& candidates,
+           const SkeletonTemplate& wanted, Scalar size) {
+    constexpr double near = 0.05;   // of the size: as far off hints are from what a search finds of right limbs
+    constexpr double lacks_it = 18; // as much as a hint that is 30 % of the size off
+    const std::vector<int> hint_of = hints_by_joint(wanted, hints);
+    std::pair<const search::Found<Scalar>*, KinematicSkeleton<Scalar>> best;
+    double most = -std::numeric_limits<double>::infinity();
+    for (const search::Found<Scalar>& found : candidates) {
+        KinematicSkeleton<Scalar> skeleton = search::skeleton_in_input(found, wanted);
+        for (const bool exchanged : {false, true}) {
+            if (exchanged) skeleton = with_exchanged_sides(std::move(skeleton), wanted);
+            double worth = std::log(std::max(found.candidate.probability, std::numeric_limits<double>::min()));
+            for (std::size_t j = 0; j < hint_of.size(); ++j)
+                if (hint_of[j] >= 0 && !skeleton.joints[j].is_present)
+                    worth -= lacks_it;
+                else if (hint_of[j] >= 0)
+                    worth -= (skeleton.joints[j].position.template cast<double>() -
+                              hints[static_cast<std::size_t>(hint_of[j])].position)
+                                 .squaredNorm() /
+                             (2 * std::pow(near * static_cast<double>(size), 2));
+            // The sides as they were found win where hints do not tell.
+            if (!(worth > most)) continue;
+            most = worth;
+            best = {&found, skeleton};
+        }
+    }
+    return best;
+}
+
+/// The hints, and beside them where a mirror shows the other side's joints that were not found there: that across the
+/// skeleton's left in which the surface mirrors itself, where it does so around the hint.
+template <typename Scalar>
+std::vector<Hint> with_mirrored(std::vector<Hint> hints, const Body<Scalar>& body,
+                                const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& wanted) {
+    constexpr auto across = static_cast<Scalar>(0.9);                                       // cosine
+    constexpr auto alike = static_cast<Scalar>(0.02), as_found = static_cast<Scalar>(0.05); // of the size
+    const Vector3<Scalar> origin = skeleton.frame.origin, tip = origin + skeleton.frame.left;
+    const Vector3<Scalar> left =
+        (body.similarity.to_canonical(tip) - body.similarity.to_canonical(origin)).normalized();
+    const std::vector<search::MirrorPlane> planes = search::mirror_planes(body);
+    const auto plane = std::find_if(planes.begin(), planes.end(), [&](const search::MirrorPlane& one) {
+        return std::abs(one.normal.template cast<Scalar>().dot(left)) > across;
+    });
+    if (plane == planes.end()) return hints;
+    const Vector3<Scalar> normal = plane->normal.template cast<Scalar>();
+    const Scalar size = core::bounding_diagonal(body.mesh.vertices);
+    const std::vector<int> hint_of = hints_by_joint(wanted, hints);
+    for (std::size_t j = 0; j < hint_of.size(); ++j) {
+        const int other = counterpart(wanted, static_cast<int>(j));
+        if (hint_of[j] < 0 || other < 0 || hint_of[static_cast<std::size_t>(other)] >= 0) continue;
+        const Vector3<Scalar> place =
+            body.similarity.to_canonical(hints[static_cast<std::size_t>(hint_of[j])].position.template cast<Scalar>());
+        const Vector3<Scalar> there = place - 2 * (normal.dot(place) - static_cast<Scalar>(plane->offset)) * normal;
+        const Joint<Scalar>& found = skeleton.joints[static_cast<std::size_t>(other)];
+        const bool is_found =
+            found.is_present && (body.similarity.to_canonical(found.position) - there).norm() < as_found * size;
+        const bool is_alike =
+            surface::is_inside(body, place) == surface::is_inside(body, there) &&
+            std::abs(body.tree.distance(body.mesh, place) - body.tree.distance(body.mesh, there)) < alike * size;
+        if (!is_found && is_alike)
+            hints.push_back({found.name, body.similarity.to_input(there).template cast<double>()});
+    }
+    return hints;
 }
 
 } // namespace detail
@@ -158,44 +228,30 @@ KinematicSkeleton<Scalar> bent_to(KinematicSkeleton<Scalar> skeleton, const Skel
 template <typename Scalar>
 Extraction<Scalar> extract_hinted(TriangleMesh<Scalar> mesh, const std::vector<Hint>& hints,
                                   const ExtractOptions& options) {
-    constexpr double near = 0.05;   // of the size: as far off hints are from what a search finds of right limbs
-    constexpr double lacks_it = 18; // as much as a hint that is 30 % of the size off
     core::Stopwatch total;
     validate(options);
     const core::ThreadScope threads(options.threads);
     SkeletonTemplate wanted = search::wanted_template(options);
+    std::vector<search::KnownPlace> known;
     const std::vector<int> hint_of = detail::hints_by_joint(wanted, hints);
+    for (std::size_t j = 0; j < hint_of.size(); ++j)
+        if (hint_of[j] >= 0)
+            known.push_back({static_cast<int>(j), hints[static_cast<std::size_t>(hint_of[j])].position});
     detail::require_hints_near(hints, mesh);
     ExtractOptions with_one = options; // hints are joints of one template
     with_one.or_quadruped = false;
-    search::Climb<Scalar> climb = search::climb(mesh, wanted, with_one, search::Thoroughness::exhaustive);
+    search::Climb<Scalar> climb = search::climb(mesh, wanted, with_one, search::Thoroughness::exhaustive, known);
     if (climb.found.empty()) throw NoSkeleton(climb.failure, std::move(climb.trail));
 
     const Scalar size = core::bounding_diagonal(mesh.vertices);
-    const search::Found<Scalar>* best = nullptr;
-    KinematicSkeleton<Scalar> nearest;
-    double most = -std::numeric_limits<double>::infinity();
-    for (const search::Found<Scalar>& found : climb.found) {
-        KinematicSkeleton<Scalar> skeleton = search::skeleton_in_input(found, wanted);
-        for (const bool exchanged : {false, true}) {
-            if (exchanged) skeleton = detail::with_exchanged_sides(std::move(skeleton), wanted);
-            double worth = std::log(std::max(found.candidate.probability, std::numeric_limits<double>::min()));
-            for (std::size_t j = 0; j < hint_of.size(); ++j)
-                if (hint_of[j] >= 0 && !skeleton.joints[j].is_present)
-                    worth -= lacks_it;
-                else if (hint_of[j] >= 0)
-                    worth -= (skeleton.joints[j].position.template cast<double>() -
-                              hints[static_cast<std::size_t>(hint_of[j])].position)
-                                 .squaredNorm() /
-                             (2 * std::pow(near * static_cast<double>(size), 2));
-            // The sides as they were found win where hints do not tell.
-            if (!(worth > most)) continue;
-            most = worth;
-            best = &found;
-            nearest = skeleton;
-        }
+    auto [best, nearest] = detail::nearest_to(hints, climb.found, wanted, size);
+    const std::vector<Hint> all = detail::with_mirrored(hints, *best->body, nearest, wanted);
+    const std::vector<Joint<Scalar>> before = nearest.joints;
+    nearest = bent_to(std::move(nearest), wanted, all, size);
+    for (std::size_t h = hints.size(); h < all.size(); ++h) { // nobody has vouched for these
+        const auto j = static_cast<std::size_t>(find_joint(nearest, all[h].joint));
+        nearest.joints[j].confidence = before[j].confidence;
     }
-    nearest = bent_to(std::move(nearest), wanted, hints, size);
     Extraction<Scalar> out =
         detail::extraction_of(std::move(climb), *best, std::move(nearest), std::move(wanted), options);
     out.mesh = std::move(mesh);

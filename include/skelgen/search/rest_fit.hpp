@@ -26,6 +26,12 @@ struct MirrorPlane {
 template <typename Scalar>
 [[nodiscard]] std::vector<MirrorPlane> mirror_planes(const Body<Scalar>& body);
 
+/// A joint of a template whose place is known; which, the caller says in which coordinates.
+struct KnownPlace {
+    int joint = 0;
+    Vector3<double> place = Vector3<double>::Zero();
+};
+
 /// A body at rest, laid into a surface.
 template <typename Scalar = double>
 struct RestFit {
@@ -33,8 +39,9 @@ struct RestFit {
     refinement::RefinedJoints<Scalar> joints; ///< in the body's coordinates; left is on the side of the plane's normal
     CurveSkeleton<Scalar> lines;              ///< the model's axes as a curve without regions: what limbs are traced by
     embedding::Embedding embedding;           ///< of the template in them
-    double cost = 0;   ///< how badly the surface is explained: mean over its places, robust; 0 best
-    double mirror = 0; ///< the plane's share
+    std::vector<int> known; ///< joints whose places were known, on both sides: no cross-section tells better
+    double cost = 0;        ///< how badly the surface is explained: mean over its places, robust; 0 best
+    double mirror = 0;      ///< the plane's share
 };
 
 /// Lays a jointed model, mirrored in a plane, into a surface: a person who stands at rest, arms anywhere between level
@@ -43,10 +50,12 @@ struct RestFit {
 /// on them and their axes in its middle, both robust against what the body wears and holds, with a broad prior; from
 /// several proportions and directions of the arms, either way up. This finds what a curve skeleton does not show: arms
 /// that are drawn into a flank, legs under a robe, necks between large heads and shoulders. \returns the best fit, or
-/// none where the surface mirrors itself in no plane or `wanted` lacks a limb. O(n log n), and some ten thousand
-/// distances to the surface.
+/// none where the surface mirrors itself in no plane or `wanted` lacks a limb. `known`: places in the body's
+/// coordinates that the model's joints have to have, on whichever side. O(n log n), and some ten thousand distances to
+/// the surface.
 template <typename Scalar>
-[[nodiscard]] std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>& body, const SkeletonTemplate& wanted);
+[[nodiscard]] std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>& body, const SkeletonTemplate& wanted,
+                                                         const std::vector<KnownPlace>& known = {});
 
 } // namespace skelgen::search
 

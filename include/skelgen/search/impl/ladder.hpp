@@ -96,8 +96,8 @@ template <typename Scalar>
 class Ladder {
 public:
     Ladder(const TriangleMesh<Scalar>& mesh, const SkeletonTemplate& wanted, const ExtractOptions& options,
-           Thoroughness thoroughness)
-        : mesh_(mesh), wanted_(wanted), options_(options), thoroughness_(thoroughness),
+           Thoroughness thoroughness, std::vector<KnownPlace> known)
+        : mesh_(mesh), wanted_(wanted), options_(options), thoroughness_(thoroughness), known_(std::move(known)),
           animal_(wanted.plan == BodyKind::quadruped ? &wanted
                   : options.or_quadruped             ? &builtin_template("quadruped")
                                                      : nullptr) {}
@@ -275,7 +275,10 @@ private:
     void try_at_rest(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
                      const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
         core::Stopwatch stage;
-        const auto fit = fit_at_rest(*lead.body, wanted_);
+        std::vector<KnownPlace> known = known_;
+        for (auto& [joint, place] : known)
+            place = lead.body->similarity.to_canonical(place.template cast<Scalar>()).template cast<double>();
+        const auto fit = fit_at_rest(*lead.body, wanted_, known);
         out_.timings.refine += stage.lap();
         if (!fit) {
             refuse(entry, {Refusal::no_mirror, "no body at rest: the surface mirrors itself in no plane"});
@@ -463,6 +466,7 @@ private:
     const SkeletonTemplate& wanted_;
     const ExtractOptions& options_;
     Thoroughness thoroughness_;
+    std::vector<KnownPlace> known_;     ///< in the mesh's coordinates
     const SkeletonTemplate* animal_;    ///< looked for, too, or alone; none: people are looked for alone
     std::array<double, 2> likeliest_{}; ///< probability of each plan's skeletons
     double animal_in_draft_ = 0;        ///< probability of one there, until a finer curve tells
@@ -524,8 +528,8 @@ std::vector<std::string> warnings_of(const Found<Scalar>& found, const SkeletonT
 
 template <typename Scalar>
 Climb<Scalar> climb(const TriangleMesh<Scalar>& mesh, const SkeletonTemplate& wanted, const ExtractOptions& options,
-                    Thoroughness thoroughness) {
-    return detail::Ladder<Scalar>(mesh, wanted, options, thoroughness).run();
+                    Thoroughness thoroughness, std::vector<KnownPlace> known) {
+    return detail::Ladder<Scalar>(mesh, wanted, options, thoroughness, std::move(known)).run();
 }
 
 } // namespace skelgen::search

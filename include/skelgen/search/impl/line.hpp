@@ -40,7 +40,9 @@ PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const RestFit<Scalar
         refinement::refine(body, ends, fit.lines, fit.embedding, wanted, options.refinement);
     for (std::size_t j = 0; j < wanted.joints.size(); ++j) {
         const JointRole role = wanted.joints[j].role;
-        if (joints.is_present[j] && (role == wrist || role == hand || role == ankle || role == foot)) continue;
+        const bool is_known = std::find(fit.known.begin(), fit.known.end(), static_cast<int>(j)) != fit.known.end();
+        if (!is_known && joints.is_present[j] && (role == wrist || role == hand || role == ankle || role == foot))
+            continue;
         joints.positions.row(static_cast<Eigen::Index>(j)) = fit.joints.positions.row(static_cast<Eigen::Index>(j));
     }
     joints.head = std::nullopt; // head and trunk are not measured: they tell less than limbs which way a figure faces

@@ -285,12 +285,16 @@ inline std::array<RestFrame, 2> frames_of(const MirrorPlane& plane, const Places
               n.cross(-up).dot(ahead) < 0 ? -through[1] : through[1]}}};
 }
 
+inline Vec3d place_of(const RestModel& model, const SkeletonTemplate& wanted, int joint);
+
 /// Levenberg and Marquardt's method for the model's numbers.
 template <typename Distance>
 class RestSolver {
 public:
-    /// `places` in the model's coordinates; `distance`: from a place there to the surface.
-    RestSolver(std::vector<Vec3d> places, Distance distance) : places_(std::move(places)), distance_(distance) {}
+    /// `places` and what is `known` in the model's coordinates; `distance`: from a place there to the surface.
+    RestSolver(std::vector<Vec3d> places, std::vector<KnownPlace> known, const SkeletonTemplate& wanted,
+               Distance distance)
+        : places_(std::move(places)), known_(std::move(known)), wanted_(wanted), distance_(distance) {}
 
     struct Solution {
         RestNumbers numbers;
@@ -375,19 +379,27 @@ private:
         constexpr double on_surface = 0.02, in_middle = 0.03; // of the height: as much as counts 1
         constexpr double surface_weight = 6, middle_weight = 4, prior_weight = 0.5; // of all residuals of the kind
         static const RestNumbers deviations = prior_deviations();
+        constexpr double at_known = 0.005;
         const Eigen::Index places = laid.beyond.rows(), middles = laid.has_middles ? laid.off_middle.size() : 0;
-        Eigen::VectorXd out(places + middles + numbers);
+        Eigen::VectorXd out(places + middles + 3 * static_cast<Eigen::Index>(known_.size()) + numbers);
         for (Eigen::Index i = 0; i < places; ++i)
             out[i] = robust(laid.beyond.row(i).minCoeff() / on_surface) * surface_weight /
                      std::sqrt(static_cast<double>(places));
         for (Eigen::Index k = 0; k < middles; ++k)
             out[places + k] =
                 robust(laid.off_middle.data()[k] / in_middle) * middle_weight / std::sqrt(static_cast<double>(middles));
+        Eigen::Index next = places + middles;
+        for (const auto& [joint, place] : known_) {
+            out.segment<3>(next) = (place_of(laid.model, wanted_, joint) - place) / at_known;
+            next += 3;
+        }
         out.tail<numbers>() = prior_weight * (x - prior).cwiseQuotient(deviations);
         return out;
     }
 
     std::vector<Vec3d> places_;
+    std::vector<KnownPlace> known_;
+    const SkeletonTemplate& wanted_;
     Distance distance_;
 };
 
@@ -551,7 +563,8 @@ std::vector<MirrorPlane> mirror_planes(const Body<Scalar>& body) {
 }
 
 template <typename Scalar>
-std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>& body, const SkeletonTemplate& wanted) {
+std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>& body, const SkeletonTemplate& wanted,
+                                           const std::vector<KnownPlace>& known) {
     using detail::Vec3d;
     constexpr int few = 256, more = 512, many = 2048, first_rounds = 3, second_rounds = 4, last_rounds = 12;
     constexpr std::size_t most_seconds = 16, most_finals = 4;
@@ -575,12 +588,14 @@ std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>& body, const Skele
     const auto solver_for = [&](const detail::RestFrame& frame, const detail::Places& at) {
         std::vector<Vec3d> in_model;
         for (Eigen::Index i = 0; i < at.rows(); ++i) in_model.push_back(frame.to_model(at.row(i).transpose()));
+        std::vector<KnownPlace> known_in_model = known;
+        for (auto& [joint, place] : known_in_model) place = frame.to_model(place);
         const auto distance = [&body, frame](const Vec3d& place) {
             const Vec3d there = frame.to_body(place, 1);
             return static_cast<double>(body.tree.distance(body.mesh, Vector3<Scalar>(there.cast<Scalar>()))) /
                    frame.height;
         };
-        return detail::RestSolver(std::move(in_model), distance);
+        return detail::RestSolver(std::move(in_model), std::move(known_in_model), wanted, distance);
     };
     for (const MirrorPlane& plane : planes)
         for (const detail::RestFrame& frame : detail::frames_of(plane, cloud)) {
@@ -608,10 +623,15 @@ std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>& body, const Skele
 
     detail::RestModel model = detail::model_of(best.numbers);
     // Straight down: where feet point is for the cross-sections to see.
-    model.toe = model.ankle + Vec3d(0, -0.8 * model.bones[3].to_radius, 0);
+    if (std::none_of(known.begin(), known.end(),
+                     [&](const KnownPlace& one) { return wanted.joint(one.joint).role == JointRole::foot; }))
+        model.toe = model.ankle + Vec3d(0, -0.8 * model.bones[3].to_radius, 0);
     RestFit<Scalar> out;
     out.cost = best.cost;
     out.mirror = best.mirror;
+    for (const KnownPlace& one : known)
+        for (const int joint : {one.joint, counterpart(wanted, one.joint)})
+            if (joint >= 0) out.known.push_back(joint);
     out.skeleton_template = embedding::with_proportions(wanted, detail::proportions_of_model(model, wanted));
     const detail::RestFrame frame = best.frame;
     const auto in_body = [frame](const Vec3d& place, double side) -> Vector3<Scalar> {
