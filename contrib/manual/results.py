@@ -197,8 +197,9 @@ def speed(printed: str) -> str:
 
 
 def verbatim(printed: str) -> str:
-    """What a program printed, without what a build says before."""
-    lines = [line for line in printed.splitlines() if not re.match(r"\[\d+/\d+\]|ninja: |== ", line)]
+    """What a program printed, without what a build says before, folders, and single measures, which are hundreds."""
+    left_out = re.compile(r"\[\d+/\d+\]|ninja: |== |    [a-z_]+ +\d|  measure ")
+    lines = [re.sub(r"\S*/meshes/", "", line) for line in printed.splitlines() if not left_out.match(line)]
     return "```text\n" + "\n".join(lines).strip() + "\n```\n"
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "contrib/manual"))
 from characters import judge
-from results import rigs, speed
+from results import rigs, speed, verbatim
 
 SIDES = {"shoulder": (0.2, 1.4), "elbow": (0.45, 1.4), "wrist": (0.7, 1.4), "hand": (0.8, 1.4), "hip": (0.1, 0.9), "knee": (0.1, 0.5)}
 SIDES |= {"ankle": (0.1, 0.1), "foot": (0.1, 0.02)}
@@ -74,6 +74,8 @@ def test_tables() -> None:
     text = rigs("built\n" + head + row + other + "three                        refused: no body\n")
     assert "of 2 rigs" in text and "| 2.6 | 3.1 |" in text and "| -1 % | -5 % |" in text and "| 1 | 2 |" in text, text
     assert speed("== building\n| mesh | faces |\n|---|---|\n| a | 1 |\n\nGrows.\n") == "| mesh | faces |\n|---|---|\n| a | 1 |\n\nGrows.\n"
+    printed = "[1/2] Building\n/home/me/meshes/faust/1.off: neck by 0.01\n    girth_neck   1.9 %\n1 meshes\n"
+    assert verbatim(printed) == "```text\nfaust/1.off: neck by 0.01\n1 meshes\n```\n", verbatim(printed)
 
 
 if __name__ == "__main__":
