@@ -491,8 +491,7 @@ KinematicSkeleton<Scalar> skeleton_in_input(const Found<Scalar>& found, const Sk
     const Candidate<Scalar>& candidate = found.candidate;
     auto skeleton = with_confidence(candidate.skeleton, candidate.probability, candidate.doubt);
     // Not before: evidence is of people's legs, as what judges it was fitted to.
-    if (candidate.evidence[Witness::adapted] > 0)
-        skeleton = anatomy::with_legs_of_figure(std::move(skeleton), wanted);
+    if (candidate.evidence[Witness::adapted] > 0) skeleton = anatomy::with_legs_of_figure(std::move(skeleton), wanted);
     return surface::to_input(*found.body, skeleton);
 }
 
