@@ -16,13 +16,6 @@ template <typename Scalar>
 [[nodiscard]] KinematicSkeleton<Scalar> apply_joint_offsets(KinematicSkeleton<Scalar> skeleton,
                                                             const SkeletonTemplate& skeleton_template);
 
-/// The skeleton of a figure with its hips and knees lower by 6 % of the leg: who draws figures has their thighs begin
-/// nearer to where the legs part than people's do. Calibrated: medians of 20 characters by 7 makers; with one of four
-/// folds of makers left out 5 to 11 % (hips) and 4 to 13 % (knees). O(joints).
-template <typename Scalar>
-[[nodiscard]] KinematicSkeleton<Scalar> with_legs_of_figure(KinematicSkeleton<Scalar> skeleton,
-                                                            const SkeletonTemplate& skeleton_template);
-
 } // namespace skelgen::anatomy
 
 #ifdef SKELGEN_HEADER_ONLY
