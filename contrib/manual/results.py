@@ -15,8 +15,8 @@ from __future__ import annotations
 import argparse
 import datetime
 import json
-import platform
 import os
+import platform
 import re
 import statistics
 import subprocess
