@@ -3,6 +3,7 @@
 
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/error.hpp>
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/extract_hinted.hpp>
 #include <skelgen/io/read_mesh.hpp>
 
@@ -75,18 +76,30 @@ TEST_CASE("hints: what is no body's gets the skeleton that fits best, and hints 
 
 TEST_CASE("hints: the other side's joint goes where the surface mirrors the hint, without its confidence",
           "[extract][hints]") {
-    const auto mesh = test::load_fixture_body("standing-man").mesh;
+    const auto mesh = test::load_fixture_body("kneeling-boy").mesh;
     const auto found = extract(mesh);
-    const auto along = [&](const std::string& side) -> Vector3<double> { // in the middle of a forearm
-        return (place_of(found.skeleton, (side + "_elbow").c_str()) +
-                place_of(found.skeleton, (side + "_wrist").c_str())) /
-               2;
+    // A little farther up the arms than elbows were found: near enough for what was found to be taken and bent.
+    const double off = 0.06 * core::bounding_diagonal(mesh.vertices);
+    const auto higher = [&](const std::string& side) -> Vector3<double> {
+        const Vector3<double> elbow = place_of(found.skeleton, (side + "_elbow").c_str());
+        return elbow + off * (place_of(found.skeleton, (side + "_shoulder").c_str()) - elbow).normalized();
     };
-    const auto hinted = extract_hinted(mesh, {{"left_hand", along("left")}}).skeleton;
-    const double forearm = (place_of(found.skeleton, "right_elbow") - place_of(found.skeleton, "right_wrist")).norm();
-    CHECK(place_of(hinted, "left_hand") == along("left"));
-    CHECK((place_of(hinted, "right_hand") - along("right")).norm() < 0.3 * forearm);
-    CHECK(hinted.joints.at(static_cast<std::size_t>(find_joint(hinted, "right_hand"))).confidence < 1);
+    const auto hinted = extract_hinted(mesh, {{"left_elbow", higher("left")}}).skeleton;
+    CHECK(place_of(hinted, "left_elbow") == higher("left"));
+    CHECK((place_of(hinted, "right_elbow") - higher("right")).norm() < off / 2);
+    CHECK(hinted.joints.at(static_cast<std::size_t>(find_joint(hinted, "right_elbow"))).confidence < 1);
+}
+
+TEST_CASE("hints: the other side's joint stays where a body that is not the same on both sides has it",
+          "[extract][hints]") {
+    const auto mesh = test::load_fixture_body("walking-woman").mesh;
+    const auto found = extract(mesh).skeleton;
+    const double size = core::bounding_diagonal(mesh.vertices);
+    const Vector3<double> hand = place_of(found, "left_hand"), wrist = place_of(found, "left_wrist");
+    const Vector3<double> hint = hand + 0.03 * size * (wrist - hand).normalized();
+    const auto hinted = extract_hinted(mesh, {{"left_hand", hint}}).skeleton;
+    CHECK(place_of(hinted, "left_hand") == hint);
+    CHECK((place_of(hinted, "right_hand") - place_of(found, "right_hand")).norm() < 0.01 * size);
 }
 
 } // namespace
