@@ -4,11 +4,12 @@
 characters.py PROGRAM FOLDER [--jobs N]
 
 FOLDER/truth/NAME.json says which mesh in FOLDER/files or FOLDER/meshes it is of (`file` or `mesh`), and what is to be found.
-Keys are `expect` (`body`, `either` or `refuse`), `scale` (the largest extent), `joints`, `markers`. A mesh that has to be posed has an `animation` with
-`name` and `time`.
+Keys are `expect` (`body`, `either` or `refuse`), `scale` (the largest extent), `joints`, `markers`. A mesh that has to be posed has
+an `animation` with `name` and `time`.
 
 A skeleton is usable when its limbs and sides are the rig's, the median of its joints' errors is at most 0.04 of the extent and none
-is above 0.12. What is no body is right where it is refused, or answered below a confidence of 0.5 with a warning.
+is above 0.12. Of what may be `either` nothing is counted. What is no body is right where it is refused, or answered
+below a confidence of 0.5 with a warning.
 """
 
 from __future__ import annotations
@@ -89,8 +90,10 @@ def score(program: Path, folder: Path, jobs: int) -> dict:
             right = found[name] is None or (confidence < 0.5 and bool(quality.get("warnings")))
             refused[0] += right
             refused[1] += 1
+        elif truth["expect"] == "either":
+            continue
         else:
-            rigged = "joints" in truth
+            rigged = bool(truth.get("joints"))
             answered[rigged][0] += found[name] is not None
             answered[rigged][1] += 1
             right = not rigged

@@ -4,10 +4,13 @@
 from __future__ import annotations
 
 import copy
+import json
 import sys
+import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "contrib/manual"))
+import characters
 from characters import judge
 from results import rigs, speed, verbatim
 
@@ -67,6 +70,23 @@ def test_hands_marked_at_the_wrists() -> None:
     assert judge(known, found)[0]
 
 
+def test_counts() -> None:
+    """Of a right answer, a sure wrong one, a refusal, a body without a rig, a thing refused, one answered, and one that may be either."""
+    right, wrong = skeleton(), moved("", 0.2)
+    for found, confidence in ((right, 0.9), (wrong, 0.85)):
+        found["quality"] = {"sides_confidence": confidence, "warnings": []}
+    rigged, bare, thing = truth() | {"expect": "body"}, {"expect": "body", "joints": {}}, {"expect": "refuse"}
+    cases = [(rigged, right), (rigged, wrong), (rigged, None), (bare, right), (thing, None), (thing, wrong), ({"expect": "either"}, wrong)]
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "truth").mkdir()
+        for i, (known, _) in enumerate(cases):
+            (Path(folder) / f"truth/{i}.json").write_text(json.dumps(known | {"file": str(i)}))
+        characters.extract = lambda program, folder, known: cases[int(known["file"])][1]
+        found = characters.score(Path(), Path(folder), 1)
+    assert found["usable"] == (1, 3) and found["answered"] == (2, 3) and found["answered_without_rig"] == (1, 1), found
+    assert found["refused"] == (1, 2) and found["usable_above_0.8"] == (1, 2) and found["wrong_and_sure"] == ["1", "5"], found
+
+
 def test_tables() -> None:
     head = "body                         seconds      sums  2 limbs islands  stretch  above 3   volume     gaps   by rig   arms     back\n"
     row = "one                            0.100   1.0e-16    0.50%       0     2.10   0.010%     3.0%    0.10%   0.0010    1.0   0.0020\n"
@@ -81,4 +101,5 @@ def test_tables() -> None:
 if __name__ == "__main__":
     test_usable()
     test_hands_marked_at_the_wrists()
+    test_counts()
     test_tables()
