@@ -119,6 +119,7 @@ set(skelgen_core_headers
     include/skelgen/core/polyline.hpp
     include/skelgen/core/precision.hpp
     include/skelgen/core/refusal.hpp
+    include/skelgen/core/shortest_turn.hpp
     include/skelgen/core/shoulder_height.hpp
     include/skelgen/core/skeleton_template.hpp
     include/skelgen/core/sort_by_number.hpp

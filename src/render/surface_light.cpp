@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include <Eigen/Geometry>
+#include <skelgen/core/shortest_turn.hpp>
 
 #include "rasterize.hpp"
 
@@ -33,8 +33,7 @@ int direction_count(Eigen::Index faces) {
 
 /// The mesh turned so that `direction` is z, fitted into the shadow map; z in map samples too.
 Points<double> seen_from(const Vector3<double>& direction, const Points<double>& vertices) {
-    const Eigen::Matrix3d turn =
-        Eigen::Quaterniond::FromTwoVectors(direction, Vector3<double>::UnitZ()).toRotationMatrix();
+    const Eigen::Matrix3d turn = core::shortest_turn<double>(direction, Vector3<double>::UnitZ()).toRotationMatrix();
     Points<double> turned = vertices * turn.transpose();
     const Eigen::RowVector3d low = turned.colwise().minCoeff();
     const Eigen::RowVector3d high = turned.colwise().maxCoeff();

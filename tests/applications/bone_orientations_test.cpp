@@ -289,6 +289,14 @@ TEST_CASE("rest poses: faces, soles and palms stay as they are turned", "[applic
             CHECK((near[j].translation - near.front().translation).norm() < 1e-9);
         }
 
+    // So do hands, whatever their bones say: a wrist that is so bent was found off.
+    KinematicSkeleton<double> off = standing(8);
+    const Eigen::Vector3d wrist = off.joints[index_of("left_wrist")].position;
+    Eigen::Vector3d& hand = off.joints[index_of("left_hand")].position;
+    hand = wrist + about(60, Eigen::Vector3d::UnitY()) * (hand - wrist);
+    for (const RigidMotion<double>& of_joint : to_t_pose(off))
+        CHECK(of_joint.rotation.angularDistance(Rotation::Identity()) < 1e-6);
+
     // An arm that is bent more than the other is no rest pose; its hand goes with the forearm all the same.
     const auto bent = standing(40, 50);
     const auto unbent = to_t_pose(bent);

@@ -4,6 +4,7 @@
 
 #include <skelgen/applications/bind.hpp>
 #include <skelgen/applications/loose_pieces.hpp>
+#include <skelgen/core/shortest_turn.hpp>
 
 #include "catch.hpp"
 #include "human.hpp"
@@ -41,7 +42,7 @@ double followed(const Skin<double>& skin, Eigen::Index v, BodyPart part, Side si
 /// A rod of 8 mm from a place to another.
 TriangleMesh<double> rod(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
     TriangleMesh<double> out = test::capsule(0.008, (to - from).norm());
-    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), to - from);
+    const Eigen::Quaterniond turn = core::shortest_turn<double>(Eigen::Vector3d::UnitZ(), to - from);
     for (Eigen::Index v = 0; v < out.vertices.rows(); ++v)
         out.vertices.row(v) = (from + turn * out.vertices.row(v).transpose()).transpose();
     return out;

@@ -5,6 +5,7 @@
 
 #include <skelgen/applications/retarget.hpp>
 #include <skelgen/core/error.hpp>
+#include <skelgen/core/shortest_turn.hpp>
 #include <skelgen/io/bvh.hpp>
 #include <skelgen/io/rig_formats.hpp>
 
@@ -169,7 +170,7 @@ TEST_CASE("retargeting: bones folded into a line at rest", "[applications][clip]
             if (child.parent == static_cast<int>(j) && child.offset.x() == 0) bone = child.offset;
         if (clip.joints[j].name.ends_with("Arm") || clip.joints[j].name.ends_with("Shoulder"))
             bone = clip.joints[j + 1].offset;
-        to_line.push_back(Eigen::Quaterniond::FromTwoVectors(Vec::UnitX(), bone));
+        to_line.push_back(core::shortest_turn<double>(Vec::UnitX(), bone));
     }
     for (std::size_t j = 0; j < clip.joints.size(); ++j) {
         const int parent = clip.joints[j].parent;

@@ -15,6 +15,7 @@
 #include <skelgen/applications/skinning.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/shortest_turn.hpp>
 #include <skelgen/extract.hpp>
 
 #include "catch.hpp"
@@ -200,8 +201,8 @@ TEST_CASE("a flank stays with the trunk, also where an arm goes into it", "[appl
     // The arm points at the hip's outside.
     const Vector3<double> shoulder = place("left_shoulder");
     RigidMotion<double> inwards;
-    inwards.rotation.setFromTwoVectors(place("left_elbow") - shoulder,
-                                       place("left_hip") + (place("left_hip") - place("right_hip")) / 2 - shoulder);
+    inwards.rotation = core::shortest_turn<double>(
+        place("left_elbow") - shoulder, place("left_hip") + (place("left_hip") - place("right_hip")) / 2 - shoulder);
     inwards.translation = shoulder - inwards.rotation * shoulder;
     std::vector<RigidMotion<double>> motions(skeleton.joints.size());
     const std::vector<bool> is_arm = joints_below(human(), static_cast<int>(at("left_shoulder")));
@@ -301,6 +302,40 @@ TEST_CASE("cloth of finer edges than the body's stretches no more than that", "[
             most = std::max(most, (bent.row(a) - bent.row(b)).norm() / std::max(shortest, was));
         }
     CHECK(most < 3);
+}
+
+TEST_CASE("edges stretch no more than that from the pose that bends begin in", "[applications][rig]") {
+    const test::SampleBody& sample = test::sample_body();
+    const auto now = bone_orientations(sample.skeleton, human());
+    auto wanted = orientations_in<double>(RestPose::t_pose, human(), now, Eigen::Quaterniond::Identity());
+    const auto knee = static_cast<std::size_t>(find_joint(sample.skeleton, "left_knee"));
+    const std::vector<bool> below = joints_below(human(), static_cast<int>(knee));
+    const auto about = [](double angle) { return Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()); };
+    for (std::size_t j = 0; j < below.size(); ++j)
+        if (below[j]) wanted[j] = about(std::numbers::pi / 3) * wanted[j];
+    const auto to_rest = motions<double>(sample.skeleton, now, wanted, Eigen::Vector3d::Zero());
+    const Eigen::Vector3d joint = to_rest[knee](sample.skeleton.joints[knee].position);
+
+    const auto largest_stretch = [&](const Skin<double>& skin) {
+        const Points<double> rest = skinned(sample.mesh.vertices, skin, to_rest);
+        const double shortest = 0.001 * (rest.col(1).maxCoeff() - rest.col(1).minCoeff());
+        double most = 0;
+        for (const double angle : {-std::numbers::pi / 2, std::numbers::pi / 2}) {
+            std::vector<RigidMotion<double>> bend(below.size());
+            for (std::size_t j = 0; j < below.size(); ++j)
+                if (below[j]) bend[j] = {Eigen::Quaterniond(about(angle)), joint - about(angle) * joint};
+            const Points<double> bent = skinned_linearly(rest, skin, bend);
+            for (Eigen::Index f = 0; f < sample.mesh.faces.rows(); ++f)
+                for (int k = 0; k < 3; ++k) {
+                    const int a = sample.mesh.faces(f, k), b = sample.mesh.faces(f, (k + 1) % 3);
+                    most = std::max(most, (bent.row(a) - bent.row(b)).norm() /
+                                              std::max(shortest, (rest.row(a) - rest.row(b)).norm()));
+                }
+        }
+        return most;
+    };
+    CHECK(largest_stretch(applications::bind(sample.mesh, sample.body, sample.skeleton, human(), to_rest)) < 3.05);
+    CHECK(largest_stretch(bind(sample.mesh, sample.body, sample.skeleton, human())) > 3.05);
 }
 
 TEST_CASE("what cannot be bound is refused", "[applications][rig]") {

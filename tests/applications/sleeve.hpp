@@ -12,6 +12,7 @@
 #include <skelgen/applications/skinning.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
+#include <skelgen/core/shortest_turn.hpp>
 
 #include "human.hpp"
 #include "shapes.hpp"
@@ -28,7 +29,7 @@ inline TriangleMesh<double> sleeve(const KinematicSkeleton<double>& rest) {
     const Eigen::Vector3d from = (at("left_shoulder") + at("left_elbow")) / 2,
                           to = (at("left_elbow") + at("left_wrist")) / 2;
     TriangleMesh<double> tube = capsule(sleeve_radius, (to - from).norm());
-    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), to - from);
+    const Eigen::Quaterniond turn = core::shortest_turn<double>(Eigen::Vector3d::UnitZ(), to - from);
     for (Eigen::Index v = 0; v < tube.vertices.rows(); ++v)
         tube.vertices.row(v) = (from + turn * tube.vertices.row(v).transpose()).transpose();
     return tube;
@@ -51,8 +52,7 @@ inline TriangleMesh<double> prism(const KinematicSkeleton<double>& rest, double 
         const double angle = std::numbers::pi / 4 * (v % around);
         const Eigen::Vector3d off(0, sleeve_radius * std::cos(angle), sleeve_radius * std::sin(angle));
         out.vertices.row(v) =
-            (middle(v / around) + Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), along) * off)
-                .transpose();
+            (middle(v / around) + core::shortest_turn<double>(Eigen::Vector3d::UnitX(), along) * off).transpose();
     }
     out.vertices.row(ends) = middle(0).transpose();
     out.vertices.row(ends + 1) = middle(rings - 1).transpose();

@@ -1,3 +1,4 @@
+#include <skelgen/core/shortest_turn.hpp>
 #include <skelgen/hands/find_hands.hpp>
 
 #include <algorithm>
@@ -149,7 +150,7 @@ TEST_CASE("a hand of many pieces is one", "[hands]") {
     std::vector<std::array<int, 3>> faces;
     const auto add = [&](const Vec3& from, const Vec3& to, double radius) {
         const Mesh piece = capsule(radius, (to - from).norm(), 12, 6);
-        const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), to - from);
+        const Eigen::Quaterniond turn = core::shortest_turn<double>(Vec3::UnitZ(), to - from);
         const int first = static_cast<int>(vertices.size());
         for (Eigen::Index v = 0; v < piece.vertices.rows(); ++v)
             vertices.emplace_back(from + turn * Vec3(piece.vertices.row(v)));

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include <skelgen/applications/posing.hpp>
 #include <skelgen/applications/skinning.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
@@ -24,12 +27,13 @@ template <typename Scalar>
 /// Binds a mesh to its skeleton: heat weights on the closed surface around all of its pieces, as it is and at rest
 /// alike, carried over to each vertex from the place that stands for it, so that pieces move with what they lie on and
 /// seams stay closed, and no edge of the mesh stretches too far (`with_bounded_stretch`). Where mesh and skeleton
-/// mirror themselves, weights do. `skeleton` in the mesh's coordinates, `body` made of that mesh (`extract`). \throws
-/// Error no_skeleton where the skeleton does not lie in the body; usage when it is not of that template, or the body
-/// was made of another mesh.
+/// mirror themselves, weights do. `skeleton` in the mesh's coordinates, `body` made of that mesh (`extract`), `to_rest`
+/// what brings each joint to the pose that it will be bent from; none: the T-pose. \throws Error no_skeleton where the
+/// skeleton does not lie in the body; usage when it is not of that template, or the body was made of another mesh.
 template <typename Scalar>
 [[nodiscard]] Skin<Scalar> bind(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
-                                const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template);
+                                const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
+                                const std::vector<RigidMotion<Scalar>>& to_rest = {});
 
 } // namespace skelgen::applications
 

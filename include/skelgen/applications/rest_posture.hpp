@@ -25,9 +25,10 @@ template <typename Scalar>
 /// As `rest_motions`, but what lies within some degrees of the rest pose stays as it is: the trunk (15 degrees; its
 /// joints 30, where all of it is so upright), arms (12) and legs (15) of both sides, soles (35, or whatever they do
 /// below legs that are down within 35) and the head (25, or whatever it does where the trunk is upright within 25),
-/// these two as they are turned in the world. Arms that are bent by less than 60 degrees are laid where they are wanted
-/// without a turn about themselves, and hands go with the forearms. Arms that are raised or lowered take the shoulders
-/// along as people's do. `now`: as of `posture`. O(joints). \throws Error as `rest_motions`.
+/// these two as they are turned in the world. Hands of arms that stay do so, too. Arms that are bent by less than 60
+/// degrees are laid where they are wanted without a turn about themselves, and hands go with the forearms. Arms that
+/// are raised or lowered take the shoulders along as people's do. `now`: as of `posture`. O(joints). \throws Error as
+/// `rest_motions`.
 template <typename Scalar>
 [[nodiscard]] std::vector<RigidMotion<Scalar>>
 posture_motions(RestPose pose, const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,

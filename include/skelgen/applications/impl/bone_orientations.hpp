@@ -10,6 +10,7 @@
 #include <skelgen/applications/canonical_frame.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/precision.hpp>
+#include <skelgen/core/shortest_turn.hpp>
 
 namespace skelgen::applications {
 namespace detail {
@@ -178,7 +179,8 @@ Orientations<Scalar> bone_orientations(const KinematicSkeleton<Scalar>& skeleton
             continue;
         }
         const Rotation carried = from_parent * axes[j];
-        const Rotation least_turn = Rotation::FromTwoVectors(carried * Vector3<Scalar>::UnitY(), direction) * carried;
+        const Rotation least_turn =
+            core::shortest_turn<Scalar>(carried * Vector3<Scalar>::UnitY(), direction) * carried;
         const Vector3<Scalar> seen =
             detail::seen_bending_axis(bones, joint, detail::rest_toe_out(rest_bones, joint.side));
         const Vector3<Scalar> across = (seen - seen.dot(direction) * direction) +
@@ -202,10 +204,9 @@ Orientations<Scalar> bone_axes(const KinematicSkeleton<Scalar>& skeleton, const 
         const Eigen::Quaternion<Scalar> turned = (orientations[j] * rest[j]).normalized();
         const Vector3<Scalar> bone = bones.of(static_cast<int>(j));
         const bool has_bone = !bone.isZero(0);
-        out.push_back(
-            has_bone ? (Eigen::Quaternion<Scalar>::FromTwoVectors(turned * Vector3<Scalar>::UnitY(), bone) * turned)
-                           .normalized()
-                     : turned);
+        out.push_back(has_bone
+                          ? (core::shortest_turn<Scalar>(turned * Vector3<Scalar>::UnitY(), bone) * turned).normalized()
+                          : turned);
     }
     return out;
 }

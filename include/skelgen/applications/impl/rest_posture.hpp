@@ -10,6 +10,7 @@
 #include <optional>
 
 #include <skelgen/applications/bones.hpp>
+#include <skelgen/core/shortest_turn.hpp>
 
 namespace skelgen::applications {
 namespace detail {
@@ -182,7 +183,7 @@ private:
     void swing(int j, const Eigen::Quaternion<Scalar>& carried) {
         Eigen::Quaternion<Scalar>& wanted = wanted_[static_cast<std::size_t>(j)];
         const Vector3<Scalar> to = wanted * stance_->rest_bone(j);
-        wanted = Eigen::Quaternion<Scalar>::FromTwoVectors(carried * stance_->bone(j), to) * carried * stance_->turn(j);
+        wanted = core::shortest_turn<Scalar>(carried * stance_->bone(j), to) * carried * stance_->turn(j);
         wanted.normalize();
     }
 
@@ -198,14 +199,14 @@ private:
         swing(elbow, chest); // not with the upper arm: two swings in a row would turn the palm
     }
 
-    /// Hands go with the forearms; a bent wrist is straightened, but not turned about the arm.
+    /// Hands go with the forearms; a bent wrist of an arm that is moved is straightened, but not turned about the arm.
     void carry_hand(Side side) {
         constexpr Scalar bent = Scalar(45 * degree);
         const int elbow = find_joint(*template_, JointRole::elbow, side);
         const int wrist = find_joint(*template_, JointRole::wrist, side);
         const int hand = find_joint(*template_, JointRole::hand, side);
         if (!stance_->is_present(elbow) || !stance_->is_present(wrist)) return;
-        const bool is_bent = angle_between<Scalar>(stance_->bone(elbow), stance_->bone(wrist)) > bent;
+        const bool is_bent = !stays_arms_ && angle_between<Scalar>(stance_->bone(elbow), stance_->bone(wrist)) > bent;
         const auto follow = [&](int j, const Eigen::Quaternion<Scalar>& carried) {
             wanted_[static_cast<std::size_t>(j)] = (carried * stance_->turn(j)).normalized();
         };
@@ -269,7 +270,7 @@ Orientations<Scalar> posture(const KinematicSkeleton<Scalar>& skeleton, const Sk
         switch (joint.role) {
         case JointRole::shoulder:
         case JointRole::elbow:
-            out[i] = back * Rotation::FromTwoVectors(stance.rest_bone(j), stance.bone(j));
+            out[i] = back * core::shortest_turn<Scalar>(stance.rest_bone(j), stance.bone(j));
             break;
         case JointRole::wrist:
         case JointRole::hand:

@@ -15,6 +15,7 @@
 #include <skelgen/applications/bones.hpp>
 #include <skelgen/applications/clip_body.hpp>
 #include <skelgen/core/error.hpp>
+#include <skelgen/core/shortest_turn.hpp>
 
 namespace skelgen::applications {
 namespace detail {
@@ -212,7 +213,7 @@ inline Orientations<double> held_at_rest(const ClipBody& body, const ClipShape& 
         }
         const Vector3<double> bone = shape.at(guides.to) - shape.at(guides.from);
         const Vector3<double> unturned = parent * axes[j] * Vector3<double>::UnitY();
-        held.push_back((Eigen::Quaterniond::FromTwoVectors(unturned, bone) * parent).normalized());
+        held.push_back((core::shortest_turn<double>(unturned, bone) * parent).normalized());
     }
     return held;
 }
@@ -240,7 +241,7 @@ inline ClipReference clip_reference(const MotionClip& clip, const ClipBody& body
     if (!at_rest.shows_body()) { // bones folded into a line, say: the motion alone says what they are
         if (clip.frames.rows() > 0) out.pose = pose_in(clip, 0);
         out.to_canonical =
-            Eigen::Quaterniond::FromTwoVectors(nearest_axis(mean_upwards(clip, body)), Vector3<double>::UnitY());
+            core::shortest_turn<double>(nearest_axis(mean_upwards(clip, body)), Vector3<double>::UnitY());
         out.held = bone_orientations(ClipShape(body, out.pose).as_template(clip, skeleton_template), skeleton_template);
         return out;
     }
@@ -274,7 +275,7 @@ public:
             Eigen::Quaterniond turn = to_canonical_ * mean_turn(pose, guides.turned_by) * held_[j];
             if (guides.from >= 0) {
                 const Vector3<double> bone = to_canonical_ * (shape.at(guides.to) - shape.at(guides.from));
-                turn = Eigen::Quaterniond::FromTwoVectors(turn * axes_[j] * Vector3<double>::UnitY(), bone) * turn;
+                turn = core::shortest_turn<double>(turn * axes_[j] * Vector3<double>::UnitY(), bone) * turn;
             }
             out.push_back(turn.normalized());
         }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include <skelgen/applications/bind.hpp>
 #include <skelgen/applications/bone_orientations.hpp>
@@ -86,8 +87,6 @@ Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
                      const RigOptions& options) {
     Rig<Scalar> rig;
     rig.rest = options.rest;
-    rig.skin = bind(mesh, body, skeleton, skeleton_template);
-
     const auto seen = rotation_to_canonical(skeleton.frame.left, upright(mesh, skeleton, skeleton_template));
     const auto axes_to_axes = along_axes(seen);
     const Eigen::Quaternion<Scalar> by_axes = axes_to_axes.value_or(seen);
@@ -96,6 +95,10 @@ Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
     const Eigen::Quaternion<Scalar> to_canonical = aside.conjugate() * by_axes;
     const Orientations<Scalar> now = posture(skeleton, skeleton_template, to_canonical);
     auto motion = posture_motions(options.rest, skeleton, skeleton_template, now, to_canonical);
+    // What lies squeezed in the crease of a bent joint says nothing of how far it may stretch: bends as it is count
+    // from the T-pose.
+    const auto& from = options.rest == RestPose::as_is ? std::vector<RigidMotion<Scalar>>() : motion;
+    rig.skin = applications::bind(mesh, body, skeleton, skeleton_template, from); // not std::bind
     for (RigidMotion<Scalar>& of_joint : motion)
         of_joint = {(aside * of_joint.rotation).normalized(), aside * of_joint.translation};
     rig.mesh = {skinned(mesh.vertices, rig.skin, motion), outward_faces(mesh, body)};
