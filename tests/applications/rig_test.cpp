@@ -180,11 +180,11 @@ TEST_CASE("pieces and seams are bound like what they lie on", "[applications][ri
     const TriangleMesh<double> pieces = test::side_by_side(soup, button);
     const Skin<double> skin = bind(pieces, extract(pieces).body, sample.skeleton, human());
     REQUIRE(skin.weights.rows() == soup.vertices.rows() + button.vertices.rows());
-    for (int i = 0; i < static_cast<int>(sample.mesh.faces.size());
-         ++i) { // a soup is put right at places rounded to 6e-8
-        const int v = sample.mesh.faces.data()[i];
-        if ((skin.weights.row(i) - whole.weights.row(v)).cwiseAbs().maxCoeff() > 1e-5) FAIL("corner " << i);
-    }
+    double most = 0;
+    for (int i = 0; i < static_cast<int>(sample.mesh.faces.size()); ++i)
+        most = std::max(most,
+                        (skin.weights.row(i) - whole.weights.row(sample.mesh.faces.data()[i])).cwiseAbs().maxCoeff());
+    CHECK(most < 5e-5); // a soup is put right at places rounded to 6e-8, which rounds of bounds enlarge
     for (Eigen::Index v = soup.vertices.rows(); v < skin.weights.rows(); ++v)
         CHECK(part_of(human().joint(skin.joints(v, 0)).role) == BodyPart::trunk);
 }
@@ -319,23 +319,24 @@ TEST_CASE("edges stretch no more than that from the pose that bends begin in", "
     const auto largest_stretch = [&](const Skin<double>& skin) {
         const Points<double> rest = skinned(sample.mesh.vertices, skin, to_rest);
         const double shortest = 0.001 * (rest.col(1).maxCoeff() - rest.col(1).minCoeff());
+        std::vector<RigidMotion<double>> bend(below.size());
+        const auto quarter = about(std::numbers::pi / 2);
+        for (std::size_t j = 0; j < below.size(); ++j)
+            if (below[j]) bend[j] = {Eigen::Quaterniond(quarter), joint - quarter * joint};
+        const Points<double> bent = skinned_linearly(rest, skin, bend);
         double most = 0;
-        for (const double angle : {-std::numbers::pi / 2, std::numbers::pi / 2}) {
-            std::vector<RigidMotion<double>> bend(below.size());
-            for (std::size_t j = 0; j < below.size(); ++j)
-                if (below[j]) bend[j] = {Eigen::Quaterniond(about(angle)), joint - about(angle) * joint};
-            const Points<double> bent = skinned_linearly(rest, skin, bend);
-            for (Eigen::Index f = 0; f < sample.mesh.faces.rows(); ++f)
-                for (int k = 0; k < 3; ++k) {
-                    const int a = sample.mesh.faces(f, k), b = sample.mesh.faces(f, (k + 1) % 3);
-                    most = std::max(most, (bent.row(a) - bent.row(b)).norm() /
-                                              std::max(shortest, (rest.row(a) - rest.row(b)).norm()));
-                }
-        }
+        for (Eigen::Index f = 0; f < sample.mesh.faces.rows(); ++f)
+            for (int k = 0; k < 3; ++k) {
+                const int a = sample.mesh.faces(f, k), b = sample.mesh.faces(f, (k + 1) % 3);
+                most = std::max(most, (bent.row(a) - bent.row(b)).norm() /
+                                          std::max(shortest, (rest.row(a) - rest.row(b)).norm()));
+            }
         return most;
     };
-    CHECK(largest_stretch(applications::bind(sample.mesh, sample.body, sample.skeleton, human(), to_rest)) < 3.05);
-    CHECK(largest_stretch(bind(sample.mesh, sample.body, sample.skeleton, human())) > 3.05);
+    auto axes = rest_axes<double>(human());
+    for (std::size_t j = 0; j < axes.size(); ++j) axes[j] = wanted[j] * axes[j];
+    CHECK(largest_stretch(applications::bind(sample.mesh, sample.body, sample.skeleton, human(), to_rest, axes)) < 2.5);
+    CHECK(largest_stretch(bind(sample.mesh, sample.body, sample.skeleton, human())) > 2.5);
 }
 
 TEST_CASE("what cannot be bound is refused", "[applications][rig]") {

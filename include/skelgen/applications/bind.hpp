@@ -28,12 +28,14 @@ template <typename Scalar>
 /// alike, carried over to each vertex from the place that stands for it, so that pieces move with what they lie on and
 /// seams stay closed, and no edge of the mesh stretches too far (`with_bounded_stretch`). Where mesh and skeleton
 /// mirror themselves, weights do. `skeleton` in the mesh's coordinates, `body` made of that mesh (`extract`), `to_rest`
-/// what brings each joint to the pose that it will be bent from; none: the T-pose. \throws Error no_skeleton where the
-/// skeleton does not lie in the body; usage when it is not of that template, or the body was made of another mesh.
+/// what brings each joint to the pose that it will be bent from, `axes_at_rest` its axes there (`bone_axes`); none: the
+/// T-pose. \throws Error no_skeleton where the skeleton does not lie in the body; usage when it is not of that
+/// template, or the body was made of another mesh.
 template <typename Scalar>
 [[nodiscard]] Skin<Scalar> bind(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
                                 const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
-                                const std::vector<RigidMotion<Scalar>>& to_rest = {});
+                                const std::vector<RigidMotion<Scalar>>& to_rest = {},
+                                const Orientations<Scalar>& axes_at_rest = {});
 
 } // namespace skelgen::applications
 

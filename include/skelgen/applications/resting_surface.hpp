@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include <skelgen/applications/bone_orientations.hpp>
 #include <skelgen/applications/canonical_frame.hpp>
 #include <skelgen/applications/heat_weights.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
@@ -15,6 +16,7 @@ struct RestingSurface {
     const Points<Scalar>& as_is;                     ///< where its vertices are
     const std::vector<RigidMotion<Scalar>>& motions; ///< per joint, to rest
     const KinematicSkeleton<Scalar>& skeleton;       ///< at rest
+    const Orientations<Scalar>& axes;                ///< per joint at rest: elbows and knees bend about x, forwards
 };
 
 /// Where the vertices named by `rows` are at rest, in their order: `skinned` by their four strongest joints.

@@ -30,7 +30,7 @@ public:
               const SkeletonTemplate& skeleton_template, int hinge)
         : surface_(surface), is_below_(joints_below(skeleton_template, hinge)),
           joint_(surface.skeleton.joints[static_cast<std::size_t>(hinge)].position) {
-        const auto axes = rest_axes<Scalar>(skeleton_template)[static_cast<std::size_t>(hinge)];
+        const auto axes = surface.axes[static_cast<std::size_t>(hinge)];
         bend_ = Eigen::AngleAxis<Accumulator>(std::numbers::pi / 2,
                                               (axes * Vector3<Scalar>::UnitX()).template cast<Accumulator>());
         const Points<Scalar> rest = at_rest(surface, weights);
@@ -141,7 +141,8 @@ private:
 
     /// What a bend changes of what is below and above, as shares of their volumes.
     [[nodiscard]] Eigen::Vector2<Accumulator> changes(Accumulator log_odds) {
-        const Points<Scalar> rest = at_rest<Scalar>({as_is_, surface_.motions, surface_.skeleton}, moved(log_odds));
+        const Points<Scalar> rest =
+            at_rest<Scalar>({as_is_, surface_.motions, surface_.skeleton, surface_.axes}, moved(log_odds));
         for (std::size_t i = 0; i < between_.size(); ++i)
             places_[static_cast<std::size_t>(between_[i])] = from_joint(rest, static_cast<Eigen::Index>(i));
         Part above, below;

@@ -128,7 +128,8 @@ JointWeights body_weights(const Body<Scalar>& body, const KinematicSkeleton<Scal
 
     const std::vector<RigidMotion<Scalar>> motions = to_t_pose(skeleton, skeleton_template);
     const KinematicSkeleton<Scalar> bones_at_rest = moved(skeleton, skeleton_template, motions);
-    const RestingSurface<Scalar> surface{body.mesh.vertices, motions, bones_at_rest};
+    const Orientations<Scalar> axes = rest_axes<Scalar>(skeleton_template);
+    const RestingSurface<Scalar> surface{body.mesh.vertices, motions, bones_at_rest, axes};
     Body<Scalar> rest = body;
     rest.mesh.vertices = at_rest(surface, first);
     rest.tree = surface::FaceTree<Scalar>(rest.mesh);
@@ -146,7 +147,8 @@ JointWeights body_weights(const Body<Scalar>& body, const KinematicSkeleton<Scal
 template <typename Scalar>
 JointWeights fitted_to_edges(JointWeights weights, const TriangleMesh<Scalar>& mesh,
                              const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
-                             const LimbRegions& regions, const std::vector<RigidMotion<Scalar>>& to_rest) {
+                             const LimbRegions& regions, const std::vector<RigidMotion<Scalar>>& to_rest,
+                             const Orientations<Scalar>& axes) {
     constexpr core::Accumulator tolerated = 0.03; // what nobody sees; few and large faces would make others of it
     const auto welded = surface::weld(mesh, Scalar(0));
     JointWeights joined = JointWeights::Zero(welded.mesh.vertices.rows(), weights.cols());
@@ -154,7 +156,7 @@ JointWeights fitted_to_edges(JointWeights weights, const TriangleMesh<Scalar>& m
         if (welded.placed[v] >= 0) joined.row(welded.placed[v]) = weights.row(static_cast<Eigen::Index>(v));
     const Triangles& faces = welded.mesh.faces;
     const KinematicSkeleton<Scalar> at_rest = moved(skeleton, skeleton_template, to_rest);
-    const RestingSurface<Scalar> surface{welded.mesh.vertices, to_rest, at_rest};
+    const RestingSurface<Scalar> surface{welded.mesh.vertices, to_rest, at_rest, axes};
     const auto bounded = [&](JointWeights of) {
         return with_bounded_stretch(std::move(of), surface, faces, skeleton_template, regions.of_joint);
     };
@@ -217,7 +219,8 @@ std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>& body, const Tria
 
 template <typename Scalar>
 Skin<Scalar> bind(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
-                  const SkeletonTemplate& skeleton_template, const std::vector<RigidMotion<Scalar>>& to_rest) {
+                  const SkeletonTemplate& skeleton_template, const std::vector<RigidMotion<Scalar>>& to_rest,
+                  const Orientations<Scalar>& axes_at_rest) {
     if (2 * detail::joints_inside(body, skeleton) <= static_cast<int>(skeleton.joints.size()))
         throw Error(ErrorCode::no_skeleton, "the skeleton does not lie in the mesh: take that which was found in it");
     const KinematicSkeleton<Scalar> of_body = surface::to_body(body, skeleton);
@@ -236,7 +239,8 @@ Skin<Scalar> bind(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body, co
     carried = with_loose_pieces(std::move(carried), mesh, body, gaps, of_body, skeleton_template);
     carried = following_one_limb(std::move(carried), skeleton_template);
     carried = detail::fitted_to_edges(std::move(carried), mesh, skeleton, skeleton_template, regions,
-                                      to_rest.empty() ? detail::to_t_pose(skeleton, skeleton_template) : to_rest);
+                                      to_rest.empty() ? detail::to_t_pose(skeleton, skeleton_template) : to_rest,
+                                      to_rest.empty() ? rest_axes<Scalar>(skeleton_template) : axes_at_rest);
     carried = detail::mirrored_evenly(std::move(carried), mesh, skeleton, skeleton_template);
     return strongest_influences<Scalar>(carried.cast<Scalar>());
 }

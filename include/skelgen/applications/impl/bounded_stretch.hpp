@@ -22,13 +22,18 @@ class StretchBound {
     using Accumulator = core::Accumulator;
 
 public:
-    StretchBound(const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
+    StretchBound(const RestingSurface<Scalar>& surface, const SkeletonTemplate& skeleton_template,
                  const TriangleMesh<Scalar>& rest)
-        : skeleton_(skeleton), template_(skeleton_template), shortest_(std::sqrt(core::surface_area(rest)) / 1000) {
+        : skeleton_(surface.skeleton), template_(skeleton_template),
+          shortest_(std::sqrt(core::surface_area(rest)) / 1000) {
         Eigen::AlignedBox<Scalar, 3> box;
         for (Eigen::Index v = 0; v < rest.vertices.rows(); ++v) box.extend(core::point(rest.vertices, v));
-        for (const Joint<Scalar>& joint : skeleton.joints) box.extend(joint.position);
+        for (const Joint<Scalar>& joint : skeleton_.joints) box.extend(joint.position);
         farthest_ = 2 * box.diagonal().norm(); // vertices move a little with their weights
+        for (const Eigen::Quaternion<Scalar>& axes : surface.axes) {
+            const Eigen::AngleAxis<Scalar> bend(Scalar(std::numbers::pi / 2), axes * Vector3<Scalar>::UnitX());
+            moved_by_bend_.push_back(bend.toRotationMatrix() - Eigen::Matrix3<Scalar>::Identity());
+        }
     }
 
     /// The part of their difference that the rows of an edge's ends may keep: 1 where it is not stretched too far.
@@ -38,28 +43,49 @@ public:
         const auto may_grow = static_cast<Accumulator>((most - 1) * std::max(shortest_, (to - from).norm()));
         const auto harmless = may_grow / static_cast<Accumulator>(moved(farthest_)); // whatever the joint
         if ((weights.row(a) - weights.row(b)).cwiseAbs().sum() < harmless) return 1;
-        Eigen::RowVectorX<Accumulator> below = weights.row(a) - weights.row(b); // then also of those below a joint
+        // Of each end, then also what follows the joints below a joint.
+        Eigen::RowVectorX<Accumulator> one = weights.row(a), other = weights.row(b);
         Accumulator part = 1;
-        for (Eigen::Index j = below.size(); j-- > 1;) {
+        for (Eigen::Index j = one.size(); j-- > 1;) {
             const TemplateJoint& joint = template_.joints[static_cast<std::size_t>(j)];
-            const Accumulator difference = std::abs(below[j]);
+            const Accumulator difference = std::abs(one[j] - other[j]);
             if (part_of(joint.role) != BodyPart::trunk && difference >= harmless) {
                 const Vector3<Scalar>& place = skeleton_.joints[static_cast<std::size_t>(j)].position;
                 part = std::min(part, may_grow / static_cast<Accumulator>(moved((middle - place).norm())) / difference);
+                if (joint.role == JointRole::elbow || joint.role == JointRole::knee)
+                    part = std::min(part, kept_at_hinge(from - place, to - place, one[j], other[j],
+                                                        moved_by_bend_[static_cast<std::size_t>(j)]));
             }
-            below[joint.parent] += below[j];
+            one[joint.parent] += one[j];
+            other[joint.parent] += other[j];
         }
         return part;
     }
 
 private:
+    /// The same of a joint that bends one way: by where that takes the ends, `from` and `to` of the joint.
+    [[nodiscard]] Accumulator kept_at_hinge(const Vector3<Scalar>& from, const Vector3<Scalar>& to, Accumulator of_from,
+                                            Accumulator of_to, const Eigen::Matrix3<Scalar>& bend) const {
+        constexpr auto most = Scalar(1.9); // times its length
+        const Vector3<Scalar> edge = to - from;
+        const Scalar longest = most * std::max(shortest_, edge.norm());
+        // The bent edge, if the ends' shares differ by t times as much: even - t uneven.
+        const Vector3<Scalar> even = edge + Scalar((of_from + of_to) / 2) * (bend * edge);
+        const Vector3<Scalar> uneven = Scalar((of_from - of_to) / 2) * (bend * (from + to));
+        if ((even - uneven).norm() <= longest) return 1;
+        const Scalar along = even.dot(uneven), square = uneven.squaredNorm();
+        const Scalar root = along * along - square * (even.squaredNorm() - longest * longest);
+        return static_cast<Accumulator>(std::max(Scalar(0), (along + std::sqrt(std::max(Scalar(0), root))) / square));
+    }
+
     /// How far a bend by 90 degrees moves what is so far from the joint.
     static Scalar moved(Scalar distance) { return std::numbers::sqrt2_v<Scalar> * distance; }
 
     const KinematicSkeleton<Scalar>& skeleton_;
     const SkeletonTemplate& template_;
-    Scalar shortest_; ///< what a shorter edge counts as
-    Scalar farthest_; ///< no vertex is so far from a joint
+    Scalar shortest_;                                   ///< what a shorter edge counts as
+    Scalar farthest_;                                   ///< no vertex is so far from a joint
+    std::vector<Eigen::Matrix3<Scalar>> moved_by_bend_; ///< per joint: takes a place, seen from it, to how it is moved
 };
 
 /// The limb that a vertex follows most, -1 where it follows none.
@@ -99,27 +125,32 @@ JointWeights with_bounded_stretch(JointWeights weights, const RestingSurface<Sca
     for (Eigen::Index v = 0; v < weights.rows(); ++v) limb.push_back(detail::strongest_limb(weights, v, limb_of_joint));
     const std::vector<std::array<int, 2>> edges = detail::edges_of_limbs(faces, limb);
     Points<Scalar> rest = at_rest(surface, weights);
-    const detail::StretchBound<Scalar> bound(surface.skeleton, skeleton_template, {rest, faces});
-    std::vector<int> last(limb.size(), 0), changed; ///< `last`: the round before which each vertex was last changed
-    for (int round = 0; round < rounds; ++round) {
+    const detail::StretchBound<Scalar> bound(surface, skeleton_template, {rest, faces});
+    // What edges want of a vertex counts alike, so that the order in which they come says nothing.
+    std::vector<int> last(limb.size(), 0), wanted(limb.size(), 0), changed; // `last`: the round that changed it, from 1
+    JointWeights changes = JointWeights::Zero(weights.rows(), weights.cols());
+    for (int round = 1; round <= rounds; ++round) {
         changed.clear();
-        const auto change = [&](int v) {
-            int& of_vertex = last[static_cast<std::size_t>(v)];
-            if (of_vertex <= round) changed.push_back(v);
-            of_vertex = round + 1;
+        const auto want = [&](int v, const Eigen::RowVectorX<core::Accumulator>& change) {
+            if (wanted[static_cast<std::size_t>(v)]++ == 0) changed.push_back(v);
+            changes.row(v) += change;
         };
         for (const auto& [a, b] : edges) {
-            if (last[static_cast<std::size_t>(a)] < round && last[static_cast<std::size_t>(b)] < round) continue;
+            if (last[static_cast<std::size_t>(a)] < round - 1 && last[static_cast<std::size_t>(b)] < round - 1)
+                continue;
             const core::Accumulator part = bound.kept(weights, rest, a, b);
             if (!(part < 1)) continue;
-            change(a);
-            change(b);
-            const Eigen::RowVectorX<core::Accumulator> middle = (weights.row(a) + weights.row(b)) / 2;
-            const Eigen::RowVectorX<core::Accumulator> off = part * (weights.row(a) - middle);
-            weights.row(a) = middle + off;
-            weights.row(b) = middle - off;
+            const Eigen::RowVectorX<core::Accumulator> nearer = (1 - part) / 2 * (weights.row(b) - weights.row(a));
+            want(a, nearer);
+            want(b, -nearer);
         }
         if (changed.empty()) break;
+        for (const int v : changed) {
+            weights.row(v) += changes.row(v) / wanted[static_cast<std::size_t>(v)];
+            changes.row(v).setZero();
+            wanted[static_cast<std::size_t>(v)] = 0;
+            last[static_cast<std::size_t>(v)] = round;
+        }
         rest(changed, Eigen::all) = at_rest(surface, weights, changed);
     }
     return weights;

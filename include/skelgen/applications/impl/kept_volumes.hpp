@@ -82,8 +82,7 @@ public:
             to_[i] = bone_end(surface.skeleton, skeleton_template, joints_[i]).template cast<Accumulator>();
         }
         const Vector axis =
-            (rest_axes<Scalar>(skeleton_template)[static_cast<std::size_t>(hinge)] * Vector3<Scalar>::UnitX())
-                .template cast<Accumulator>();
+            (surface.axes[static_cast<std::size_t>(hinge)] * Vector3<Scalar>::UnitX()).template cast<Accumulator>();
         bend_ = Eigen::AngleAxis<Accumulator>(std::numbers::pi_v<Accumulator> / 2, axis);
         take_faces_near(weights, faces);
         take_between(weights);
@@ -174,7 +173,8 @@ private:
     }
 
     [[nodiscard]] VolumeChanges changes(const JointWeights& of_between, Accumulator most) {
-        const Points<Scalar> rest = at_rest<Scalar>({as_is_, surface_.motions, surface_.skeleton}, of_between);
+        const Points<Scalar> rest =
+            at_rest<Scalar>({as_is_, surface_.motions, surface_.skeleton, surface_.axes}, of_between);
         for (std::size_t i = 0; i < between_.size(); ++i) {
             const auto row = static_cast<Eigen::Index>(i);
             const auto v = static_cast<std::size_t>(between_[i]);

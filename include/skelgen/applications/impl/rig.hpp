@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 #include <skelgen/applications/bind.hpp>
 #include <skelgen/applications/bone_orientations.hpp>
@@ -95,17 +94,20 @@ Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
     const Eigen::Quaternion<Scalar> to_canonical = aside.conjugate() * by_axes;
     const Orientations<Scalar> now = posture(skeleton, skeleton_template, to_canonical);
     auto motion = posture_motions(options.rest, skeleton, skeleton_template, now, to_canonical);
-    // What lies squeezed in the crease of a bent joint says nothing of how far it may stretch: bends as it is count
-    // from the T-pose.
-    const auto& from = options.rest == RestPose::as_is ? std::vector<RigidMotion<Scalar>>() : motion;
-    rig.skin = applications::bind(mesh, body, skeleton, skeleton_template, from); // not std::bind
+    const Orientations<Scalar> axes = bone_axes(skeleton, skeleton_template, now);
+    if (options.rest == RestPose::as_is) { // what lies squeezed in a crease says nothing of how far it may stretch
+        rig.skin = applications::bind(mesh, body, skeleton, skeleton_template);
+    } else {
+        Orientations<Scalar> at_rest;
+        for (std::size_t j = 0; j < axes.size(); ++j) at_rest.push_back((motion[j].rotation * axes[j]).normalized());
+        rig.skin = applications::bind(mesh, body, skeleton, skeleton_template, motion, at_rest);
+    }
     for (RigidMotion<Scalar>& of_joint : motion)
         of_joint = {(aside * of_joint.rotation).normalized(), aside * of_joint.translation};
     rig.mesh = {skinned(mesh.vertices, rig.skin, motion), outward_faces(mesh, body)};
     rig.turns = skin_turns(rig.skin, motion);
     rig.motions = motion;
 
-    const Orientations<Scalar> axes = bone_axes(skeleton, skeleton_template, now);
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
         const TemplateJoint& joint = skeleton_template.joints[j];
         const Vector3<Scalar> end = bone_end(skeleton, skeleton_template, static_cast<int>(j));
