@@ -11,7 +11,6 @@ namespace skelgen::anatomy {
 
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
     template KinematicSkeleton<Scalar> apply_joint_offsets(KinematicSkeleton<Scalar>, const SkeletonTemplate&);        \
-    template KinematicSkeleton<Scalar> with_legs_of_figure(KinematicSkeleton<Scalar>, const SkeletonTemplate&);        \
     template std::vector<Scalar> bone_lengths(const KinematicSkeleton<Scalar>&);                                       \
     template EqualBones<Scalar> equalise_bones(KinematicSkeleton<Scalar>, const SkeletonTemplate&);                    \
     template MovedInside<Scalar> move_inside(KinematicSkeleton<Scalar>, const Body<Scalar>&,                           \

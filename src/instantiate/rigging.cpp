@@ -74,8 +74,7 @@ namespace skelgen::applications {
     template LimbRegions limb_regions(const Body<Scalar>&, const KinematicSkeleton<Scalar>&, const SkeletonTemplate&); \
     template std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>&, const TriangleMesh<Scalar>&);            \
     template Skin<Scalar> bind(const TriangleMesh<Scalar>&, const Body<Scalar>&, const KinematicSkeleton<Scalar>&,     \
-                               const SkeletonTemplate&, const std::vector<RigidMotion<Scalar>>&,                       \
-                               const Orientations<Scalar>&);                                                           \
+                               const SkeletonTemplate&, StartOfBends<Scalar>);                                         \
     template Triangles outward_faces(const TriangleMesh<Scalar>&, const Body<Scalar>&);                                \
     template Scalar height_by_bones(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&);                        \
     template Rig<Scalar> make_rig(const TriangleMesh<Scalar>&, const Body<Scalar>&, const KinematicSkeleton<Scalar>&,  \

@@ -27,11 +27,6 @@ JointWeights weights_with_border(const Points<double>& vertices, const Kinematic
     return test::sleeve_weights(vertices, rest, border, odds_steepness);
 }
 
-const Orientations<double>& template_axes() {
-    static const Orientations<double> axes = rest_axes<double>(human());
-    return axes;
-}
-
 TEST_CASE("balanced bends: in the middle of a tube the border goes to the joint", "[applications][weights]") {
     const auto rest = rest_skeleton<double>(human());
     const TriangleMesh<double> tube = test::sleeve(rest);
@@ -41,7 +36,7 @@ TEST_CASE("balanced bends: in the middle of a tube the border goes to the joint"
     for (const double border : {-0.3 * sleeve_radius, 0.0, 0.3 * sleeve_radius}) {
         const JointWeights before = weights_with_border(tube.vertices, rest, border);
         const JointWeights after =
-            with_balanced_bends<double>(before, {tube.vertices, none, rest, template_axes()}, tube.faces, human());
+            with_balanced_bends<double>(before, {tube.vertices, none, rest, human_axes()}, tube.faces, human());
         CHECK((after.rowwise().sum().array() - 1).abs().maxCoeff() < 1e-12);
         for (Eigen::Index v = 0; v < after.rows(); ++v) {
             const double share = after(v, elbow);
@@ -60,7 +55,7 @@ double changes(const BentSleeve& sleeve, const JointWeights& weights, const Kine
     const Eigen::Matrix3d bend(Eigen::AngleAxisd(
         std::numbers::pi / 2, rest_axes<double>(human())[static_cast<std::size_t>(elbow)] * Eigen::Vector3d::UnitX()));
     const Points<double> straight =
-        at_rest<double>({sleeve.mesh.vertices, sleeve.motions, rest, template_axes()}, weights);
+        at_rest<double>({sleeve.mesh.vertices, sleeve.motions, rest, human_axes()}, weights);
     double sum = 0;
     for (const bool is_below : {true, false}) {
         Eigen::Vector3d middle[2] = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
@@ -106,7 +101,7 @@ TEST_CASE("balanced bends: each border of a limb that comes bent is seen on the 
         for (const double border : {-0.5 * sleeve_radius, 0.5 * sleeve_radius}) {
             const JointWeights before = test::sleeve_weights(straight.vertices, rest, border, 6 / sleeve_radius);
             const JointWeights after = with_balanced_bends<double>(
-                before, {sleeve.mesh.vertices, sleeve.motions, rest, template_axes()}, sleeve.mesh.faces, human());
+                before, {sleeve.mesh.vertices, sleeve.motions, rest, human_axes()}, sleeve.mesh.faces, human());
             CAPTURE(angle, border);
             CHECK(changes(sleeve, before, rest) > 0.001);
             CHECK(changes(sleeve, after, rest) < 0.0005); // seen on the surface that the weights led to before: 0.0007
@@ -121,12 +116,12 @@ TEST_CASE("balanced bends: borders stay where several pieces bend, and where lit
     const std::vector<RigidMotion<double>> none(rest.joints.size());
     const JointWeights before = weights_with_border(tube.vertices, rest, 0.3 * sleeve_radius);
     const auto moves = [&](const TriangleMesh<double>& mesh, const JointWeights& weights, double tolerated) {
-        const auto after = with_balanced_bends<double>(weights, {mesh.vertices, none, rest, template_axes()},
-                                                       mesh.faces, human(), tolerated);
+        const auto after = with_balanced_bends<double>(weights, {mesh.vertices, none, rest, human_axes()}, mesh.faces,
+                                                       human(), tolerated);
         return (after - weights).cwiseAbs().maxCoeff() > 0;
     };
     CHECK(moves(tube, before, 0));
-    const RestingSurface<double> surface{tube.vertices, none, rest, template_axes()};
+    const RestingSurface<double> surface{tube.vertices, none, rest, human_axes()};
     const auto change = [&](const JointWeights& weights) {
         return largest_bend_change<double>(weights, surface, tube.faces, human());
     };
@@ -144,7 +139,7 @@ TEST_CASE("balanced bends: what follows one joint alone stays", "[applications][
     JointWeights weights = JointWeights::Zero(tube.vertices.rows(), static_cast<Eigen::Index>(rest.joints.size()));
     weights.col(find_joint(rest, "left_elbow")).setOnes();
     const std::vector<RigidMotion<double>> none(rest.joints.size());
-    CHECK(with_balanced_bends<double>(weights, {tube.vertices, none, rest, template_axes()}, tube.faces, human()) ==
+    CHECK(with_balanced_bends<double>(weights, {tube.vertices, none, rest, human_axes()}, tube.faces, human()) ==
           weights);
 }
 

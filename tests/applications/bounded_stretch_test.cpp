@@ -43,8 +43,7 @@ TEST_CASE("stretch: an abrupt bend is spread until no edge grows too much", "[ap
     for (const char* name : {"left_shoulder", "left_elbow", "left_wrist", "left_hand"})
         limb[static_cast<std::size_t>(find_joint(rest, name))] = 0;
     const std::vector<RigidMotion<double>> none(rest.joints.size());
-    const Orientations<double> axes = rest_axes<double>(human());
-    const RestingSurface<double> surface{tube.vertices, none, rest, axes};
+    const RestingSurface<double> surface{tube.vertices, none, rest, human_axes()};
     const JointWeights even = with_bounded_stretch(weights, surface, tube.faces, human(), limb);
     CHECK(most_growth(tube, even.col(elbow), joint) < 3.1); // ends within its rounds
     CHECK((even.rowwise().sum().array() - 1).abs().maxCoeff() < 1e-12);
@@ -67,8 +66,7 @@ TEST_CASE("stretch: a limb that comes bent is seen as it is once it is straight"
     std::vector<int> limb(rest.joints.size(), -1);
     for (const char* name : {"left_shoulder", "left_elbow", "left_wrist", "left_hand"})
         limb[static_cast<std::size_t>(find_joint(rest, name))] = 0;
-    const Orientations<double> axes = rest_axes<double>(human());
-    const RestingSurface<double> surface{bent.mesh.vertices, bent.motions, rest, axes};
+    const RestingSurface<double> surface{bent.mesh.vertices, bent.motions, rest, human_axes()};
     const auto growth = [&](const JointWeights& by) {
         return most_growth({at_rest(surface, by), bent.mesh.faces}, by.col(elbow), joint);
     };
@@ -86,8 +84,7 @@ TEST_CASE("stretch: where two limbs meet they stay apart", "[applications][weigh
     limb[static_cast<std::size_t>(left)] = 0;
     limb[static_cast<std::size_t>(right)] = 1;
     const std::vector<RigidMotion<double>> none(rest.joints.size());
-    const Orientations<double> axes = rest_axes<double>(human());
-    const RestingSurface<double> surface{tube.vertices, none, rest, axes};
+    const RestingSurface<double> surface{tube.vertices, none, rest, human_axes()};
     CHECK(with_bounded_stretch(weights, surface, tube.faces, human(), limb) == weights);
 }
 

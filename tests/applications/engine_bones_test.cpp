@@ -243,6 +243,7 @@ TEST_CASE("engine bones: arms raised and lowered by 90 degrees keep round should
                                                                        {"right_shoulder", about_z(part - angle)}}));
         CAPTURE(angle, stretch(plain_rig().mesh, by_arm), stretch(plain_rig().mesh, by_girdle));
         CHECK(stretch(plain_rig().mesh, by_girdle) < stretch(plain_rig().mesh, by_arm));
+        CHECK(stretch(plain_rig().mesh, by_girdle) < 2.8);
         CHECK(stretch(plain_rig().mesh, by_arm) < 3.1);               // nearly: it ends within its rounds
         CHECK(volume(by_girdle) / at_rest == Approx(1).margin(0.12)); // with shoulders lifted or drawn down
     }

@@ -56,8 +56,8 @@ JointWeights as_they_are(JointWeights weights) { return weights; }
 JointWeights kept(const TriangleMesh<double>& mesh, const JointWeights& weights, const KinematicSkeleton<double>& rest,
                   const std::function<JointWeights(JointWeights)>& restricted = as_they_are) {
     const std::vector<RigidMotion<double>> none(rest.joints.size());
-    const Orientations<double> axes = rest_axes<double>(human());
-    return with_kept_volumes<double>(weights, {mesh.vertices, none, rest, axes}, mesh.faces, human(), restricted);
+    return with_kept_volumes<double>(weights, {mesh.vertices, none, rest, human_axes()}, mesh.faces, human(),
+                                     restricted);
 }
 
 TEST_CASE("kept volumes: limbs of few rings keep their volume, and those that do stay as they are",
@@ -131,8 +131,7 @@ TEST_CASE("kept volumes: a limb that comes bent keeps the volume that it has at 
         bending[j].translation = -(bending[j].rotation * motions[j].translation);
     }
     const Points<double> bent = skinned(limb.mesh.vertices, strongest_influences<double>(limb.weights), bending);
-    const Orientations<double> axes = rest_axes<double>(human());
-    const RestingSurface<double> surface{bent, motions, limb.rest, axes};
+    const RestingSurface<double> surface{bent, motions, limb.rest, human_axes()};
     const auto at_rest_with = [&](const JointWeights& weights) {
         return TriangleMesh<double>{at_rest(surface, weights), limb.mesh.faces};
     };

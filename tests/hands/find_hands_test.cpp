@@ -1,4 +1,3 @@
-#include <skelgen/core/shortest_turn.hpp>
 #include <skelgen/hands/find_hands.hpp>
 
 #include <algorithm>
@@ -6,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <skelgen/core/shortest_turn.hpp>
 #include <skelgen/surface/prepare.hpp>
 
 #include "catch.hpp"

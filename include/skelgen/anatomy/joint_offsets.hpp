@@ -16,13 +16,6 @@ template <typename Scalar>
 [[nodiscard]] KinematicSkeleton<Scalar> apply_joint_offsets(KinematicSkeleton<Scalar> skeleton,
                                                             const SkeletonTemplate& skeleton_template);
 
-/// The skeleton of a figure with its hips and knees lower by 6 % of the leg: who draws figures has their thighs begin
-/// nearer to where the legs part than people's do. Calibrated: medians of 35 characters by 12 makers are 7 % (hips) and
-/// 5 % (knees), with one of five folds of makers left out 6 to 7 and 3 to 6 %. O(joints).
-template <typename Scalar>
-[[nodiscard]] KinematicSkeleton<Scalar> with_legs_of_figure(KinematicSkeleton<Scalar> skeleton,
-                                                            const SkeletonTemplate& skeleton_template);
-
 } // namespace skelgen::anatomy
 
 #ifdef SKELGEN_HEADER_ONLY

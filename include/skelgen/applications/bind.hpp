@@ -24,18 +24,24 @@ struct SurfacePlace {
 template <typename Scalar>
 [[nodiscard]] std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>& body, const TriangleMesh<Scalar>& mesh);
 
+/// A pose that a body is bent from.
+template <typename Scalar = double>
+struct StartOfBends {
+    std::vector<RigidMotion<Scalar>> motions; ///< what brings each joint to it
+    Orientations<Scalar> axes;                ///< of each joint in it, as `bone_axes` has them
+};
+
 /// Binds a mesh to its skeleton: heat weights on the closed surface around all of its pieces, as it is and at rest
 /// alike, carried over to each vertex from the place that stands for it, so that pieces move with what they lie on and
 /// seams stay closed, and no edge of the mesh stretches too far (`with_bounded_stretch`). Where mesh and skeleton
-/// mirror themselves, weights do. `skeleton` in the mesh's coordinates, `body` made of that mesh (`extract`), `to_rest`
-/// what brings each joint to the pose that it will be bent from, `axes_at_rest` its axes there (`bone_axes`); none: the
-/// T-pose. \throws Error no_skeleton where the skeleton does not lie in the body; usage when it is not of that
-/// template, or the body was made of another mesh.
+/// mirror themselves, weights do. `skeleton` in the mesh's coordinates, `body` made of that mesh (`extract`), `start`
+/// the pose that edges count from; an empty one: the T-pose. \throws Error no_skeleton where the skeleton does not lie
+/// in the body; usage when it is not of that template, `start` has not as many joints, or the body was made of another
+/// mesh.
 template <typename Scalar>
 [[nodiscard]] Skin<Scalar> bind(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
                                 const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
-                                const std::vector<RigidMotion<Scalar>>& to_rest = {},
-                                const Orientations<Scalar>& axes_at_rest = {});
+                                StartOfBends<Scalar> start = {});
 
 } // namespace skelgen::applications
 

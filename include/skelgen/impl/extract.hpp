@@ -94,7 +94,7 @@ Failure failure_of(const search::Climb<Scalar>& climb, const SkeletonTemplate& w
                 std::string(options.or_quadruped ? neither : no_animal) +
                     "its parts have unlikely lengths, directions or girths; check that it is one body alone"};
     const search::Found<Scalar>& found = climb.found.front();
-    const std::string limb = least_certain_limb(search::skeleton_in_input(found, wanted), wanted);
+    const std::string limb = least_certain_limb(search::skeleton_in_input(found), wanted);
     std::string doubt = search::strongest_doubt(found.candidate.evidence); // what is wrong; what to do
     if (!limb.empty()) doubt.insert(std::min(doubt.find("; "), doubt.size()), " (" + limb + ")");
     return {Refusal::unlikely, std::string(no_person) + doubt};
@@ -135,7 +135,7 @@ Extraction<Scalar> extract_in(const TriangleMesh<Scalar>& mesh, const ExtractOpt
         throw NoSkeleton(detail::failure_of(climb, wanted, options), std::move(climb.trail));
     const search::Found<Scalar>& found = climb.found.front();
     if (found.plan != wanted.plan) wanted = builtin_template("quadruped");
-    KinematicSkeleton<Scalar> skeleton = search::skeleton_in_input(found, wanted);
+    KinematicSkeleton<Scalar> skeleton = search::skeleton_in_input(found);
     if (const auto mirror = symmetry::exact_mirror(mesh))
         skeleton =
             symmetry::mirrored_evenly(std::move(skeleton), wanted, *mirror, core::bounding_diagonal(mesh.vertices));

@@ -97,7 +97,7 @@ nearest_to(const std::vector<Hint>& hints, const std::vector<search::Found<Scala
     std::pair<const search::Found<Scalar>*, KinematicSkeleton<Scalar>> best;
     double most = -std::numeric_limits<double>::infinity();
     for (const search::Found<Scalar>& found : candidates) {
-        KinematicSkeleton<Scalar> skeleton = search::skeleton_in_input(found, wanted);
+        KinematicSkeleton<Scalar> skeleton = search::skeleton_in_input(found);
         for (const bool exchanged : {false, true}) {
             if (exchanged) skeleton = with_exchanged_sides(std::move(skeleton), wanted);
             double worth = std::log(std::max(found.candidate.probability, std::numeric_limits<double>::min()));

@@ -26,9 +26,9 @@ struct Found {
     BodyKind plan = BodyKind::human; ///< of its template: the one wanted, or a four-legged animal's beside it
 };
 
-/// The skeleton that was found with its confidences, in the input's coordinates; a figure's legs as figures have them.
+/// The skeleton that was found with its confidences, in the input's coordinates.
 template <typename Scalar>
-[[nodiscard]] KinematicSkeleton<Scalar> skeleton_in_input(const Found<Scalar>& found, const SkeletonTemplate& wanted);
+[[nodiscard]] KinematicSkeleton<Scalar> skeleton_in_input(const Found<Scalar>& found);
 
 /// What is to be known of a skeleton beside its numbers: doubtful joints, what it lacks, contacts, repairs, noise.
 template <typename Scalar>

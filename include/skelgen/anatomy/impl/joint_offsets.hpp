@@ -16,7 +16,6 @@ struct JointOffsets {
     double shoulder_forward = 0.035, shoulder_outwards = 0.035;
     double neck_backward = 0.065;
     double neck_between_shoulders = 0.66, neck_up_with_shoulders = 0.15, shoulders_below_neck = 0.16;
-    double figure_hip_down = 0.06, figure_knee_down = 0.06; ///< see with_legs_of_figure()
 };
 
 /// Moves the joints of one skeleton.
@@ -45,17 +44,6 @@ public:
             length *
             (straight * (part(offsets_.knee_forward) * forward + leftward * left) +
              (straight * part(offsets_.straight_knee_up) - (1 - straight) * part(offsets_.bent_knee_down)) * up);
-    }
-
-    /// By parts of the way from hip to ankle, along it: where a leg is folded up, by little.
-    void lower_leg(Side side) {
-        using enum JointRole;
-        Vector3<Scalar>*const hip_at = find(hip, side), *const knee_at = find(knee, side);
-        const Vector3<Scalar>* const ankle_at = find(ankle, side);
-        if (!hip_at || !knee_at || !ankle_at) return;
-        const Vector3<Scalar> leg = *ankle_at - *hip_at;
-        *hip_at += part(offsets_.figure_hip_down) * leg;
-        *knee_at += part(offsets_.figure_knee_down) * leg;
     }
 
     /// The more an elbow is bent, the farther its fold lies towards the shoulder from the joint.
@@ -132,14 +120,6 @@ KinematicSkeleton<Scalar> apply_joint_offsets(KinematicSkeleton<Scalar> skeleton
         joints.move_elbow(side);
     }
     joints.move_shoulder_girdle();
-    return std::move(joints).result();
-}
-
-template <typename Scalar>
-KinematicSkeleton<Scalar> with_legs_of_figure(KinematicSkeleton<Scalar> skeleton,
-                                              const SkeletonTemplate& skeleton_template) {
-    detail::JointMover<Scalar> joints(std::move(skeleton), skeleton_template);
-    for (const Side side : {Side::left, Side::right}) joints.lower_leg(side);
     return std::move(joints).result();
 }
 

@@ -104,13 +104,12 @@ inline JointWeights weights_from(const Heat& heat, const SkeletonTemplate& skele
     return following_one_limb(with_narrow_hinges(concentrated(*weights), skeleton_template), skeleton_template);
 }
 
-/// What brings each joint to the T-pose.
 template <typename Scalar>
-std::vector<RigidMotion<Scalar>> to_t_pose(const KinematicSkeleton<Scalar>& skeleton,
-                                           const SkeletonTemplate& skeleton_template) {
-    return rest_motions<Scalar>(RestPose::t_pose, skeleton, skeleton_template,
-                                bone_orientations(skeleton, skeleton_template),
-                                Eigen::Quaternion<Scalar>(Eigen::Quaternion<Scalar>::Identity()));
+StartOfBends<Scalar> t_pose(const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template) {
+    return {rest_motions<Scalar>(RestPose::t_pose, skeleton, skeleton_template,
+                                 bone_orientations(skeleton, skeleton_template),
+                                 Eigen::Quaternion<Scalar>(Eigen::Quaternion<Scalar>::Identity())),
+            rest_axes<Scalar>(skeleton_template)};
 }
 
 /// The weights of the vertices of a body, whose skeleton is in its own coordinates: smooth as it is and at rest alike.
@@ -126,10 +125,9 @@ JointWeights body_weights(const Body<Scalar>& body, const KinematicSkeleton<Scal
     const Heat as_is = heat_of(body, skeleton);
     const JointWeights first = weights_from(as_is, skeleton_template);
 
-    const std::vector<RigidMotion<Scalar>> motions = to_t_pose(skeleton, skeleton_template);
-    const KinematicSkeleton<Scalar> bones_at_rest = moved(skeleton, skeleton_template, motions);
-    const Orientations<Scalar> axes = rest_axes<Scalar>(skeleton_template);
-    const RestingSurface<Scalar> surface{body.mesh.vertices, motions, bones_at_rest, axes};
+    const StartOfBends<Scalar> start = t_pose(skeleton, skeleton_template);
+    const KinematicSkeleton<Scalar> bones_at_rest = moved(skeleton, skeleton_template, start.motions);
+    const RestingSurface<Scalar> surface{body.mesh.vertices, start.motions, bones_at_rest, start.axes};
     Body<Scalar> rest = body;
     rest.mesh.vertices = at_rest(surface, first);
     rest.tree = surface::FaceTree<Scalar>(rest.mesh);
@@ -147,16 +145,15 @@ JointWeights body_weights(const Body<Scalar>& body, const KinematicSkeleton<Scal
 template <typename Scalar>
 JointWeights fitted_to_edges(JointWeights weights, const TriangleMesh<Scalar>& mesh,
                              const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
-                             const LimbRegions& regions, const std::vector<RigidMotion<Scalar>>& to_rest,
-                             const Orientations<Scalar>& axes) {
+                             const LimbRegions& regions, const StartOfBends<Scalar>& start) {
     constexpr core::Accumulator tolerated = 0.03; // what nobody sees; few and large faces would make others of it
     const auto welded = surface::weld(mesh, Scalar(0));
     JointWeights joined = JointWeights::Zero(welded.mesh.vertices.rows(), weights.cols());
     for (std::size_t v = 0; v < welded.placed.size(); ++v)
         if (welded.placed[v] >= 0) joined.row(welded.placed[v]) = weights.row(static_cast<Eigen::Index>(v));
     const Triangles& faces = welded.mesh.faces;
-    const KinematicSkeleton<Scalar> at_rest = moved(skeleton, skeleton_template, to_rest);
-    const RestingSurface<Scalar> surface{welded.mesh.vertices, to_rest, at_rest, axes};
+    const KinematicSkeleton<Scalar> at_rest = moved(skeleton, skeleton_template, start.motions);
+    const RestingSurface<Scalar> surface{welded.mesh.vertices, start.motions, at_rest, start.axes};
     const auto bounded = [&](JointWeights of) {
         return with_bounded_stretch(std::move(of), surface, faces, skeleton_template, regions.of_joint);
     };
@@ -219,8 +216,10 @@ std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>& body, const Tria
 
 template <typename Scalar>
 Skin<Scalar> bind(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
-                  const SkeletonTemplate& skeleton_template, const std::vector<RigidMotion<Scalar>>& to_rest,
-                  const Orientations<Scalar>& axes_at_rest) {
+                  const SkeletonTemplate& skeleton_template, StartOfBends<Scalar> start) {
+    if (start.motions.empty() && start.axes.empty()) start = detail::t_pose(skeleton, skeleton_template);
+    if (start.motions.size() != skeleton.joints.size() || start.axes.size() != skeleton.joints.size())
+        throw Error(ErrorCode::usage, "the pose that bends start from must have as many joints as the skeleton");
     if (2 * detail::joints_inside(body, skeleton) <= static_cast<int>(skeleton.joints.size()))
         throw Error(ErrorCode::no_skeleton, "the skeleton does not lie in the mesh: take that which was found in it");
     const KinematicSkeleton<Scalar> of_body = surface::to_body(body, skeleton);
@@ -238,9 +237,7 @@ Skin<Scalar> bind(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body, co
     }
     carried = with_loose_pieces(std::move(carried), mesh, body, gaps, of_body, skeleton_template);
     carried = following_one_limb(std::move(carried), skeleton_template);
-    carried = detail::fitted_to_edges(std::move(carried), mesh, skeleton, skeleton_template, regions,
-                                      to_rest.empty() ? detail::to_t_pose(skeleton, skeleton_template) : to_rest,
-                                      to_rest.empty() ? rest_axes<Scalar>(skeleton_template) : axes_at_rest);
+    carried = detail::fitted_to_edges(std::move(carried), mesh, skeleton, skeleton_template, regions, start);
     carried = detail::mirrored_evenly(std::move(carried), mesh, skeleton, skeleton_template);
     return strongest_influences<Scalar>(carried.cast<Scalar>());
 }

@@ -95,13 +95,12 @@ Rig<Scalar> make_rig(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
     const Orientations<Scalar> now = posture(skeleton, skeleton_template, to_canonical);
     auto motion = posture_motions(options.rest, skeleton, skeleton_template, now, to_canonical);
     const Orientations<Scalar> axes = bone_axes(skeleton, skeleton_template, now);
-    if (options.rest == RestPose::as_is) { // what lies squeezed in a crease says nothing of how far it may stretch
-        rig.skin = applications::bind(mesh, body, skeleton, skeleton_template);
-    } else {
-        Orientations<Scalar> at_rest;
-        for (std::size_t j = 0; j < axes.size(); ++j) at_rest.push_back((motion[j].rotation * axes[j]).normalized());
-        rig.skin = applications::bind(mesh, body, skeleton, skeleton_template, motion, at_rest);
+    StartOfBends<Scalar> start; // not as it is: what lies squeezed in a crease says nothing of how far it may stretch
+    if (options.rest != RestPose::as_is) {
+        start.motions = motion;
+        for (std::size_t j = 0; j < axes.size(); ++j) start.axes.push_back((motion[j].rotation * axes[j]).normalized());
     }
+    rig.skin = bind(mesh, body, skeleton, skeleton_template, std::move(start));
     for (RigidMotion<Scalar>& of_joint : motion)
         of_joint = {(aside * of_joint.rotation).normalized(), aside * of_joint.translation};
     rig.mesh = {skinned(mesh.vertices, rig.skin, motion), outward_faces(mesh, body)};

@@ -14,7 +14,6 @@
 #include <utility>
 
 #include <skelgen/anatomy/confidence.hpp>
-#include <skelgen/anatomy/joint_offsets.hpp>
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/geodesics.hpp>
@@ -487,12 +486,9 @@ inline std::string noise_smoothed(double noise) {
 } // namespace detail
 
 template <typename Scalar>
-KinematicSkeleton<Scalar> skeleton_in_input(const Found<Scalar>& found, const SkeletonTemplate& wanted) {
-    const Candidate<Scalar>& candidate = found.candidate;
-    auto skeleton = with_confidence(candidate.skeleton, candidate.probability, candidate.doubt);
-    // Not before: evidence is of people's legs, as what judges it was fitted to.
-    if (candidate.evidence[Witness::adapted] > 0) skeleton = anatomy::with_legs_of_figure(std::move(skeleton), wanted);
-    return surface::to_input(*found.body, skeleton);
+KinematicSkeleton<Scalar> skeleton_in_input(const Found<Scalar>& found) {
+    return surface::to_input(
+        *found.body, with_confidence(found.candidate.skeleton, found.candidate.probability, found.candidate.doubt));
 }
 
 template <typename Scalar>
