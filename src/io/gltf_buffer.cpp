@@ -41,6 +41,19 @@ std::size_t GltfBuffer::add_view(std::size_t begin, GltfTarget target) {
     return views_.size() - 1;
 }
 
+/// Rows of three zeros, as accessors without a view have them by the format: Godot before 4.1 reads the first view
+/// instead.
+std::size_t GltfBuffer::zeros_view(std::size_t count) {
+    const auto known = zeros_.find(count);
+    if (known != zeros_.end()) return known->second;
+    constexpr std::size_t row = 3 * sizeof(float);
+    const std::size_t begin = bytes_.size();
+    bytes_.resize(begin + row * count, '\0');
+    const std::size_t view = add_view(begin, GltfTarget::vertices);
+    views_[view]["byteStride"] = row; // a view of several accessors has to have one
+    return zeros_[count] = view;
+}
+
 std::size_t GltfBuffer::add_accessor(int component_type, std::size_t count, const char* type, std::size_t begin,
                                      GltfTarget target) {
     accessors_.push_back(
@@ -68,7 +81,8 @@ std::size_t GltfBuffer::add_sparse_floats(std::span<const std::uint32_t> places,
         for (std::size_t i = 0; i < places.size(); ++i) all.row(places[i]) = rows.row(static_cast<Eigen::Index>(i));
         return add_floats(all, GltfTarget::vertices, limits);
     }
-    Json accessor{{"componentType", type_float}, {"count", count}, {"type", type_of(columns)}};
+    Json accessor{
+        {"bufferView", zeros_view(count)}, {"componentType", type_float}, {"count", count}, {"type", type_of(columns)}};
     if (!places.empty()) {
         const auto begin_of = [&](const auto& append) {
             const std::size_t begin = bytes_.size();

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -42,11 +43,13 @@ public:
 
 private:
     std::size_t add_view(std::size_t begin, GltfTarget target);
+    std::size_t zeros_view(std::size_t count);
     std::size_t add_accessor(int component_type, std::size_t count, const char* type, std::size_t begin,
                              GltfTarget target);
 
     std::string bytes_;
     Json views_ = Json::array(), accessors_ = Json::array();
+    std::map<std::size_t, std::size_t> zeros_; ///< by number of rows of three
 };
 
 } // namespace skelgen::io::detail
