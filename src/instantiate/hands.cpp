@@ -10,6 +10,9 @@ namespace skelgen::hands {
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
     template std::optional<HandPlace<Scalar>> hand_place(const KinematicSkeleton<Scalar>&, Side);                      \
     template std::optional<HandSurface<Scalar>> hand_surface(const TriangleMesh<Scalar>&, const HandPlace<Scalar>&);   \
+    template std::optional<TriangleMesh<Scalar>> arm_pieces(const TriangleMesh<Scalar>&, const HandPlace<Scalar>&);    \
+    template std::optional<HandSurface<Scalar>> own_hand_surface(const TriangleMesh<Scalar>&,                          \
+                                                                 const HandPlace<Scalar>&);                            \
     template TriangleMesh<Scalar> hand_envelope(const TriangleMesh<Scalar>&, const surface::WindingTree<Scalar>&,      \
                                                 const HandPlace<Scalar>&);                                             \
     template std::vector<DigitTube<Scalar>> find_tubes(const HandSurface<Scalar>&, const HandPlace<Scalar>&);          \

@@ -179,6 +179,23 @@ TEST_CASE("prongs of a thing that a hand holds are no digits", "[hands]") {
     CHECK(digits_of(found[0]) == std::vector{Digit::thumb, Digit::index, Digit::middle});
 }
 
+TEST_CASE("a fist around a pole has its five digits, though they touch it and the tip is near the wrist", "[hands]") {
+    const Mesh hand = hand_of(five_digits(0.9)), pole = capsule(0.12, 5, 16, 4);
+    const Eigen::Index n = hand.vertices.rows(), m = hand.faces.rows();
+    Mesh both;
+    both.vertices.resize(n + pole.vertices.rows(), 3);
+    both.vertices.topRows(n) = hand.vertices;
+    both.vertices.bottomRows(pole.vertices.rows()) = pole.vertices.rowwise() + Eigen::RowVector3d(0.68, -0.16, -2.5);
+    both.faces.resize(m + pole.faces.rows(), 3);
+    both.faces.topRows(m) = hand.faces;
+    both.faces.bottomRows(pole.faces.rows()) = pole.faces.array() + static_cast<int>(n);
+    KinematicSkeleton<double> skeleton = arm_skeleton();
+    skeleton.end_points.front().second = Vec3(0.75, 0, 0); // where the fist ends
+    const auto found = hands_in(both, skeleton);
+    REQUIRE(found.size() == 1);
+    CHECK(digits_of(found[0]).size() == 5);
+}
+
 TEST_CASE("a skeleton gets the joints of all digits, and loses them again", "[hands]") {
     KinematicSkeleton<double> skeleton = arm_skeleton();
     skeleton.joints.push_back({"right_wrist", -1, Vec3(-1, 0, 0)});

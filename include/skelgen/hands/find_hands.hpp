@@ -17,8 +17,9 @@ inline constexpr std::string_view template_with_digits = "human51";
 
 /// The hands of a body and their digits, as its surface shows them: the left one and the right one where the skeleton
 /// has them, perhaps without digits. `skeleton` is finished and in the coordinates of `mesh`, and so is what is
-/// returned; `body` was made of that mesh. Looked at is the body's surface; where that is none of the mesh's own, or
-/// has few triangles at the hand, an envelope around the hand alone. O(faces log faces).
+/// returned; `body` was made of that mesh. Looked at is the body's surface. Where that is none of the mesh's own, or
+/// has few triangles at the hand, it is the hand's own piece, or an envelope around the hand alone: what shows more
+/// digits. Things that are pieces of their own and leave the hand are left out of both. O(faces log faces).
 template <typename Scalar>
 [[nodiscard]] std::vector<Hand<Scalar>> find_hands(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
                                                    const KinematicSkeleton<Scalar>& skeleton);

@@ -172,7 +172,7 @@ std::vector<DigitTube<Scalar>> find_tubes(const HandSurface<Scalar>& hand, const
     std::vector<DigitTube<Scalar>> tubes;
     for (std::size_t i = 0; i < found.peaks.size(); ++i) {
         const detail::Peak<Scalar>& peak = found.peaks[i];
-        if (peak.goes_on || peak.joins > longest_way * length) continue;
+        if (peak.goes_on || peak.joins > longest_way * place.stretched()) continue;
         DigitTube<Scalar> tube;
         tube.joins = peak.joins;
         tube.ends = peak.ends;

@@ -13,6 +13,7 @@
 #include <skelgen/hands/hand_surface.hpp>
 #include <skelgen/hands/phalanges.hpp>
 #include <skelgen/surface/clean.hpp>
+#include <skelgen/surface/weld.hpp>
 #include <skelgen/surface/winding_tree.hpp>
 
 namespace skelgen::hands {
@@ -37,10 +38,16 @@ public:
         if (const auto own = hand_surface(body_.mesh, in_body); own && is_fine(*own))
             return tubes_on(*own, in_body, body_.similarity);
         if (!material_) look_for_pieces();
-        TubesOfHand<Scalar> found = tubes_around(material_->clean, in_input);
+        TubesOfHand<Scalar> found = tubes_of_piece(material_->clean, in_input);
+        if (found.tubes.size() == all_digits.size()) return found;
+        // A hand of several pieces shows more of its digits in an envelope around all of them.
+        if (TubesOfHand<Scalar> around = tubes_around(material_->clean, in_input);
+            around.tubes.size() >= found.tubes.size())
+            found = std::move(around);
         // What is put right in a mesh may cost it fingers: of thin gloves, whose faces lie on each other.
         if (found.tubes.size() < all_digits.size() && material_->is_cleaned) {
-            if (!material_->raw) material_->raw.emplace(in_body_coordinates(), body_.similarity);
+            if (!material_->raw)
+                material_->raw.emplace(surface::weld(in_body_coordinates(), Scalar(0)).mesh, body_.similarity);
             TubesOfHand<Scalar> of_raw = tubes_around(*material_->raw, in_input);
             if (of_raw.tubes.size() > found.tubes.size()) found = std::move(of_raw);
         }
@@ -91,11 +98,26 @@ private:
         return out;
     }
 
+    /// The tubes on an envelope of the arm's pieces; of all where these have none.
     [[nodiscard]] TubesOfHand<Scalar> tubes_around(const Pieces& pieces, const HandPlace<Scalar>& in_input) const {
         const HandPlace<Scalar> place = moved(in_input, pieces.similarity);
-        const auto around = hand_surface(hand_envelope(pieces.mesh, pieces.tree, place), place);
-        if (!around) return {};
-        return tubes_on(*around, place, pieces.similarity);
+        const auto within = [&](const TriangleMesh<Scalar>& mesh, const surface::WindingTree<Scalar>& tree) {
+            const auto around = hand_surface(hand_envelope(mesh, tree, place), place);
+            return around ? tubes_on(*around, place, pieces.similarity) : TubesOfHand<Scalar>{};
+        };
+        if (const auto own = arm_pieces(pieces.mesh, place)) {
+            TubesOfHand<Scalar> found = within(*own, surface::WindingTree<Scalar>(*own));
+            if (!found.tubes.empty()) return found;
+        }
+        return within(pieces.mesh, pieces.tree);
+    }
+
+    /// The same on the faces themselves.
+    [[nodiscard]] static TubesOfHand<Scalar> tubes_of_piece(const Pieces& pieces, const HandPlace<Scalar>& in_input) {
+        const HandPlace<Scalar> place = moved(in_input, pieces.similarity);
+        const auto own = arm_pieces(pieces.mesh, place);
+        const auto hand = own_hand_surface(own ? *own : pieces.mesh, place);
+        return hand ? tubes_on(*hand, place, pieces.similarity) : TubesOfHand<Scalar>{};
     }
 
     static HandPlace<Scalar> moved(HandPlace<Scalar> place, const Similarity<Scalar>& similarity) {

@@ -20,6 +20,9 @@
 #include <skelgen/surface/face_tree.hpp>
 #include <skelgen/surface/lattice.hpp>
 #include <skelgen/surface/lattice_surface.hpp>
+#include <skelgen/surface/manifold_parts.hpp>
+#include <skelgen/surface/pieces.hpp>
+#include <skelgen/surface/rounded.hpp>
 #include <skelgen/surface/small_parts.hpp>
 
 namespace skelgen::hands {
@@ -28,10 +31,10 @@ namespace detail {
 /// All relative to the hand's length.
 template <typename Scalar>
 struct Reach {
-    /// How far behind the wrist a hand's surface begins: wrists are found to a fifth of a hand's length, and the
-    /// thumb leaves a third of it beyond them.
-    static constexpr Scalar behind = Scalar(0.3);
-    static constexpr Scalar around = Scalar(1.6);  ///< of the surface that counts, from the wrist
+    /// How far behind the wrist a hand's surface begins: wrists are found to a fifth of a hand's length, and figures'
+    /// thumbs leave the hand at the wrist itself. Chosen on figures of one maker.
+    static constexpr Scalar behind = Scalar(0.5);
+    static constexpr Scalar around = Scalar(1.6);  ///< of the surface that counts, from the wrist, of a stretched hand
     static constexpr Scalar rim = Scalar(0.35);    ///< of the rims above the lowest place that are the forearm's
     static constexpr Scalar bottom = Scalar(0.05); ///< of a closed surface, which has none
     static constexpr Scalar cell = Scalar(1) / 48; ///< of an envelope: a finger is four to five cells thick
@@ -54,7 +57,7 @@ struct ArmPlane {
 template <typename Scalar>
 std::vector<int> faces_of_hand(const TriangleMesh<Scalar>& mesh, const HandPlace<Scalar>& place) {
     const ArmPlane<Scalar> plane(place);
-    const Scalar reach = Reach<Scalar>::around * place.length();
+    const Scalar reach = Reach<Scalar>::around * place.stretched();
     const auto n = static_cast<std::size_t>(mesh.vertices.rows());
     std::vector<bool> is_near(n);
     for (std::size_t v = 0; v < n; ++v) {
@@ -154,7 +157,59 @@ TriangleMesh<Scalar> faces_in_cube(const TriangleMesh<Scalar>& mesh, const Vecto
     return out;
 }
 
+/// Per vertex of a mesh without seams: is it of a piece that leaves a hand's surroundings, and not along the arm? So do
+/// things that hands hold, and clothes and the body behind a hand. The arm's own piece winds around its bones.
+template <typename Scalar>
+std::vector<bool> others_vertices(const TriangleMesh<Scalar>& mesh, const HandPlace<Scalar>& place) {
+    // Of the way from the elbow to the wrist: also a sleeve that ends before the hand has one of them inside.
+    constexpr std::array<Scalar, 3> along{Scalar(0.5), Scalar(0.75), Scalar(1)};
+    const auto n = static_cast<std::size_t>(mesh.vertices.rows());
+    const auto corner = [&](Eigen::Index f, int k) { return static_cast<std::size_t>(mesh.faces(f, k)); };
+    core::DisjointSets pieces(n);
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
+        for (const int k : {1, 2}) pieces.unite(corner(f, 0), corner(f, k));
+
+    const Scalar reach = Reach<Scalar>::around * place.stretched();
+    std::vector<bool> comes_near(n), leaves(n);
+    for (std::size_t v = 0; v < n; ++v) {
+        const Scalar from_wrist = (core::point(mesh.vertices, static_cast<Eigen::Index>(v)) - place.wrist).norm();
+        (from_wrist < reach ? comes_near : leaves)[pieces.find(v)] = true;
+    }
+    std::vector<std::vector<int>> faces(n); // of those that may be another's
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
+        if (const std::size_t p = pieces.find(corner(f, 0)); comes_near[p] && leaves[p])
+            faces[p].push_back(static_cast<int>(f));
+    std::vector<bool> is_others(n);
+    TriangleMesh<Scalar> piece{mesh.vertices, {}};
+    for (std::size_t p = 0; p < n; ++p) {
+        if (faces[p].empty()) continue;
+        piece.faces = mesh.faces(faces[p], Eigen::all);
+        is_others[p] = std::none_of(along.begin(), along.end(), [&](Scalar part) {
+            const Vector3<Scalar> on_bone = place.elbow + part * (place.wrist - place.elbow);
+            return std::abs(core::winding_number<Scalar>(piece, on_bone)) > Scalar(0.5);
+        });
+    }
+    std::vector<bool> out(n);
+    for (std::size_t v = 0; v < n; ++v) out[v] = is_others[pieces.find(v)];
+    return out;
+}
+
 } // namespace detail
+
+template <typename Scalar>
+std::optional<TriangleMesh<Scalar>> arm_pieces(const TriangleMesh<Scalar>& mesh, const HandPlace<Scalar>& place) {
+    const std::vector<bool> is_others = detail::others_vertices(mesh, place);
+    const auto n = mesh.faces.rows();
+    TriangleMesh<Scalar> out;
+    out.faces.resize(n, 3);
+    Eigen::Index kept = 0;
+    for (Eigen::Index f = 0; f < n; ++f)
+        if (!is_others[static_cast<std::size_t>(mesh.faces(f, 0))]) out.faces.row(kept++) = mesh.faces.row(f);
+    if (kept == n || kept == 0) return std::nullopt;
+    out.faces.conservativeResize(kept, 3);
+    out.vertices = mesh.vertices;
+    return out;
+}
 
 template <typename Scalar>
 std::optional<HandPlace<Scalar>> hand_place(const KinematicSkeleton<Scalar>& skeleton, Side side) {
@@ -224,11 +279,26 @@ std::optional<HandSurface<Scalar>> hand_surface(const TriangleMesh<Scalar>& mesh
 }
 
 template <typename Scalar>
+std::optional<HandSurface<Scalar>> own_hand_surface(const TriangleMesh<Scalar>& mesh, const HandPlace<Scalar>& place) {
+    constexpr Eigen::Index least_faces = 1000; // 200 a digit: its rings have corners enough then
+    constexpr int most_passes = 2;             // each makes four faces of one
+    const Scalar half = detail::Reach<Scalar>::around * place.stretched();
+    const auto near = surface::used_part(detail::faces_in_cube<Scalar>(mesh, place.wrist, half));
+    TriangleMesh<Scalar> sound;
+    for (const auto& part : surface::manifold_parts(near.mesh))
+        sound = sound.faces.rows() > 0 ? surface::side_by_side(sound, part.mesh) : part.mesh;
+    std::optional<HandSurface<Scalar>> hand = hand_surface(sound, place);
+    for (int pass = 0; pass < most_passes && hand && hand->mesh.faces.rows() < least_faces; ++pass)
+        hand = hand_surface(surface::rounded(hand->mesh), place);
+    return hand;
+}
+
+template <typename Scalar>
 TriangleMesh<Scalar> hand_envelope(const TriangleMesh<Scalar>& mesh, const surface::WindingTree<Scalar>& tree,
                                    const HandPlace<Scalar>& place) {
     constexpr int smoothing_passes = 4; // so that cells do not show
     using Reach = detail::Reach<Scalar>;
-    const Scalar length = place.length(), half = Reach::around * length;
+    const Scalar length = place.length(), half = Reach::around * place.stretched();
     const Vector3<Scalar> centre =
         place.wrist + Scalar(0.4) * length * (place.knuckles - place.wrist).normalized(); // of a hand, about
     surface::Lattice<Scalar> lattice;
