@@ -543,7 +543,10 @@ private:
             objects_.append(std::move(one));
             std::vector<std::int32_t> points;
             std::vector<double> offsets, normals;
-            for (const auto& [point, offset] : of.shapes[i]) {
+            // Blender before 4 reads no file that has a shape without points: one stays where it is.
+            auto moved = of.shapes[i];
+            if (moved.empty()) moved.try_emplace(0, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
+            for (const auto& [point, offset] : moved) {
                 points.push_back(point);
                 for (int axis = 0; axis < 3; ++axis) {
                     offsets.push_back(options_->scale * offset.first[axis]);

@@ -1,6 +1,8 @@
 """blender --background --factory-startup --python blender_fbx.py -- NAME...: fails where Blender does not import NAME.fbx as
-it imports NAME.glb, both with one animation: objects, triangles, weights, texture coordinates, colours, materials, pictures,
-morph targets, bones; or where its triangles are not those of NAME-FRAME.off, one file for each pose that is looked at."""
+it imports NAME.glb, both with one animation: objects, triangles, weights, texture coordinates, colours, materials with their
+pictures, morph targets, bones; or where the triangles of either are not those of NAME-FRAME.off, one file for each pose that is
+looked at. Materials of NAME.glb must show the pictures that the file has on them, and some file must have a picture and a morph
+target that shows: else nothing is known of them."""
 
 import glob
 import json
@@ -63,19 +65,52 @@ def without_dropped(wanted, found):
     return np.concatenate(kept) if kept else wanted[:0]
 
 
-def objects_in(path):
-    """The names of a GLB file's meshes, in their order."""
-    with open(path, "rb") as file:
-        glb = file.read()
-    (length,) = struct.unpack_from("<I", glb, 12)
-    return [node["name"] for node in json.loads(glb[20 : 20 + length])["nodes"] if "mesh" in node]
+class File:
+    """What is in a GLB, read without Blender."""
+
+    def __init__(self, path):
+        with open(path, "rb") as file:
+            glb = file.read()
+        (length,) = struct.unpack_from("<I", glb, 12)
+        scene = json.loads(glb[20 : 20 + length])
+        self.names = [node["name"] for node in scene["nodes"] if "mesh" in node]  # of the meshes, in their order
+        self.shows_morphs = any(any(mesh.get("weights", [])) for mesh in scene["meshes"])
+        self.pictures = {}  # the bytes of those that colour the materials
+        for material in scene.get("materials", []):
+            texture = material.get("pbrMetallicRoughness", {}).get("baseColorTexture")
+            if texture is not None:
+                image = scene["images"][scene["textures"][texture["index"]]["source"]]
+                view = scene["bufferViews"][image["bufferView"]]
+                start = 28 + length + view.get("byteOffset", 0)
+                self.pictures[material.get("name")] = glb[start : start + view["byteLength"]]
+
+
+def images_behind(socket):
+    """Those that lead to a shader's input."""
+    for link in socket.links:
+        if link.from_node.type == "TEX_IMAGE":
+            yield link.from_node.image
+        for one in link.from_node.inputs:
+            yield from images_behind(one)
+
+
+def pictures():
+    """The bytes of the pictures that colour the materials in Blender."""
+    out = {}
+    for material in bpy.data.materials:
+        for node in material.node_tree.nodes if material.node_tree else []:
+            for image in images_behind(node.inputs["Base Color"]) if node.type == "BSDF_PRINCIPLED" else []:
+                out[material.name] = image.packed_file.data if image and image.packed_file else b""
+    return out
 
 
 class Imported:
-    """What Blender has of a file; all by corners of triangles, in their order. `names`: of its meshes."""
+    """What Blender has of a file; all by corners of triangles, in their order. `names`: of its meshes, `frames`: what is looked
+    at."""
 
-    def __init__(self, path, names):
+    def __init__(self, path, names, frames):
         bpy.ops.wm.read_factory_settings(use_empty=True)
+        bpy.context.scene.render.fps = 30  # an FBX says so itself
         if path.endswith(".glb"):
             bpy.ops.import_scene.gltf(filepath=path)
         else:
@@ -93,7 +128,17 @@ class Imported:
         self.parents = {bone.name: bone.parent.name if bone.parent else None for bone in bones}
         self.heads = {bone.name: np.array(armature.matrix_world @ bone.head_local) for bone in bones}
         self.objects = [describe(body) for body in self.bodies]
-        self.pictures = {image.packed_file.size for image in bpy.data.images if image.packed_file}
+        self.pictures = pictures()
+        self.sizes = {image.packed_file.size for image in bpy.data.images if image.packed_file}
+        self.places = {}
+        for frame in frames:
+            bpy.context.scene.frame_set(first_frame(armature) + frame)
+            self.places[frame] = np.concatenate([places_now(body) for body in self.bodies])
+
+
+def first_frame(armature):
+    """That in which its animation begins: importers count from 0 or 1."""
+    return round(armature.animation_data.action.frame_range[0])
 
 
 def describe(body):
@@ -139,35 +184,38 @@ def differences(one, other):
 
 
 def faults_of(name):
-    names = objects_in(f"{name}.glb")
-    glb, fbx = (Imported(f"{name}.{extension}", names) for extension in ("glb", "fbx"))
+    file = File(f"{name}.glb")
+    files = {int(re.fullmatch(r".*-(\d+)\.off", one)[1]): read_off(one) for one in glob.glob(f"{glob.escape(name)}-*.off")}
+    glb, fbx = (Imported(f"{name}.{extension}", file.names, files) for extension in ("glb", "fbx"))
     faults = []
     if glb.parents != fbx.parents:
         faults.append(f"bones are {fbx.parents}, not {glb.parents}")
-    files = glob.glob(f"{glob.escape(name)}-*.off")
-    size = np.ptp(read_off(files[0]), axis=0).max()
+    size = np.ptp(next(iter(files.values())), axis=0).max()
     for bone in set(glb.heads) & set(fbx.heads):
         if np.linalg.norm(glb.heads[bone] - fbx.heads[bone]) > 1e-5 * size:
             faults.append(f"{bone} lies at {fbx.heads[bone]}, not at {glb.heads[bone]}")
-    for body, one, other in zip(names, glb.objects, fbx.objects):
+    for body, one, other in zip(file.names, glb.objects, fbx.objects):
         faults += [f"{body}: {text}" for text in differences(one, other)]
-    if not fbx.pictures <= glb.pictures or (glb.pictures and not fbx.pictures):
-        faults.append(f"pictures of {fbx.pictures} bytes, not {glb.pictures}")
+    for kind, found in (("GLB", glb.pictures), ("FBX", fbx.pictures)):
+        for material, picture in file.pictures.items():
+            if found.get(material) != picture:
+                faults.append(f"{kind}: the picture of {material} has {len(found.get(material, b''))} bytes, not {len(picture)}")
+    if not fbx.sizes <= glb.sizes or (glb.sizes and not fbx.sizes):
+        faults.append(f"pictures of {fbx.sizes} bytes, not {glb.sizes}")
     worst = 0.0
-    for file in files:
-        frame = int(re.fullmatch(r".*-(\d+)\.off", file)[1])
-        bpy.context.scene.frame_set(1 + frame)
-        wanted, found = read_off(file), np.concatenate([places_now(body) for body in fbx.bodies])
-        if len(found) < len(wanted):
-            wanted = without_dropped(wanted, found)
-        if found.shape == wanted.shape:
-            worst = max(worst, np.abs(found - wanted).max() / size)
-        else:
-            faults.append(f"frame {frame}: {len(found) // 3} triangles, not {len(wanted) // 3}")
+    for frame, wanted in files.items():
+        for kind, found in (("GLB", glb.places[frame]), ("FBX", fbx.places[frame])):
+            kept = without_dropped(wanted, found) if len(found) < len(wanted) else wanted
+            if found.shape == kept.shape:
+                worst = max(worst, np.abs(found - kept).max() / size)
+            else:
+                faults.append(f"{kind}, frame {frame}: {len(found) // 3} triangles, not {len(kept) // 3}")
     if not worst < 1e-4:
         faults.append(f"triangles differ by {worst:.2g} of the extent")
     print(f"{name}: {len(files)} poses, triangles within {worst:.2g} of the extent")
+    dressed.append(bool(file.pictures) and file.shows_morphs)
     return faults
 
 
-run(faults_of, "FBX files")
+dressed = []
+run(faults_of, "FBX files", lambda: any(dressed))

@@ -61,7 +61,10 @@ async function faults(page, number, name) {
     file.startsWith(`${basename(name)}-`) && /^\d+\.off$/.test(file.slice(basename(name).length + 1)));
   if (poses.length === 0) return ["there are no poses to compare with"];
   const glb = await scene_of(`${name}.glb`);
-  const loaded = await page.evaluate((url) => window.load(url), `/characters/${number}/${basename(name)}.fbx`);
+  const weights = Object.fromEntries(glb.meshes.flatMap(({ extras, weights = [] }) =>
+    (extras?.targetNames ?? []).map((target, i) => [target, weights[i] ?? 0])));
+  const loaded = await page.evaluate(([url, morphs]) => window.load(url, morphs),
+    [`/characters/${number}/${basename(name)}.fbx`, weights]);
   const bones = glb.skins[0].joints.map((joint) => glb.nodes[joint].name);
   // three.js writes names so that tracks of animations can have them.
   const plain = (text) => text.replace(/\s/g, "_").replace(/[[\].:/]/g, "");

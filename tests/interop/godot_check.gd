@@ -86,6 +86,7 @@ func mesh_of(body, skeletons):
 		var name = mesh.get_blend_shape_name(morph)
 		out.morphs.append({"name": name, "weight": body.get("blend_shapes/" + name)})
 	for surface in mesh.get_surface_count():
+		var own = body.get_surface_material(surface)
 		var arrays = mesh.surface_get_arrays(surface)
 		var morphs = []
 		for morph in mesh.surface_get_blend_shape_arrays(surface):
@@ -97,8 +98,21 @@ func mesh_of(body, skeletons):
 			"weights": coded(arrays[Mesh.ARRAY_WEIGHTS]),
 			"indices": coded(arrays[Mesh.ARRAY_INDEX]),
 			"morphs": morphs,
+			"picture": picture_of(own if own else mesh.surface_get_material(surface)),
 		})
 	return out
+
+
+# What colours a material: its size and its pixels.
+func picture_of(material):
+	if not material is SpatialMaterial or not material.albedo_texture:
+		return null
+	var picture = material.albedo_texture.get_data()
+	if picture.is_compressed():
+		picture.decompress()
+	picture.clear_mipmaps()
+	picture.convert(Image.FORMAT_RGBA8)
+	return {"width": picture.get_width(), "height": picture.get_height(), "pixels": coded(picture.get_data())}
 
 
 func tracks_of(animation):

@@ -5,11 +5,14 @@ import { packed } from "./packed.mjs";
 
 let character, meshes, mixer, metres;
 
+/// `weights`: of the morph targets, by name; the loader leaves all at 0.
 /// \returns the bones' names, and how many morph targets all meshes have.
-window.load = async (url) => {
+window.load = async (url, weights) => {
   character = await new FBXLoader().loadAsync(url);
   meshes = [];
   character.traverse((node) => node.isSkinnedMesh && meshes.push(node));
+  for (const { morphTargetDictionary, morphTargetInfluences } of meshes)
+    for (const [name, i] of Object.entries(morphTargetDictionary ?? {})) morphTargetInfluences[i] = weights[name] ?? 0;
   metres = (character.userData.unitScaleFactor ?? 1) / 100;
   mixer = new THREE.AnimationMixer(character);
   mixer.clipAction(character.animations[0]).setLoop(THREE.LoopOnce).play();
