@@ -296,6 +296,30 @@ TEST_CASE("rest poses: faces, soles and palms stay as they are turned", "[applic
     hand = wrist + about(60, Eigen::Vector3d::UnitY()) * (hand - wrist);
     for (const RigidMotion<double>& of_joint : to_t_pose(off))
         CHECK(of_joint.rotation.angularDistance(Rotation::Identity()) < 1e-6);
+    // In an A-pose, they go with the forearms all the same.
+    off = standing(40);
+    off.joints[index_of("left_hand")].position =
+        off.joints[index_of("left_wrist")].position + Eigen::Vector3d(0, 0, 0.1);
+    const auto raised = to_t_pose(off);
+    CHECK(raised[index_of("left_hand")].rotation.angularDistance(raised[index_of("left_elbow")].rotation) < 1e-6);
+
+    // Joints that were found off move no trunk and no limbs whose lines are near the rest pose's, but bends do.
+    off = standing(4);
+    const auto place = [&](const char* name) -> Eigen::Vector3d& { return off.joints[index_of(name)].position; };
+    place("waist").z() -= 0.1;
+    place("left_elbow") += Eigen::Vector3d(-0.1, 0.07, 0); // the upper arm is short now, as is the calf
+    place("right_knee") += Eigen::Vector3d(0, -0.25, 0.06);
+    for (const char* bone : {"left_shoulder", "right_knee"}) {
+        const std::size_t j = index_of(bone);
+        const Eigen::Vector3d along = bone_end(off, human(), static_cast<int>(j)) - off.joints[j].position;
+        const auto rest = rest_skeleton<double>(human());
+        const Eigen::Vector3d wanted = bone_end(rest, human(), static_cast<int>(j)) - rest.joints[j].position;
+        CHECK(along.normalized().dot(wanted.normalized()) < std::cos(15 * test::pi / 180));
+    }
+    for (const RigidMotion<double>& of_joint : to_t_pose(off))
+        CHECK(of_joint.rotation.angularDistance(Rotation::Identity()) < 1e-6);
+    for (const char* name : {"left_elbow", "right_elbow"}) place(name).y() += 0.1;
+    CHECK(turn_of(to_t_pose(off), "right_shoulder") > 5);
 
     // An arm that is bent more than the other is no rest pose; its hand goes with the forearm all the same.
     const auto bent = standing(40, 50);
@@ -305,6 +329,14 @@ TEST_CASE("rest poses: faces, soles and palms stay as they are turned", "[applic
     const Eigen::Vector3d forearm = unbent[index_of("left_wrist")](bent.joints[index_of("left_wrist")].position) -
                                     unbent[index_of("left_elbow")](bent.joints[index_of("left_elbow")].position);
     CHECK(forearm.normalized().x() == Approx(1).margin(1e-9));
+    // The elbow unbends as a hinge does, without a twist.
+    const auto bone = [&](const std::string& from, const std::string& to) -> Eigen::Vector3d {
+        return (bent.joints[index_of(to)].position - bent.joints[index_of(from)].position).normalized();
+    };
+    const double bend = std::acos(bone("left_shoulder", "left_elbow").dot(bone("left_elbow", "left_wrist")));
+    CHECK(bend > 0.5);
+    CHECK(unbent[index_of("left_elbow")].rotation.angularDistance(unbent[index_of("left_shoulder")].rotation) ==
+          Approx(bend).epsilon(1e-6));
 }
 
 TEST_CASE("rest poses: rotations near one from axes to axes are taken for that", "[applications][pose]") {

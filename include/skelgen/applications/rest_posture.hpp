@@ -22,13 +22,14 @@ template <typename Scalar>
                                            const SkeletonTemplate& skeleton_template,
                                            const Eigen::Quaternion<Scalar>& to_canonical);
 
-/// As `rest_motions`, but what lies within some degrees of the rest pose stays as it is: the trunk (15 degrees; its
-/// joints 30, where all of it is so upright), arms (12) and legs (15) of both sides, soles (35, or whatever they do
-/// below legs that are down within 35) and the head (25, or whatever it does where the trunk is upright within 25),
-/// these two as they are turned in the world. Hands of arms that stay do so, too. Arms that are bent by less than 60
-/// degrees are laid where they are wanted without a turn about themselves, and hands go with the forearms. Arms that
-/// are raised or lowered take the shoulders along as people's do. `now`: as of `posture`. O(joints). \throws Error as
-/// `rest_motions`.
+/// As `rest_motions`, but what lies within some degrees of the rest pose stays as it is. The trunk does where its line
+/// is within 15 degrees, and hips and shoulders lie across within 30, else where its joints are within 15. Arms (12)
+/// and legs (15) of both sides do by the lines from their first joint to their last, where elbows or knees lie near
+/// these. Soles stay within 35, or whatever they do below legs that are down within 35. The head stays within 25, or
+/// whatever it does where the trunk is upright within 25. These two stay as they are turned in the world. Hands of arms
+/// that stay do so, too. Arms that are bent by less than 60 degrees are laid where they are wanted without a turn about
+/// themselves, and hands go with the forearms. Arms that are raised or lowered take the shoulders along as people's do.
+/// `now`: as of `posture`. O(joints). \throws Error as `rest_motions`.
 template <typename Scalar>
 [[nodiscard]] std::vector<RigidMotion<Scalar>>
 posture_motions(RestPose pose, const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
