@@ -107,6 +107,7 @@ set(skelgen_core_headers
     include/skelgen/core/geometry.hpp
     include/skelgen/core/header_only.hpp
     include/skelgen/core/join_curves.hpp
+    include/skelgen/core/least_squares.hpp
     include/skelgen/core/line.hpp
     include/skelgen/core/kinematic_skeleton.hpp
     include/skelgen/core/mesh.hpp
@@ -195,7 +196,9 @@ set(skelgen_core_headers
     include/skelgen/search/held_things.hpp
     include/skelgen/search/hypothesis.hpp
     include/skelgen/search/ladder.hpp
+    include/skelgen/search/laid_model.hpp
     include/skelgen/search/line.hpp
+    include/skelgen/search/posed_fit.hpp
     include/skelgen/search/rest_fit.hpp
     include/skelgen/search/trail.hpp
     include/skelgen/search/trust.hpp
@@ -355,6 +358,7 @@ set(skelgen_core_definitions
     include/skelgen/search/impl/hypothesis.hpp
     include/skelgen/search/impl/ladder.hpp
     include/skelgen/search/impl/line.hpp
+    include/skelgen/search/impl/posed_fit.hpp
     include/skelgen/search/impl/rest_fit.hpp
     include/skelgen/search/impl/trust.hpp
     include/skelgen/surface/impl/body.hpp

@@ -7,6 +7,7 @@
 #include <skelgen/search/impl/hypothesis.hpp>
 #include <skelgen/search/impl/ladder.hpp>
 #include <skelgen/search/impl/line.hpp>
+#include <skelgen/search/impl/posed_fit.hpp>
 #include <skelgen/search/impl/rest_fit.hpp>
 #include <skelgen/search/impl/trust.hpp>
 
@@ -28,6 +29,9 @@ namespace skelgen::search {
     template std::vector<MirrorPlane> mirror_planes(const Body<Scalar>&);                                              \
     template std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>&, const SkeletonTemplate&,                  \
                                                         const std::vector<KnownPlace>&);                               \
+    template std::vector<Points<double>> standing_starts(const Body<Scalar>&, const SkeletonTemplate&);                \
+    template std::vector<PosedFit> fit_posed(const Body<Scalar>&, const SkeletonTemplate&,                             \
+                                             const std::vector<Points<double>>&, const std::vector<KnownPlace>&);      \
     template Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>&, const curve::CurveResult<Scalar>&,            \
                                                     const PlacedJoints<Scalar>&);                                      \
     template PlacedJoints<Scalar> place_joints(const Body<Scalar>&, const curve::CurveResult<Scalar>&,                 \

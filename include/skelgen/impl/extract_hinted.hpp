@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Cholesky>
 
@@ -13,6 +14,7 @@
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/parallel.hpp>
 #include <skelgen/core/stopwatch.hpp>
+#include <skelgen/search/posed_fit.hpp>
 #include <skelgen/surface/body.hpp>
 
 namespace skelgen {
@@ -57,16 +59,17 @@ inline bool is_of_trunk(const TemplateJoint& joint) {
             joint.role != JointRole::head);
 }
 
-/// With left and right exchanged: joints, end points, and the frame's left and forward.
+/// With left and right of arms, of legs, or of both exchanged: joints, end points, and with the legs the frame's left
+/// and forward.
 template <typename Scalar>
 KinematicSkeleton<Scalar> with_exchanged_sides(KinematicSkeleton<Scalar> skeleton,
-                                               const SkeletonTemplate& skeleton_template) {
+                                               const SkeletonTemplate& skeleton_template, bool arms, bool legs) {
     const auto by_name = [](auto& ends, const std::string& name) {
         return std::find_if(ends.begin(), ends.end(), [&](const auto& end) { return end.first == name; });
     };
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
         const TemplateJoint& joint = skeleton_template.joints[j];
-        if (joint.side != Side::left) continue;
+        if (joint.side != Side::left || !(part_of(joint.role) == BodyPart::arm ? arms : legs)) continue;
         const auto other = static_cast<std::size_t>(counterpart(skeleton_template, static_cast<int>(j)));
         Joint<Scalar>&left = skeleton.joints[j], &right = skeleton.joints[other];
         std::swap(left.position, right.position);
@@ -80,42 +83,51 @@ KinematicSkeleton<Scalar> with_exchanged_sides(KinematicSkeleton<Scalar> skeleto
         if (left_end != skeleton.end_points.end() && right_end != skeleton.end_points.end())
             std::swap(left_end->second, right_end->second);
     }
+    if (!legs) return skeleton;
     skeleton.frame.left = -skeleton.frame.left;
     skeleton.frame.forward = -skeleton.frame.forward;
     return skeleton;
 }
 
-/// Of all candidates, with their sides as they are and exchanged, the one that is likeliest by itself and has its
-/// joints nearest to the hints.
+/// A candidate with its sides in one of the ways they may be.
 template <typename Scalar>
-std::pair<const search::Found<Scalar>*, KinematicSkeleton<Scalar>>
-nearest_to(const std::vector<Hint>& hints, const std::vector<search::Found<Scalar>>& candidates,
-           const SkeletonTemplate& wanted, Scalar size) {
-    constexpr double near = 0.05;   // of the size: as far off hints are from what a search finds of right limbs
-    constexpr double lacks_it = 18; // as much as a hint that is 30 % of the size off
+struct Reading {
+    const search::Found<Scalar>* found = nullptr;
+    KinematicSkeleton<Scalar> skeleton; ///< in the input's coordinates
+    double worth = 0;                   ///< logarithm: how likely it is by itself, and beside the hints
+};
+
+/// All candidates with the sides of arms and legs as they are and exchanged, the worthiest first.
+template <typename Scalar>
+std::vector<Reading<Scalar>> readings_of(const std::vector<search::Found<Scalar>>& candidates,
+                                         const std::vector<Hint>& hints, const SkeletonTemplate& wanted, Scalar size) {
+    constexpr double near = 0.05;     // of the size: as far off hints are from what a search finds of right limbs
+    constexpr double lacks_it = 18;   // as much as a hint that is 30 % of the size off
+    constexpr double twisted = 2;     // arms whose sides are against the legs'
+    constexpr double unlikeliest = 8; // nothing is less likely by itself: hints tell more than the search
     const std::vector<int> hint_of = hints_by_joint(wanted, hints);
-    std::pair<const search::Found<Scalar>*, KinematicSkeleton<Scalar>> best;
-    double most = -std::numeric_limits<double>::infinity();
+    std::vector<Reading<Scalar>> out;
     for (const search::Found<Scalar>& found : candidates) {
-        KinematicSkeleton<Scalar> skeleton = search::skeleton_in_input(found);
-        for (const bool exchanged : {false, true}) {
-            if (exchanged) skeleton = with_exchanged_sides(std::move(skeleton), wanted);
-            double worth = std::log(std::max(found.candidate.probability, std::numeric_limits<double>::min()));
-            for (std::size_t j = 0; j < hint_of.size(); ++j)
-                if (hint_of[j] >= 0 && !skeleton.joints[j].is_present)
-                    worth -= lacks_it;
-                else if (hint_of[j] >= 0)
-                    worth -= (skeleton.joints[j].position.template cast<double>() -
-                              hints[static_cast<std::size_t>(hint_of[j])].position)
-                                 .squaredNorm() /
-                             (2 * std::pow(near * static_cast<double>(size), 2));
-            // The sides as they were found win where hints do not tell.
-            if (!(worth > most)) continue;
-            most = worth;
-            best = {&found, skeleton};
+        const KinematicSkeleton<Scalar> as_found = search::skeleton_in_input(found);
+        for (const auto& [arms, legs] : {std::pair(false, false), {true, true}, {true, false}, {false, true}}) {
+            Reading<Scalar> reading{&found, with_exchanged_sides(as_found, wanted, arms, legs), 0};
+            reading.worth = std::max(std::log(std::max(found.candidate.probability, 1e-9)), -unlikeliest);
+            if (arms != legs) reading.worth -= twisted;
+            for (std::size_t j = 0; j < hint_of.size(); ++j) {
+                if (hint_of[j] < 0) continue;
+                const Joint<Scalar>& joint = reading.skeleton.joints[j];
+                const double off =
+                    (joint.position.template cast<double>() - hints[static_cast<std::size_t>(hint_of[j])].position)
+                        .norm() /
+                    (near * static_cast<double>(size));
+                reading.worth -= joint.is_present ? off * off / 2 : lacks_it;
+            }
+            out.push_back(std::move(reading));
         }
     }
-    return best;
+    // The sides as they were found win where hints do not tell.
+    std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.worth > b.worth; });
+    return out;
 }
 
 /// The hints, and beside them where a mirror shows the other side's joints that were not found there: that across the
@@ -152,6 +164,87 @@ std::vector<Hint> with_mirrored(std::vector<Hint> hints, const Body<Scalar>& bod
             hints.push_back({found.name, body.similarity.to_input(there).template cast<double>()});
     }
     return hints;
+}
+
+/// A skeleton with other places of its joints; frame and end points go with them. `places`: one row per joint.
+template <typename Scalar>
+KinematicSkeleton<Scalar> with_places(KinematicSkeleton<Scalar> skeleton, const SkeletonTemplate& wanted,
+                                      const Points<double>& places) {
+    for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+        Joint<Scalar>& joint = skeleton.joints[j];
+        const Vector3<Scalar> place = places.row(static_cast<Eigen::Index>(j)).transpose().template cast<Scalar>();
+        for (auto& [name, end] : skeleton.end_points)
+            if (ends_limb(wanted.joints[j].role) && name == end_point_name(wanted, wanted.joints[j]))
+                end += place - joint.position;
+        joint.position = place;
+        joint.is_present = true;
+    }
+    const auto at = [&](JointRole role, Side side) -> Vector3<Scalar> {
+        return skeleton.joints[static_cast<std::size_t>(find_joint(wanted, role, side))].position;
+    };
+    const Vector3<Scalar> left = at(JointRole::hip, Side::left), right = at(JointRole::hip, Side::right);
+    BodyFrame<Scalar>& frame = skeleton.frame;
+    frame.origin = skeleton.joints.front().position;
+    frame.up = (at(JointRole::neck, Side::none) - (left + right) / 2).normalized();
+    frame.left = (left - right - (left - right).dot(frame.up) * frame.up).normalized();
+    frame.forward = frame.left.cross(frame.up);
+    return skeleton;
+}
+
+/// Joints as hints and surface together have them, where no candidate was likely beside the hints: bodies in any pose
+/// are laid into the surface from the best readings on, and from bodies at rest, all of them bent to the hints first.
+/// \returns the cheapest, its joints in the input's coordinates; none where the template is no person's.
+template <typename Scalar>
+std::optional<KinematicSkeleton<Scalar>> laid_to(const std::vector<Hint>& hints,
+                                                 const std::vector<Reading<Scalar>>& readings,
+                                                 const SkeletonTemplate& wanted, Scalar size) {
+    constexpr std::size_t most_readings = 24, most_standing = 60;
+    constexpr double standing_worth = -8, worth_weight = 0.5; // beside a fit's cost
+    const Body<Scalar>& body = *readings.front().found->body;
+    std::vector<Points<double>> standing = search::standing_starts(body, wanted);
+    if (standing.empty()) return std::nullopt;
+    const KinematicSkeleton<Scalar>& best = readings.front().skeleton;
+    const auto canonical = [&](const Vector3<double>& place) -> Vector3<double> {
+        return body.similarity.to_canonical(place.cast<Scalar>().eval()).template cast<double>();
+    };
+    std::vector<search::KnownPlace> known;
+    const std::vector<int> hint_of = hints_by_joint(wanted, hints);
+    for (std::size_t j = 0; j < hint_of.size(); ++j)
+        if (hint_of[j] >= 0)
+            known.push_back({static_cast<int>(j), canonical(hints[static_cast<std::size_t>(hint_of[j])].position)});
+    std::vector<Points<double>> starts;
+    std::vector<double> worth; // of each start
+    const auto add = [&](const KinematicSkeleton<Scalar>& skeleton, double its_worth) {
+        const KinematicSkeleton<Scalar> bent = bent_to(skeleton, wanted, hints, size);
+        Points<double> places(static_cast<Eigen::Index>(bent.joints.size()), 3);
+        for (std::size_t j = 0; j < bent.joints.size(); ++j)
+            places.row(static_cast<Eigen::Index>(j)) =
+                canonical(bent.joints[j].position.template cast<double>()).transpose();
+        starts.push_back(std::move(places));
+        worth.push_back(its_worth);
+    };
+    for (std::size_t r = 0; r < std::min(most_readings, readings.size()); ++r)
+        add(readings[r].skeleton, readings[r].worth);
+    const auto off = [&](const Points<double>& places) {
+        double sum = 0;
+        for (const auto& [joint, place] : known) sum += (places.row(joint).transpose() - place).squaredNorm();
+        return sum;
+    };
+    std::stable_sort(standing.begin(), standing.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
+    const auto in_input = [&](Points<double> places) {
+        for (Eigen::Index j = 0; j < places.rows(); ++j)
+            places.row(j) = body.similarity.to_input(Vector3<Scalar>(places.row(j).transpose().template cast<Scalar>()))
+                                .transpose()
+                                .template cast<double>();
+        return places;
+    };
+    for (std::size_t s = 0; s < std::min(most_standing, standing.size()); ++s)
+        add(with_places(best, wanted, in_input(standing[s])), standing_worth);
+    const std::vector<search::PosedFit> fits = search::fit_posed(body, wanted, starts, known);
+    const auto price = [&](const search::PosedFit& fit) { return fit.cost - worth_weight * worth[fit.start]; };
+    const auto cheapest =
+        std::min_element(fits.begin(), fits.end(), [&](const auto& a, const auto& b) { return price(a) < price(b); });
+    return with_places(best, wanted, in_input(cheapest->joints));
 }
 
 } // namespace detail
@@ -243,11 +336,16 @@ Extraction<Scalar> extract_hinted(TriangleMesh<Scalar> mesh, const std::vector<H
     search::Climb<Scalar> climb = search::climb(mesh, wanted, with_one, search::Thoroughness::exhaustive, known);
     if (climb.found.empty()) throw NoSkeleton(climb.failure, std::move(climb.trail));
 
+    constexpr double likely = -3; // worth of a reading: below it laid bodies are nearer to the truth
     const Scalar size = core::bounding_diagonal(mesh.vertices);
-    auto [best, nearest] = detail::nearest_to(hints, climb.found, wanted, size);
-    const std::vector<Hint> all = detail::with_mirrored(hints, *best->body, nearest, wanted);
+    const std::vector<detail::Reading<Scalar>> readings = detail::readings_of(climb.found, hints, wanted, size);
+    const search::Found<Scalar>* best = readings.front().found;
+    KinematicSkeleton<Scalar> nearest = readings.front().skeleton;
+    std::optional<KinematicSkeleton<Scalar>> laid;
+    if (readings.front().worth < likely) laid = detail::laid_to(hints, readings, wanted, size);
+    const std::vector<Hint> all = laid ? hints : detail::with_mirrored(hints, *best->body, nearest, wanted);
     const std::vector<Joint<Scalar>> before = nearest.joints;
-    nearest = bent_to(std::move(nearest), wanted, all, size);
+    nearest = bent_to(laid ? *std::move(laid) : std::move(nearest), wanted, all, size);
     for (std::size_t h = hints.size(); h < all.size(); ++h) { // nobody has vouched for these
         const auto j = static_cast<std::size_t>(find_joint(nearest, all[h].joint));
         nearest.joints[j].confidence = before[j].confidence;

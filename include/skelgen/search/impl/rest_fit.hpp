@@ -5,74 +5,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <numeric>
 #include <utility>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <nanoflann.hpp>
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
+#include <skelgen/core/least_squares.hpp>
 #include <skelgen/embedding/proportions.hpp>
+#include <skelgen/search/laid_model.hpp>
 
 namespace skelgen::search {
 namespace detail {
 
-using Vec3d = Vector3<double>;
-using Places = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-
-/// So many places spread evenly over a surface, in order of its faces: the same for the same mesh.
-template <typename Scalar>
-Places spread_places(const TriangleMesh<Scalar>& mesh, int count) {
-    std::vector<double> sum(static_cast<std::size_t>(mesh.faces.rows()));
-    double area = 0;
-    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
-        sum[static_cast<std::size_t>(f)] = area += static_cast<double>(core::face_area_vector(mesh, f).norm()) / 2;
-    Places out(count, 3);
-    // Within a face places follow the golden ratio's low-discrepancy sequence.
-    constexpr double step_u = 0.7548776662466927, step_v = 0.5698402909980532;
-    for (int i = 0; i < count; ++i) {
-        const double at = area * (i + 0.5) / count;
-        const auto f =
-            std::min<Eigen::Index>(std::lower_bound(sum.begin(), sum.end(), at) - sum.begin(), mesh.faces.rows() - 1);
-        double u = std::fmod(step_u * (i + 1), 1.0), v = std::fmod(step_v * (i + 1), 1.0);
-        if (u + v > 1) {
-            u = 1 - u;
-            v = 1 - v;
-        }
-        const auto corner = [&](int k) -> Vec3d {
-            return core::point(mesh.vertices, mesh.faces(f, k)).template cast<double>();
-        };
-        out.row(i) = (corner(0) + u * (corner(1) - corner(0)) + v * (corner(2) - corner(0))).transpose();
-    }
-    return out;
-}
-
 /// For unit area: a person has 0.05, a sheet nothing.
 template <typename Scalar>
 inline constexpr Scalar least_volume = Scalar(1e-3);
-
-/// Places in a tree.
-class PlaceTree {
-public:
-    explicit PlaceTree(const Places& places) : places_(places), tree_(3, places_) {}
-
-    [[nodiscard]] std::pair<Eigen::Index, double> nearest(const Vec3d& place) const {
-        Eigen::Index index = 0;
-        double squared = std::numeric_limits<double>::infinity();
-        nanoflann::KNNResultSet<double, Eigen::Index> result(1);
-        result.init(&index, &squared);
-        tree_.index->findNeighbors(result, place.data(), nanoflann::SearchParams());
-        return {index, std::sqrt(squared)};
-    }
-
-private:
-    const Places& places_;
-    nanoflann::KDTreeEigenMatrixAdaptor<Places, 3, nanoflann::metric_L2_Simple> tree_;
-};
 
 inline Vec3d mirrored(const Vec3d& place, const MirrorPlane& plane) {
     return place - 2 * (plane.normal.dot(place) - plane.offset) * plane.normal;
@@ -118,138 +67,12 @@ inline MirrorPlane settled(MirrorPlane plane, const Places& places, const Places
     return plane;
 }
 
-/// What is laid into the surface: 23 numbers in units of the height, x across the mirror plane, y up, z forward or
-/// back, the feet's lowest place at y = 0 and the highest at 1.
-enum Number {
-    floor_y,
-    crotch_y,
-    neck_y,
-    top_y,
-    shoulder_x,
-    shoulder_drop,
-    arm_angle,
-    arm_length,
-    hip_x,
-    ankle_x,
-    crotch_z,
-    neck_z,
-    hand_z,
-    ankle_z,
-    head_z,
-    head_radius,
-    trunk_radius,
-    chest_radius,
-    shoulder_radius,
-    wrist_radius,
-    thigh_radius,
-    ankle_radius,
-    foot_length,
-    numbers
-};
-
-using RestNumbers = Eigen::Matrix<double, numbers, 1>;
-
-/// Proportions that a fit starts from.
-struct RestStart {
-    double crotch, neck, shoulder, drop, arm, hip, head_radius, trunk_radius, arm_radius, leg_radius;
-};
-
-/// An adult; a child or a figure of four heads; one of two heads. Parts of the height.
-inline constexpr std::array<RestStart, 3> rest_starts{{{.47, .83, .10, .02, .42, .05, .06, .07, .025, .045},
-                                                       {.38, .70, .10, .03, .34, .055, .12, .09, .03, .05},
-                                                       {.25, .53, .10, .03, .28, .06, .20, .11, .035, .05}}};
-inline constexpr std::array<double, 3> arm_angles{0.1, 0.8, 1.3}; ///< below level: T-pose, A-pose, hanging
-
-inline RestNumbers start_at(const RestStart& start, double angle) {
-    RestNumbers out = RestNumbers::Zero();
-    out[crotch_y] = start.crotch;
-    out[neck_y] = start.neck;
-    out[top_y] = 1;
-    out[shoulder_x] = start.shoulder;
-    out[shoulder_drop] = start.drop;
-    out[arm_angle] = angle;
-    out[arm_length] = start.arm;
-    out[hip_x] = start.hip;
-    out[ankle_x] = 1.2 * start.hip;
-    out[head_radius] = std::log(start.head_radius);
-    out[trunk_radius] = out[chest_radius] = std::log(start.trunk_radius);
-    out[shoulder_radius] = out[wrist_radius] = std::log(start.arm_radius);
-    out[thigh_radius] = std::log(1.2 * start.leg_radius);
-    out[ankle_radius] = std::log(0.7 * start.leg_radius);
-    return out;
-}
-
 /// How far each number may be from where a fit starts: standard deviations of a broad prior.
 inline RestNumbers prior_deviations() {
     RestNumbers out;
     out << .05, .12, .12, .12, .06, .04, .6, .12, .04, .06, .06, .06, .1, .06, .06, .5, .5, .5, .5, .5, .5, .5, .06;
     return out;
 }
-
-/// A cone with round ends, widened across the mirror plane.
-struct RestBone {
-    Vec3d from, to;
-    double from_radius, to_radius, from_width = 0, to_width = 0;
-
-    friend bool operator==(const RestBone&, const RestBone&) = default;
-};
-
-/// The model's half beside the mirror plane.
-struct RestModel {
-    std::array<RestBone, 5> bones; ///< head, trunk, arm, leg, foot
-    Vec3d top, neck, crotch, shoulder, fingertip, hip, ankle, toe;
-};
-
-inline RestModel model_of(const RestNumbers& n) {
-    const double head = std::exp(n[head_radius]), trunk = std::exp(n[trunk_radius]), chest = std::exp(n[chest_radius]);
-    const double upper_arm = std::exp(n[shoulder_radius]), wrist = std::exp(n[wrist_radius]);
-    const double thigh = std::exp(n[thigh_radius]), shin = std::exp(n[ankle_radius]);
-    RestModel out;
-    out.neck = {0, n[neck_y], n[neck_z]};
-    out.top = {0, n[top_y], n[head_z]};
-    out.crotch = {0, n[crotch_y] + 0.5 * trunk, n[crotch_z]};
-    out.shoulder = {n[shoulder_x], n[neck_y] - n[shoulder_drop], n[neck_z]};
-    out.fingertip = out.shoulder + Vec3d(n[arm_length] * std::cos(n[arm_angle]),
-                                         -n[arm_length] * std::sin(n[arm_angle]), n[hand_z] - n[neck_z]);
-    out.hip = {n[hip_x], n[crotch_y] + 0.3 * trunk, n[crotch_z]};
-    out.ankle = {n[ankle_x], n[floor_y] + shin, n[ankle_z]};
-    out.toe = out.ankle + Vec3d(0, 0, n[foot_length]);
-    const Vec3d skull(0, n[top_y] - head, n[head_z]);
-    const Vec3d chin(0, std::min(n[neck_y] + head, skull.y()), n[head_z]);
-    out.bones = {{{chin, skull, head, head},
-                  {out.crotch, out.neck, trunk, chest, n[hip_x], 0.8 * n[shoulder_x]},
-                  {out.shoulder, out.fingertip, upper_arm, wrist},
-                  {out.hip, out.ankle, thigh, shin},
-                  {out.ankle, out.toe, 0.8 * shin, 0.8 * shin}}};
-    return out;
-}
-
-/// How far a place is outside a bone; negative within it.
-inline double beyond(const RestBone& bone, const Vec3d& place) {
-    const Vec3d along = bone.to - bone.from;
-    const double u = std::clamp((place - bone.from).dot(along) / (along.squaredNorm() + 1e-12), 0.0, 1.0);
-    Vec3d across = place - bone.from - u * along;
-    const double width = bone.from_width + u * (bone.to_width - bone.from_width);
-    if (width > 0) across.x() = std::max(std::abs(across.x()) - width, 0.0);
-    return across.norm() - (bone.from_radius + u * (bone.to_radius - bone.from_radius));
-}
-
-/// Grows as the logarithm where a residual is large: what the body wears and holds counts no more than it is there.
-inline double robust(double residual) { return std::copysign(std::sqrt(std::log1p(residual * residual)), residual); }
-
-/// The way from the model's coordinates to the body's.
-struct RestFrame {
-    Vec3d across, up, ahead; ///< unit
-    double offset = 0, floor = 0, height = 1, depth = 0;
-
-    [[nodiscard]] Vec3d to_body(const Vec3d& place, double side) const {
-        return across * (offset + side * height * place.x()) + up * (floor + height * place.y()) +
-               ahead * (depth + height * place.z());
-    }
-    [[nodiscard]] Vec3d to_model(const Vec3d& place) const {
-        return Vec3d(std::abs(across.dot(place) - offset), up.dot(place) - floor, ahead.dot(place) - depth) / height;
-    }
-};
 
 /// The frames in which a body may stand that mirrors itself in a plane: its longest extent in the plane is up or down.
 inline std::array<RestFrame, 2> frames_of(const MirrorPlane& plane, const Places& cloud) {
@@ -285,9 +108,7 @@ inline std::array<RestFrame, 2> frames_of(const MirrorPlane& plane, const Places
               n.cross(-up).dot(ahead) < 0 ? -through[1] : through[1]}}};
 }
 
-inline Vec3d place_of(const RestModel& model, const SkeletonTemplate& wanted, int joint);
-
-/// Levenberg and Marquardt's method for the model's numbers.
+/// Brings the model's numbers to where it lies in the surface.
 template <typename Distance>
 class RestSolver {
 public:
@@ -296,48 +117,12 @@ public:
                Distance distance)
         : places_(std::move(places)), known_(std::move(known)), wanted_(wanted), distance_(distance) {}
 
-    struct Solution {
-        RestNumbers numbers;
-        double cost = 0;
-    };
-
     /// `with_middles`: whether axes have to lie in the middle, which asks for distances to the surface.
-    [[nodiscard]] Solution solve(const RestNumbers& start, const RestNumbers& prior, int rounds,
-                                 bool with_middles) const {
-        constexpr double step = 1e-4, least_damping = 1e-6, most_damping = 1e6;
-        RestNumbers x = start;
-        Laid here = laid(x, with_middles, nullptr);
-        Eigen::VectorXd r = residuals(here, x, prior);
-        double cost = r.squaredNorm(), damping = 1e-2;
-        for (int round = 0; round < rounds; ++round) {
-            Eigen::Matrix<double, Eigen::Dynamic, numbers> jacobian(r.size(), static_cast<int>(numbers));
-            for (int k = 0; k < numbers; ++k) {
-                RestNumbers moved = x;
-                moved[k] += step;
-                jacobian.col(k) = (residuals(laid(moved, with_middles, &here), moved, prior) - r) / step;
-            }
-            const Eigen::Matrix<double, numbers, numbers> normal = jacobian.transpose() * jacobian;
-            const RestNumbers gradient = jacobian.transpose() * r;
-            bool improved = false;
-            while (!improved && damping < most_damping) {
-                Eigen::Matrix<double, numbers, numbers> damped = normal;
-                damped.diagonal() *= 1 + damping;
-                const RestNumbers next = x - damped.ldlt().solve(gradient);
-                Laid there = laid(next, with_middles, nullptr);
-                const Eigen::VectorXd residuals_there = residuals(there, next, prior);
-                improved = residuals_there.squaredNorm() < cost;
-                damping = improved ? std::max(damping / 5, least_damping) : damping * 4;
-                if (!improved) continue;
-                const double gain = cost - residuals_there.squaredNorm();
-                x = next;
-                here = std::move(there);
-                r = residuals_there;
-                cost = r.squaredNorm();
-                if (gain < 1e-4 * cost) return {x, cost};
-            }
-            if (!improved) break;
-        }
-        return {x, cost};
+    [[nodiscard]] core::LeastSquares<RestNumbers> solve(const RestNumbers& start, const RestNumbers& prior, int rounds,
+                                                        bool with_middles) const {
+        return core::least_squares(
+            start, rounds, [&](const RestNumbers& x, const Laid* known) { return laid(x, with_middles, known); },
+            [&](const Laid& state, const RestNumbers& x) { return residuals(state, x, prior); });
     }
 
 private:
@@ -362,7 +147,7 @@ private:
         const auto places = static_cast<Eigen::Index>(places_.size());
         out.beyond.resize(places, bones);
         for (Eigen::Index b = 0; b < bones; ++b) {
-            const RestBone& bone = out.model.bones[static_cast<std::size_t>(b)];
+            const ModelBone& bone = out.model.bones[static_cast<std::size_t>(b)];
             if (known && bone == known->model.bones[static_cast<std::size_t>(b)]) continue;
             for (Eigen::Index i = 0; i < places; ++i)
                 out.beyond(i, b) = std::abs(beyond(bone, places_[static_cast<std::size_t>(i)]));
@@ -403,9 +188,6 @@ private:
     Distance distance_;
 };
 
-/// Parts of the way from shoulder to fingertip, in the mean over people and characters, as place_of() has more of them.
-inline constexpr double elbow_at = 0.43, wrist_at = 0.78;
-
 /// How long head, arms and legs are beside the trunk, as multiples of the template's.
 inline embedding::Proportions proportions_of_model(const RestModel& model, const SkeletonTemplate& wanted) {
     using enum JointRole;
@@ -427,45 +209,6 @@ inline embedding::Proportions proportions_of_model(const RestModel& model, const
     return {ratio((model.top - model.neck).norm(), neck, head),
             ratio((model.fingertip - model.shoulder).norm(), shoulder, hand),
             ratio((model.ankle - model.hip).norm() + 0.5 * (model.toe - model.ankle).norm(), hip, foot), 1};
-}
-
-/// Where a template's joint is on the model's half.
-inline Vec3d place_of(const RestModel& model, const SkeletonTemplate& wanted, int joint) {
-    using enum JointRole;
-    constexpr double shoulder_at = 0.07, hand_at = 0.88, knee_at = 0.5, ankle_at = 0.955, waist_at = 0.33,
-                     chest_at = 0.7, head_at = 0.45;
-    constexpr double shoulder_lower = 0.004; // than the line of the arm's middle begins; of the height
-    const auto between = [](const Vec3d& a, const Vec3d& b, double part) -> Vec3d { return a + part * (b - a); };
-    switch (wanted.joint(joint).role) {
-    case pelvis:
-        return model.crotch;
-    case waist:
-        return between(model.crotch, model.neck, waist_at);
-    case chest:
-        return between(model.crotch, model.neck, chest_at);
-    case neck:
-        return model.neck;
-    case head:
-        return between(model.neck, model.top, head_at);
-    case shoulder:
-        return between(model.shoulder, model.fingertip, shoulder_at) - Vec3d(0, shoulder_lower, 0);
-    case elbow:
-        return between(model.shoulder, model.fingertip, elbow_at);
-    case wrist:
-        return between(model.shoulder, model.fingertip, wrist_at);
-    case hand:
-        return between(model.shoulder, model.fingertip, hand_at);
-    case hip:
-        return model.hip;
-    case knee:
-        return between(model.hip, model.ankle, knee_at);
-    case ankle:
-        return between(model.hip, model.ankle, ankle_at);
-    case foot:
-        return model.toe;
-    default: // no person has it
-        return model.crotch;
-    }
 }
 
 /// The axes of a model that was laid into a body as a curve, and the template in it. `place`: per joint, `tip`: per end

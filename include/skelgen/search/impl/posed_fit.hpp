@@ -1,0 +1,402 @@
+#pragma once
+
+#include <skelgen/search/posed_fit.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/core/header_only.hpp>
+#include <skelgen/core/least_squares.hpp>
+#include <skelgen/search/laid_model.hpp>
+
+namespace skelgen::search {
+namespace detail {
+
+/// Where bones meet and end. Limbs have theirs once for each side.
+enum Node { at_pelvis, at_neck, at_top, at_shoulder, at_elbow, at_fingertip, at_hip, at_knee, at_ankle, at_toe };
+inline constexpr int limb_nodes = 7, posed_nodes = 3 + 2 * limb_nodes;
+enum PosedRadius { of_head, of_trunk, of_chest, of_shoulder, of_wrist, of_thigh, of_knee, of_ankle, posed_radii };
+
+/// The nodes' places and the logarithms of the radii, in units of the height.
+using PosedNumbers = Eigen::Matrix<double, 3 * posed_nodes + posed_radii, 1>;
+
+inline constexpr int node_of(Node node, int side) { return node < at_shoulder ? node : node + side * limb_nodes; }
+inline Vec3d place_at(const PosedNumbers& x, Node node, int side = 0) { return x.segment<3>(3 * node_of(node, side)); }
+
+/// Radii that a fit starts from: an adult's, a figure's of four heads, one's of two, as rest_starts has them.
+inline constexpr std::array<std::array<double, posed_radii>, 3> posed_starts{
+    {{.08, .07, .07, .03, .025, .05, .035, .03},
+     {.14, .09, .09, .035, .03, .055, .045, .04},
+     {.24, .11, .11, .04, .035, .06, .05, .045}}};
+
+/// Where a template's joint is: so much of the way from one node to another, as place_of() has it of bodies at rest.
+struct NodePart {
+    Node from, to;
+    int side = 0;
+    double part = 0;
+};
+
+inline NodePart node_part_of(const TemplateJoint& joint) {
+    using enum JointRole;
+    constexpr double waist_at = 0.33, chest_at = 0.7, head_at = 0.45, hand_at = 0.79;
+    constexpr double wrist_of_forearm = (wrist_at - elbow_at) / (1 - elbow_at);
+    const int side = joint.side == Side::right ? 1 : 0;
+    switch (joint.role) {
+    case waist:
+        return {at_pelvis, at_neck, 0, waist_at};
+    case chest:
+        return {at_pelvis, at_neck, 0, chest_at};
+    case neck:
+        return {at_neck, at_neck};
+    case head:
+        return {at_neck, at_top, 0, head_at};
+    case shoulder:
+        return {at_shoulder, at_shoulder, side};
+    case elbow:
+        return {at_elbow, at_elbow, side};
+    case wrist:
+        return {at_elbow, at_fingertip, side, wrist_of_forearm};
+    case hand:
+        return {at_elbow, at_fingertip, side, hand_at};
+    case hip:
+        return {at_hip, at_hip, side};
+    case knee:
+        return {at_knee, at_knee, side};
+    case ankle:
+        return {at_ankle, at_ankle, side};
+    case foot:
+        return {at_toe, at_toe, side};
+    default:
+        return {at_pelvis, at_pelvis};
+    }
+}
+
+inline Vec3d place_of(const PosedNumbers& x, const NodePart& part) {
+    const Vec3d from = place_at(x, part.from, part.side);
+    return from + part.part * (place_at(x, part.to, part.side) - from);
+}
+
+/// A body in some pose and what it is measured by, in units of its height.
+class PosedSolver {
+public:
+    static constexpr Eigen::Index bones = 12;
+
+    /// `places` on the surface; `cloud`, more of them, with `normals`: what the distance to the surface is taken from.
+    PosedSolver(Places places, Places cloud, Places normals, std::vector<std::pair<NodePart, Vec3d>> known)
+        : places_(std::move(places)), cloud_(std::move(cloud)), normals_(std::move(normals)), known_(std::move(known)),
+          tree_(cloud_) {}
+
+    [[nodiscard]] core::LeastSquares<PosedNumbers> solve(const PosedNumbers& from, const PosedNumbers& start,
+                                                         int rounds) const {
+        return core::least_squares(
+            from, rounds, [&](const PosedNumbers& x, const Laid* known) { return laid(x, known); },
+            [&](const Laid& state, const PosedNumbers& x) { return residuals(state, x, start); });
+    }
+
+private:
+    static constexpr std::array<double, 4> along{0.1, 0.35, 0.65, 0.9};
+
+    struct Laid {
+        std::array<ModelBone, bones> model;
+        Eigen::Matrix<double, Eigen::Dynamic, bones> beyond; ///< per place and bone, absolute
+        Eigen::Matrix<double, along.size(), bones> off_middle = Eigen::Matrix<double, along.size(), bones>::Zero();
+    };
+
+    static std::array<ModelBone, bones> model_of(const PosedNumbers& x) {
+        const auto radius = [&](PosedRadius which) { return std::exp(x[3 * posed_nodes + which]); };
+        const Vec3d pelvis = place_at(x, at_pelvis), neck = place_at(x, at_neck), top = place_at(x, at_top);
+        const Vec3d skull = (top - neck).normalized() * std::min(radius(of_head), (top - neck).norm() / 2);
+        const Vec3d shoulders = place_at(x, at_shoulder, 0) - place_at(x, at_shoulder, 1);
+        const Vec3d hips = place_at(x, at_hip, 0) - place_at(x, at_hip, 1);
+        std::array<ModelBone, bones> out;
+        out[0] = {neck + skull, top - skull, radius(of_head), radius(of_head)};
+        out[1] = {pelvis + 0.5 * radius(of_trunk) * (neck - pelvis).normalized(),
+                  neck,
+                  radius(of_trunk),
+                  radius(of_chest),
+                  0.5 * hips,
+                  0.4 * shoulders};
+        const double elbow = (radius(of_shoulder) + radius(of_wrist)) / 2, foot = 0.8 * radius(of_ankle);
+        for (int side = 0; side < 2; ++side) {
+            const auto at = [&](Node node) { return place_at(x, node, side); };
+            const auto bone = static_cast<std::size_t>(2 + 5 * side);
+            out[bone] = {at(at_shoulder), at(at_elbow), radius(of_shoulder), elbow};
+            out[bone + 1] = {at(at_elbow), at(at_fingertip), elbow, radius(of_wrist)};
+            out[bone + 2] = {at(at_hip), at(at_knee), radius(of_thigh), radius(of_knee)};
+            out[bone + 3] = {at(at_knee), at(at_ankle), radius(of_knee), radius(of_ankle)};
+            out[bone + 4] = {at(at_ankle), at(at_toe), foot, foot};
+        }
+        return out;
+    }
+
+    static bool has_middle(Eigen::Index bone) { return bone != 6 && bone != 11; } // feet have none
+
+    [[nodiscard]] Laid laid(const PosedNumbers& x, const Laid* known) const {
+        Laid out;
+        if (known) out = *known;
+        out.model = model_of(x);
+        out.beyond.resize(places_.rows(), bones);
+        for (Eigen::Index b = 0; b < bones; ++b) {
+            const ModelBone& bone = out.model[static_cast<std::size_t>(b)];
+            if (known && bone == known->model[static_cast<std::size_t>(b)]) continue;
+            for (Eigen::Index i = 0; i < places_.rows(); ++i)
+                out.beyond(i, b) = std::abs(search::detail::beyond(bone, places_.row(i).transpose()));
+            for (std::size_t k = 0; k < along.size() && has_middle(b); ++k)
+                out.off_middle(static_cast<Eigen::Index>(k), b) =
+                    depth_of(bone.from + along[k] * (bone.to - bone.from)) -
+                    (bone.from_radius + along[k] * (bone.to_radius - bone.from_radius));
+        }
+        return out;
+    }
+
+    /// How deep a place lies in the surface; negative outside.
+    [[nodiscard]] double depth_of(const Vec3d& place) const {
+        const auto [nearest, distance] = tree_.nearest(place);
+        const bool is_outside = (place - cloud_.row(nearest).transpose()).dot(normals_.row(nearest).transpose()) > 0;
+        return is_outside ? -distance : distance;
+    }
+
+    [[nodiscard]] Eigen::VectorXd residuals(const Laid& state, const PosedNumbers& x, const PosedNumbers& start) const {
+        constexpr double on_surface = 0.02, in_middle = 0.03; // of the height: as much as counts 1
+        constexpr double surface_weight = 6, middle_weight = 4, prior_weight = 0.5;
+        constexpr double at_known = 0.005, near_start = 0.15;
+        constexpr double middles = 40;
+        std::vector<double> out;
+        out.reserve(static_cast<std::size_t>(places_.rows()) + 200);
+        for (Eigen::Index i = 0; i < places_.rows(); ++i)
+            out.push_back(robust(state.beyond.row(i).minCoeff() / on_surface) * surface_weight /
+                          std::sqrt(static_cast<double>(places_.rows())));
+        for (Eigen::Index b = 0; b < bones; ++b)
+            for (Eigen::Index k = 0; k < state.off_middle.rows() && has_middle(b); ++k)
+                out.push_back(robust(state.off_middle(k, b) / in_middle) * middle_weight / std::sqrt(middles));
+        add_priors(x, prior_weight, out);
+        for (int r = 0; r < posed_radii; ++r)
+            out.push_back(prior_weight * (x[3 * posed_nodes + r] - start[3 * posed_nodes + r]));
+        for (int i = 0; i < 3 * posed_nodes; ++i) out.push_back(prior_weight * (x[i] - start[i]) / near_start);
+        for (const auto& [part, place] : known_) {
+            const Vec3d off = (place_of(x, part) - place) / at_known;
+            out.insert(out.end(), off.data(), off.data() + 3);
+        }
+        return Eigen::Map<Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
+    }
+
+    /// What bodies have in common. Each divisor is a standard deviation, broader than over people.
+    static void add_priors(const PosedNumbers& x, double weight, std::vector<double>& out) {
+        const auto add = [&](double off, double deviation) { out.push_back(weight * off / deviation); };
+        const auto log_length = [](const Vec3d& way) { return std::log(way.norm() + 1e-6); };
+        const auto length = [&](Node from, Node to, int side) {
+            return log_length(place_at(x, to, side) - place_at(x, from, side));
+        };
+        const auto both = [&](Node from, Node to) { return (length(from, to, 0) + length(from, to, 1)) / 2; };
+        const Vec3d pelvis = place_at(x, at_pelvis), neck = place_at(x, at_neck);
+        const Vec3d trunk = neck - pelvis, up = trunk.normalized(), head = place_at(x, at_top) - neck;
+        const Vec3d shoulders = place_at(x, at_shoulder, 0) - place_at(x, at_shoulder, 1);
+        const Vec3d hips = place_at(x, at_hip, 0) - place_at(x, at_hip, 1);
+        // Both sides are alike, and the trunk lies between them.
+        constexpr std::array<std::pair<Node, Node>, 5> limb_bones{{{at_shoulder, at_elbow},
+                                                                   {at_elbow, at_fingertip},
+                                                                   {at_hip, at_knee},
+                                                                   {at_knee, at_ankle},
+                                                                   {at_ankle, at_toe}}};
+        for (const auto& [from, to] : limb_bones) add(length(from, to, 0) - length(from, to, 1), .05);
+        add(length(at_neck, at_shoulder, 0) - length(at_neck, at_shoulder, 1), .1);
+        add(length(at_pelvis, at_hip, 0) - length(at_pelvis, at_hip, 1), .1);
+        add(shoulders.dot(up), .03);
+        add(hips.dot(up), .03);
+        const Vec3d off_hips = (place_at(x, at_hip, 0) + place_at(x, at_hip, 1)) / 2 - pelvis;
+        const Vec3d to_shoulders = (place_at(x, at_shoulder, 0) + place_at(x, at_shoulder, 1)) / 2 - neck;
+        const Vec3d off_neck = to_shoulders - up * to_shoulders.dot(up);
+        for (int i = 0; i < 3; ++i) add(off_hips[i], .02);
+        for (int i = 0; i < 3; ++i) add(off_neck[i], .02);
+        add(to_shoulders.dot(up) + .03, .03);
+        add(1 - shoulders.normalized().dot(hips.normalized()), .2);
+        add(1 - head.normalized().dot(up), .5);
+        // Proportions: within limbs, and of head, arms, trunk, legs, shoulders and hips whatever the height.
+        const double forearm = std::log(elbow_at / (1 - elbow_at)), calf = std::log(.52 / .48);
+        for (int side = 0; side < 2; ++side) {
+            add(length(at_shoulder, at_elbow, side) - length(at_elbow, at_fingertip, side) - forearm, .12);
+            add(length(at_hip, at_knee, side) - length(at_knee, at_ankle, side) - calf, .12);
+            add(length(at_ankle, at_toe, side) - std::log(.1), .5);
+        }
+        const std::array<double, 6> proportions{
+            log_length(head) - std::log(.17),
+            (both(at_shoulder, at_elbow) + both(at_elbow, at_fingertip)) / 2 - std::log(.21),
+            log_length(trunk) - std::log(.36),
+            (both(at_hip, at_knee) + both(at_knee, at_ankle)) / 2 - std::log(.225),
+            log_length(shoulders) - std::log(.2),
+            log_length(hips) - std::log(.11)};
+        constexpr std::array<double, 6> deviations{.5, .3, .3, .3, .4, .5};
+        double mean = 0;
+        for (const double one : proportions) mean += one / 6;
+        for (std::size_t i = 0; i < proportions.size(); ++i) add(proportions[i] - mean, deviations[i]);
+        // Knees bend forward, elbows backward, and toes point ahead.
+        const Vec3d ahead = (shoulders.normalized() + hips.normalized()).normalized().cross(up);
+        const auto off_line = [](const Vec3d& place, const Vec3d& from, const Vec3d& to) -> Vec3d {
+            const Vec3d line = (to - from).normalized();
+            return place - from - line * line.dot(place - from);
+        };
+        for (int side = 0; side < 2; ++side) {
+            const auto at = [&](Node node) { return place_at(x, node, side); };
+            const Vec3d thigh = (at(at_ankle) - at(at_hip)).normalized();
+            add(std::max(0.0,
+                         -off_line(at(at_knee), at(at_hip), at(at_ankle)).dot(ahead - thigh * thigh.dot(ahead)) - .01),
+                .03);
+            add(std::max(0.0, -off_line(at(at_toe), at(at_ankle), at(at_knee)).dot(ahead) - .01), .03);
+            add(std::max(0.0, off_line(at(at_elbow), at(at_shoulder), at(at_fingertip)).dot(ahead) - .02), .06);
+        }
+    }
+
+    Places places_, cloud_, normals_;
+    std::vector<std::pair<NodePart, Vec3d>> known_;
+    PlaceTree tree_;
+};
+
+/// The nodes of a skeleton: fingertips and the head's top are where its joints show them.
+inline PosedNumbers nodes_of(const SkeletonTemplate& wanted, const Points<double>& joints) {
+    using enum JointRole;
+    PosedNumbers out = PosedNumbers::Zero();
+    const auto set = [&](Node node, int side, JointRole role, JointRole before) {
+        const Side of = node < at_shoulder ? Side::none : side == 0 ? Side::left : Side::right;
+        const int j = find_joint(wanted, role, of);
+        Vec3d place = joints.row(j).transpose();
+        const NodePart part = node_part_of(wanted.joint(j));
+        if (part.part > 0) { // the node is beyond the joint
+            const Vec3d from = joints.row(find_joint(wanted, before, of)).transpose();
+            place = from + (place - from) / part.part;
+        }
+        out.segment<3>(3 * node_of(node, side)) = place;
+    };
+    set(at_pelvis, 0, pelvis, pelvis);
+    set(at_neck, 0, neck, neck);
+    set(at_top, 0, head, neck);
+    for (int side = 0; side < 2; ++side) {
+        set(at_shoulder, side, shoulder, shoulder);
+        set(at_elbow, side, elbow, elbow);
+        set(at_fingertip, side, wrist, elbow);
+        set(at_hip, side, hip, hip);
+        set(at_knee, side, knee, knee);
+        set(at_ankle, side, ankle, ankle);
+        set(at_toe, side, foot, foot);
+    }
+    return out;
+}
+
+/// Head, trunk and legs one above the other.
+inline double height_of(const PosedNumbers& x) {
+    const auto length = [&](Node from, Node to, int side) {
+        return (place_at(x, to, side) - place_at(x, from, side)).norm();
+    };
+    double legs = 0;
+    for (int side = 0; side < 2; ++side) legs += length(at_hip, at_knee, side) + length(at_knee, at_ankle, side);
+    return length(at_neck, at_top, 0) + length(at_pelvis, at_neck, 0) + legs / 2;
+}
+
+/// Does a template have every joint that the model is laid by?
+inline bool has_all_of_person(const SkeletonTemplate& wanted) {
+    using enum JointRole;
+    if (wanted.plan != BodyKind::human) return false;
+    for (const JointRole role : {pelvis, neck, head})
+        if (find_joint(wanted, role, Side::none) < 0) return false;
+    for (const JointRole role : {shoulder, elbow, wrist, hip, knee, ankle, foot})
+        for (const Side side : {Side::left, Side::right})
+            if (find_joint(wanted, role, side) < 0) return false;
+    return std::none_of(wanted.joints.begin(), wanted.joints.end(),
+                        [](const TemplateJoint& joint) { return joint.is_absent; });
+}
+
+} // namespace detail
+
+template <typename Scalar>
+std::vector<Points<double>> standing_starts(const Body<Scalar>& body, const SkeletonTemplate& wanted) {
+    using detail::Vec3d;
+    if (!detail::has_all_of_person(wanted)) return {};
+    const Points<double> vertices = body.mesh.vertices.template cast<double>();
+    const Vec3d least = vertices.colwise().minCoeff().transpose(), most = vertices.colwise().maxCoeff().transpose();
+    const Vec3d middle = (least + most) / 2;
+    std::vector<Points<double>> out;
+    // Canonical form: principal axes are the coordinates'.
+    for (int vertical = 0; vertical < 3; ++vertical)
+        for (const double upward : {1.0, -1.0})
+            for (int turns = 0; turns < 4; ++turns) {
+                const Vec3d up = upward * Vec3d::Unit(vertical);
+                const Vec3d ahead = (turns < 2 ? 1.0 : -1.0) * Vec3d::Unit((vertical + 1 + turns % 2) % 3);
+                const detail::RestFrame frame{.across = up.cross(ahead),
+                                              .up = up,
+                                              .ahead = ahead,
+                                              .offset = up.cross(ahead).dot(middle),
+                                              .floor = up.dot(upward > 0 ? least : most),
+                                              .height = most[vertical] - least[vertical],
+                                              .depth = ahead.dot(middle)};
+                for (const detail::RestStart& proportions : detail::rest_starts)
+                    for (const double angle : detail::arm_angles) {
+                        const detail::RestModel model = detail::model_of(detail::start_at(proportions, angle));
+                        Points<double> joints(static_cast<Eigen::Index>(wanted.joints.size()), 3);
+                        for (int j = 0; j < static_cast<int>(wanted.joints.size()); ++j)
+                            joints.row(j) = frame
+                                                .to_body(detail::place_of(model, wanted, j),
+                                                         wanted.joint(j).side == Side::right ? -1 : 1)
+                                                .transpose();
+                        out.push_back(std::move(joints));
+                    }
+            }
+    return out;
+}
+
+template <typename Scalar>
+std::vector<PosedFit> fit_posed(const Body<Scalar>& body, const SkeletonTemplate& wanted,
+                                const std::vector<Points<double>>& starts, const std::vector<KnownPlace>& known) {
+    using detail::Vec3d;
+    constexpr int few = 400, many = 20000, first_rounds = 3, last_rounds = 25;
+    constexpr std::size_t most_finals = 6;
+    if (starts.empty() || !detail::has_all_of_person(wanted)) return {};
+    const double height = detail::height_of(detail::nodes_of(wanted, starts.front()));
+    if (!(height > 0)) return {};
+    std::vector<Eigen::Index> faces;
+    detail::Places cloud = detail::spread_places(body.mesh, many, &faces);
+    detail::Places normals(cloud.rows(), 3);
+    for (Eigen::Index i = 0; i < normals.rows(); ++i)
+        normals.row(i) = core::face_area_vector(body.mesh, faces[static_cast<std::size_t>(i)])
+                             .normalized()
+                             .template cast<double>()
+                             .transpose();
+    std::vector<std::pair<detail::NodePart, Vec3d>> parts;
+    for (const KnownPlace& one : known)
+        parts.emplace_back(detail::node_part_of(wanted.joint(one.joint)), one.place / height);
+    const detail::PosedSolver solver(detail::spread_places(body.mesh, few) / height, std::move(cloud) / height,
+                                     std::move(normals), std::move(parts));
+
+    struct Run {
+        detail::PosedNumbers from, numbers;
+        double cost;
+        std::size_t start;
+    };
+    std::vector<Run> runs;
+    for (std::size_t s = 0; s < starts.size(); ++s)
+        for (const auto& radii : detail::posed_starts) {
+            detail::PosedNumbers from = detail::nodes_of(wanted, starts[s]) / height;
+            for (int r = 0; r < detail::posed_radii; ++r)
+                from[3 * detail::posed_nodes + r] = std::log(radii[static_cast<std::size_t>(r)]);
+            const auto [numbers, cost] = solver.solve(from, from, first_rounds);
+            runs.push_back({from, numbers, cost, s});
+        }
+    const auto cheaper = [](const Run& a, const Run& b) { return a.cost < b.cost; };
+    std::stable_sort(runs.begin(), runs.end(), cheaper);
+    if (runs.size() > most_finals) runs.resize(most_finals);
+    std::vector<PosedFit> out;
+    for (const Run& run : runs) {
+        const auto [numbers, cost] = solver.solve(run.numbers, run.from, last_rounds);
+        PosedFit fit{Points<double>(static_cast<Eigen::Index>(wanted.joints.size()), 3), cost, run.start};
+        for (int j = 0; j < static_cast<int>(wanted.joints.size()); ++j)
+            fit.joints.row(j) = (height * detail::place_of(numbers, detail::node_part_of(wanted.joint(j)))).transpose();
+        out.push_back(std::move(fit));
+    }
+    std::stable_sort(out.begin(), out.end(), [](const PosedFit& a, const PosedFit& b) { return a.cost < b.cost; });
+    return out;
+}
+
+} // namespace skelgen::search

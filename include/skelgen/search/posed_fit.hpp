@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/search/rest_fit.hpp>
+#include <skelgen/surface/body.hpp>
+
+namespace skelgen::search {
+
+/// A body in some pose, laid into a surface.
+struct PosedFit {
+    Points<double> joints; ///< per joint of the template, in the body's coordinates
+    double cost = 0;       ///< how badly surface, middles, proportions and what is known are met; robust; 0 best
+    std::size_t start = 0; ///< from which of the starts
+};
+
+/// Joints of persons and figures who stand at rest as large as the body, along each of its principal axes and turned
+/// each way about it: 216 of them, in the body's coordinates, one row per joint of the template. None where it
+/// is no person's template with all limbs.
+template <typename Scalar>
+[[nodiscard]] std::vector<Points<double>> standing_starts(const Body<Scalar>& body, const SkeletonTemplate& wanted);
+
+/// Lays a jointed model in any pose into a surface, from skeletons that may be wrong. Head, trunk and the bones of the
+/// limbs are cones with round ends. Their ends and radii, 59 numbers, are brought to where the surface's places lie on
+/// them and their axes in its middle, both robust against what the body wears and holds. Broad priors hold both sides
+/// alike, proportions those of people and figures, knees and elbows bent as they can be. `starts`: places of the
+/// template's joints in the body's coordinates, each tried with the radii of an adult and of figures with large heads.
+/// `known`: joints' places there. \returns the cheapest fits, at most six, the cheapest first; none where `wanted` is
+/// no person's template with all limbs. O(n log n) for the surface, and some milliseconds for each start.
+template <typename Scalar>
+[[nodiscard]] std::vector<PosedFit> fit_posed(const Body<Scalar>& body, const SkeletonTemplate& wanted,
+                                              const std::vector<Points<double>>& starts,
+                                              const std::vector<KnownPlace>& known = {});
+
+} // namespace skelgen::search
+
+#ifdef SKELGEN_HEADER_ONLY
+#include <skelgen/search/impl/posed_fit.hpp>
+#endif

@@ -1,0 +1,98 @@
+// Bodies in any pose, laid into their surface.
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include <skelgen/core/builtin_templates.hpp>
+#include <skelgen/core/geometry.hpp>
+#include <skelgen/search/posed_fit.hpp>
+#include <skelgen/surface/body.hpp>
+
+#include "catch.hpp"
+#include "fixture_bodies.hpp"
+
+using namespace skelgen;
+using namespace skelgen::search;
+using namespace skelgen::test;
+
+namespace {
+
+const SkeletonTemplate& person() { return builtin_template("human21"); }
+
+/// The joints that a body has, in its canonical form.
+Points<double> true_joints(const FixtureBody& known, const Body<double>& body) {
+    Points<double> out(static_cast<Eigen::Index>(person().joints.size()), 3);
+    for (std::size_t j = 0; j < person().joints.size(); ++j)
+        out.row(static_cast<Eigen::Index>(j)) =
+            body.similarity.to_canonical(Vec3(known.truth.joints.at(j).second)).transpose();
+    return out;
+}
+
+double mean_error(const Points<double>& joints, const Points<double>& truth) {
+    return (joints - truth).rowwise().norm().mean();
+}
+
+} // namespace
+
+TEST_CASE("standing_starts: bodies as high as the surface, along every axis, left on the left; none of an animal") {
+    const Body<double> body = prepare(load_fixture_body("standing-man").mesh);
+    const auto starts = standing_starts(body, person());
+    REQUIRE(starts.size() == 216);
+    const Eigen::RowVector3d extent = body.mesh.vertices.colwise().maxCoeff() - body.mesh.vertices.colwise().minCoeff();
+    const auto joint = [](JointRole role, Side side) { return find_joint(person(), role, side); };
+    for (const Points<double>& start : starts) {
+        const Vec3 up = (start.row(joint(JointRole::neck, Side::none)) - start.row(0)).transpose().normalized();
+        const Vec3 ahead =
+            (start.row(joint(JointRole::foot, Side::left)) - start.row(joint(JointRole::ankle, Side::left)))
+                .transpose();
+        const Vec3 left =
+            (start.row(joint(JointRole::hip, Side::left)) - start.row(joint(JointRole::hip, Side::right))).transpose();
+        CHECK(up.cross(ahead - up.dot(ahead) * up).dot(left) >= -1e-12);
+        const double height = extent.cwiseProduct(up.cwiseAbs().transpose()).sum();
+        const double reach =
+            (start.row(joint(JointRole::head, Side::none)) - start.row(joint(JointRole::foot, Side::left)))
+                .dot(up.transpose());
+        CHECK(reach < height);
+        CHECK(reach > 0.6 * height);
+    }
+    CHECK(standing_starts(body, builtin_template("quadruped")).empty());
+}
+
+TEST_CASE("fit_posed: from joints that are off, the surface brings them nearer to where they are") {
+    for (const char* name : {"standing-man", "figure"}) {
+        INFO(name);
+        const FixtureBody known = load_fixture_body(name);
+        const Body<double> body = prepare(known.mesh);
+        const double size = core::bounding_diagonal(body.mesh.vertices);
+        const Points<double> truth = true_joints(known, body);
+        Points<double> off = truth;
+        for (int j = 0; j < static_cast<int>(off.rows()); ++j)
+            off.row(j) += 0.04 * size * Eigen::RowVector3d(j % 3 - 1.0, (j + 1) % 3 - 1.0, j % 2 - 0.5);
+        const auto fits = fit_posed(body, person(), {off});
+        REQUIRE(fits.size() == 3); // one for each set of radii
+        CHECK(std::is_sorted(fits.begin(), fits.end(),
+                             [](const PosedFit& a, const PosedFit& b) { return a.cost < b.cost; }));
+        CHECK(mean_error(fits.front().joints, truth) < 0.6 * mean_error(off, truth));
+        CHECK(fit_posed(body, person(), {off}).front().joints == fits.front().joints);
+    }
+}
+
+TEST_CASE("fit_posed: what is known is met, the cheapest of several starts comes first, and no start has no fit") {
+    const FixtureBody known = load_fixture_body("standing-man");
+    const Body<double> body = prepare(known.mesh);
+    const double size = core::bounding_diagonal(body.mesh.vertices);
+    const Points<double> truth = true_joints(known, body);
+    Points<double> turned = truth; // head down
+    turned.col(0) = -truth.col(0).array() + truth.col(0).minCoeff() + truth.col(0).maxCoeff();
+    const int elbow = find_joint(person(), JointRole::elbow, Side::left);
+    const Vec3 place = truth.row(elbow).transpose() + Vec3::Constant(0.01 * size);
+    const auto fits = fit_posed(body, person(), {turned, truth}, {{elbow, place}});
+    REQUIRE(fits.size() == 6);
+    CHECK(fits.front().start == 1);
+    CHECK((fits.front().joints.row(elbow).transpose() - place).norm() < 0.005 * size);
+    CHECK(mean_error(fits.front().joints, truth) < 0.03 * size);
+    CHECK(fit_posed(body, person(), {}).empty());
+    CHECK(fit_posed(body, builtin_template("quadruped"), {truth}).empty());
+}
