@@ -58,6 +58,10 @@ TEST_CASE("standing_starts: bodies as high as the surface, along every axis, lef
         CHECK(reach > 0.6 * height);
     }
     CHECK(standing_starts(body, builtin_template("quadruped")).empty());
+    SkeletonTemplate with_tail = person(); // the model has none
+    with_tail.joints.push_back(with_tail.joints.front());
+    with_tail.joints.back().role = JointRole::tail;
+    CHECK(standing_starts(body, with_tail).empty());
 }
 
 TEST_CASE("fit_posed: from joints that are off, the surface brings them nearer to where they are") {

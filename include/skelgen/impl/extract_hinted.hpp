@@ -89,6 +89,9 @@ KinematicSkeleton<Scalar> with_exchanged_sides(KinematicSkeleton<Scalar> skeleto
     return skeleton;
 }
 
+/// Nothing is worth less by itself: hints tell more than the search.
+inline constexpr double least_worth = -8;
+
 /// A candidate with its sides in one of the ways they may be.
 template <typename Scalar>
 struct Reading {
@@ -101,17 +104,16 @@ struct Reading {
 template <typename Scalar>
 std::vector<Reading<Scalar>> readings_of(const std::vector<search::Found<Scalar>>& candidates,
                                          const std::vector<Hint>& hints, const SkeletonTemplate& wanted, Scalar size) {
-    constexpr double near = 0.05;     // of the size: as far off hints are from what a search finds of right limbs
-    constexpr double lacks_it = 18;   // as much as a hint that is 30 % of the size off
-    constexpr double twisted = 2;     // arms whose sides are against the legs'
-    constexpr double unlikeliest = 8; // nothing is less likely by itself: hints tell more than the search
+    constexpr double near = 0.05;   // of the size: as far off hints are from what a search finds of right limbs
+    constexpr double lacks_it = 18; // as much as a hint that is 30 % of the size off
+    constexpr double twisted = 2;   // arms whose sides are against the legs'
     const std::vector<int> hint_of = hints_by_joint(wanted, hints);
     std::vector<Reading<Scalar>> out;
     for (const search::Found<Scalar>& found : candidates) {
         const KinematicSkeleton<Scalar> as_found = search::skeleton_in_input(found);
         for (const auto& [arms, legs] : {std::pair(false, false), {true, true}, {true, false}, {false, true}}) {
             Reading<Scalar> reading{&found, with_exchanged_sides(as_found, wanted, arms, legs), 0};
-            reading.worth = std::max(std::log(std::max(found.candidate.probability, 1e-9)), -unlikeliest);
+            reading.worth = std::max(std::log(found.candidate.probability), least_worth);
             if (arms != legs) reading.worth -= twisted;
             for (std::size_t j = 0; j < hint_of.size(); ++j) {
                 if (hint_of[j] < 0) continue;
@@ -193,13 +195,14 @@ KinematicSkeleton<Scalar> with_places(KinematicSkeleton<Scalar> skeleton, const 
 
 /// Joints as hints and surface together have them, where no candidate was likely beside the hints: bodies in any pose
 /// are laid into the surface from the best readings on, and from bodies at rest, all of them bent to the hints first.
-/// \returns the cheapest, its joints in the input's coordinates; none where the template is no person's.
+/// \returns the cheapest, its joints in the input's coordinates; none where the template is no person's, or the
+/// best reading has no extent.
 template <typename Scalar>
 std::optional<KinematicSkeleton<Scalar>> laid_to(const std::vector<Hint>& hints,
                                                  const std::vector<Reading<Scalar>>& readings,
                                                  const SkeletonTemplate& wanted, Scalar size) {
     constexpr std::size_t most_readings = 24, most_standing = 60;
-    constexpr double standing_worth = -8, worth_weight = 0.5; // beside a fit's cost
+    constexpr double worth_weight = 0.5; // beside a fit's cost
     const Body<Scalar>& body = *readings.front().found->body;
     std::vector<Points<double>> standing = search::standing_starts(body, wanted);
     if (standing.empty()) return std::nullopt;
@@ -239,8 +242,9 @@ std::optional<KinematicSkeleton<Scalar>> laid_to(const std::vector<Hint>& hints,
         return places;
     };
     for (std::size_t s = 0; s < std::min(most_standing, standing.size()); ++s)
-        add(with_places(best, wanted, in_input(standing[s])), standing_worth);
+        add(with_places(best, wanted, in_input(standing[s])), least_worth);
     const std::vector<search::PosedFit> fits = search::fit_posed(body, wanted, starts, known);
+    if (fits.empty()) return std::nullopt;
     const auto price = [&](const search::PosedFit& fit) { return fit.cost - worth_weight * worth[fit.start]; };
     const auto cheapest =
         std::min_element(fits.begin(), fits.end(), [&](const auto& a, const auto& b) { return price(a) < price(b); });

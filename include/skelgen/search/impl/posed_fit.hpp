@@ -296,7 +296,7 @@ inline double height_of(const PosedNumbers& x) {
     return length(at_neck, at_top, 0) + length(at_pelvis, at_neck, 0) + legs / 2;
 }
 
-/// Does a template have every joint that the model is laid by?
+/// Does a template have every joint that the model is laid by, and none that the model lacks?
 inline bool has_all_of_person(const SkeletonTemplate& wanted) {
     using enum JointRole;
     if (wanted.plan != BodyKind::human) return false;
@@ -306,7 +306,7 @@ inline bool has_all_of_person(const SkeletonTemplate& wanted) {
         for (const Side side : {Side::left, Side::right})
             if (find_joint(wanted, role, side) < 0) return false;
     return std::none_of(wanted.joints.begin(), wanted.joints.end(),
-                        [](const TemplateJoint& joint) { return joint.is_absent; });
+                        [](const TemplateJoint& joint) { return joint.is_absent || joint.role > foot; });
 }
 
 } // namespace detail
