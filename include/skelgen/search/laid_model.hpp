@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -135,6 +136,7 @@ struct ModelBone {
     Vec3d from, to;
     double from_radius, to_radius;
     Vec3d from_width = Vec3d::Zero(), to_width = Vec3d::Zero(); ///< to one side; none: both zero
+    bool has_middle = true;                                     ///< that its axis has to be in; feet have none
 
     friend bool operator==(const ModelBone&, const ModelBone&) = default;
 };
@@ -161,11 +163,12 @@ inline RestModel model_of(const RestNumbers& n) {
     out.toe = out.ankle + Vec3d(0, 0, n[foot_length]);
     const Vec3d skull(0, n[top_y] - head, n[head_z]);
     const Vec3d chin(0, std::min(n[neck_y] + head, skull.y()), n[head_z]);
-    out.bones = {{{chin, skull, head, head},
-                  {out.crotch, out.neck, trunk, chest, n[hip_x] * Vec3d::UnitX(), 0.8 * n[shoulder_x] * Vec3d::UnitX()},
-                  {out.shoulder, out.fingertip, upper_arm, wrist},
-                  {out.hip, out.ankle, thigh, shin},
-                  {out.ankle, out.toe, 0.8 * shin, 0.8 * shin}}};
+    out.bones = {
+        {{chin, skull, head, head},
+         {out.crotch, out.neck, trunk, chest, n[hip_x] * Vec3d::UnitX(), 0.8 * n[shoulder_x] * Vec3d::UnitX()},
+         {out.shoulder, out.fingertip, upper_arm, wrist},
+         {out.hip, out.ankle, thigh, shin},
+         {.from = out.ankle, .to = out.toe, .from_radius = 0.8 * shin, .to_radius = 0.8 * shin, .has_middle = false}}};
     return out;
 }
 
@@ -185,6 +188,59 @@ inline double beyond(const ModelBone& bone, const Vec3d& place) {
 /// Grows as the logarithm where a residual is large: what the body wears and holds counts no more than it is there.
 inline double robust(double residual) { return std::copysign(std::sqrt(std::log1p(residual * residual)), residual); }
 
+/// How a model's bones lie in a surface.
+template <std::size_t count>
+struct LaidBones {
+    static constexpr std::array<double, 4> along{0.1, 0.35, 0.65, 0.9}; ///< where axes have to be in the middle
+
+    std::array<ModelBone, count> bones;
+    Eigen::Matrix<double, Eigen::Dynamic, static_cast<int>(count)> beyond; ///< per place and bone, absolute
+    std::array<std::array<double, along.size()>, count> off_middle{};      ///< depth in the surface less the radius
+};
+
+/// Bones laid into a surface that has these places. `depth_of`: of a place in the surface. What a bone has in common
+/// with `known` is taken over: most numbers of a model move one or two of them.
+template <std::size_t count, typename DepthOf>
+LaidBones<count> laid(const std::array<ModelBone, count>& bones, const std::vector<Vec3d>& places,
+                      const DepthOf& depth_of, const LaidBones<count>* known) {
+    LaidBones<count> out;
+    if (known) out = *known;
+    out.bones = bones;
+    out.beyond.resize(static_cast<Eigen::Index>(places.size()), static_cast<Eigen::Index>(count));
+    for (std::size_t b = 0; b < count; ++b) {
+        const ModelBone& bone = bones[b];
+        if (known && bone == known->bones[b]) continue;
+        for (std::size_t i = 0; i < places.size(); ++i)
+            out.beyond(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(b)) = std::abs(beyond(bone, places[i]));
+        for (std::size_t k = 0; k < out.along.size() && bone.has_middle; ++k) {
+            const double part = out.along[k];
+            out.off_middle[b][k] = depth_of(bone.from + part * (bone.to - bone.from)) -
+                                   (bone.from_radius + part * (bone.to_radius - bone.from_radius));
+        }
+    }
+    return out;
+}
+
+inline constexpr double prior_weight = 0.5; ///< beside the weights of add_misfit
+inline constexpr double at_known = 0.005;   ///< of the height: how far from a known place counts 1
+
+/// Adds the residuals of places that lie on no bone, and with middles those of axes that are not in the middle.
+template <std::size_t count>
+void add_misfit(const LaidBones<count>& laid, bool with_middles, std::vector<double>& out) {
+    constexpr double on_surface = 0.02, in_middle = 0.03;   // of the height: as much as counts 1
+    constexpr double surface_weight = 6, middle_weight = 4; // of all residuals of the kind
+    const Eigen::Index places = laid.beyond.rows();
+    for (Eigen::Index i = 0; i < places; ++i)
+        out.push_back(robust(laid.beyond.row(i).minCoeff() / on_surface) * surface_weight /
+                      std::sqrt(static_cast<double>(places)));
+    if (!with_middles) return;
+    const auto with_middle = std::ranges::count_if(laid.bones, &ModelBone::has_middle);
+    const double middles = static_cast<double>(with_middle) * static_cast<double>(laid.along.size());
+    for (std::size_t b = 0; b < count; ++b)
+        for (std::size_t k = 0; k < laid.along.size() && laid.bones[b].has_middle; ++k)
+            out.push_back(robust(laid.off_middle[b][k] / in_middle) * middle_weight / std::sqrt(middles));
+}
+
 /// The way from the model's coordinates to the body's.
 struct RestFrame {
     Vec3d across, up, ahead; ///< unit
@@ -199,14 +255,14 @@ struct RestFrame {
     }
 };
 
-/// Parts of the way from shoulder to fingertip, in the mean over people and characters, as place_of() has more of them.
-inline constexpr double elbow_at = 0.43, wrist_at = 0.78;
+/// Parts of the way from shoulder to fingertip, from the crotch to the neck, and from there to the top, in the mean
+/// over people and characters, as place_of() has more of them.
+inline constexpr double elbow_at = 0.43, wrist_at = 0.78, waist_at = 0.33, chest_at = 0.7, head_at = 0.45;
 
 /// Where a template's joint is on the model's half.
 inline Vec3d place_of(const RestModel& model, const SkeletonTemplate& wanted, int joint) {
     using enum JointRole;
-    constexpr double shoulder_at = 0.07, hand_at = 0.88, knee_at = 0.5, ankle_at = 0.955, waist_at = 0.33,
-                     chest_at = 0.7, head_at = 0.45;
+    constexpr double shoulder_at = 0.07, hand_at = 0.88, knee_at = 0.5, ankle_at = 0.955;
     constexpr double shoulder_lower = 0.004; // than the line of the arm's middle begins; of the height
     const auto between = [](const Vec3d& a, const Vec3d& b, double part) -> Vec3d { return a + part * (b - a); };
     switch (wanted.joint(joint).role) {

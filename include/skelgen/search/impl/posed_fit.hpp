@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -43,7 +44,7 @@ struct NodePart {
 
 inline NodePart node_part_of(const TemplateJoint& joint) {
     using enum JointRole;
-    constexpr double waist_at = 0.33, chest_at = 0.7, head_at = 0.45, hand_at = 0.79;
+    constexpr double hand_of_forearm = 0.79;
     constexpr double wrist_of_forearm = (wrist_at - elbow_at) / (1 - elbow_at);
     const int side = joint.side == Side::right ? 1 : 0;
     switch (joint.role) {
@@ -62,7 +63,7 @@ inline NodePart node_part_of(const TemplateJoint& joint) {
     case wrist:
         return {at_elbow, at_fingertip, side, wrist_of_forearm};
     case hand:
-        return {at_elbow, at_fingertip, side, hand_at};
+        return {at_elbow, at_fingertip, side, hand_of_forearm};
     case hip:
         return {at_hip, at_hip, side};
     case knee:
@@ -84,28 +85,25 @@ inline Vec3d place_of(const PosedNumbers& x, const NodePart& part) {
 /// A body in some pose and what it is measured by, in units of its height.
 class PosedSolver {
 public:
-    static constexpr Eigen::Index bones = 12;
-
     /// `places` on the surface; `cloud`, more of them, with `normals`: what the distance to the surface is taken from.
-    PosedSolver(Places places, Places cloud, Places normals, std::vector<std::pair<NodePart, Vec3d>> known)
+    PosedSolver(std::vector<Vec3d> places, Places cloud, Places normals, std::vector<std::pair<NodePart, Vec3d>> known)
         : places_(std::move(places)), cloud_(std::move(cloud)), normals_(std::move(normals)), known_(std::move(known)),
           tree_(cloud_) {}
 
     [[nodiscard]] core::LeastSquares<PosedNumbers> solve(const PosedNumbers& from, const PosedNumbers& start,
                                                          int rounds) const {
         return core::least_squares(
-            from, rounds, [&](const PosedNumbers& x, const Laid* known) { return laid(x, known); },
+            from, rounds,
+            [&](const PosedNumbers& x, const Laid* known) {
+                return laid(
+                    model_of(x), places_, [this](const Vec3d& place) { return depth_of(place); }, known);
+            },
             [&](const Laid& state, const PosedNumbers& x) { return residuals(state, x, start); });
     }
 
 private:
-    static constexpr std::array<double, 4> along{0.1, 0.35, 0.65, 0.9};
-
-    struct Laid {
-        std::array<ModelBone, bones> model;
-        Eigen::Matrix<double, Eigen::Dynamic, bones> beyond; ///< per place and bone, absolute
-        Eigen::Matrix<double, along.size(), bones> off_middle = Eigen::Matrix<double, along.size(), bones>::Zero();
-    };
+    static constexpr std::size_t bones = 12;
+    using Laid = LaidBones<bones>;
 
     static std::array<ModelBone, bones> model_of(const PosedNumbers& x) {
         const auto radius = [&](PosedRadius which) { return std::exp(x[3 * posed_nodes + which]); };
@@ -129,27 +127,8 @@ private:
             out[bone + 1] = {at(at_elbow), at(at_fingertip), elbow, radius(of_wrist)};
             out[bone + 2] = {at(at_hip), at(at_knee), radius(of_thigh), radius(of_knee)};
             out[bone + 3] = {at(at_knee), at(at_ankle), radius(of_knee), radius(of_ankle)};
-            out[bone + 4] = {at(at_ankle), at(at_toe), foot, foot};
-        }
-        return out;
-    }
-
-    static bool has_middle(Eigen::Index bone) { return bone != 6 && bone != 11; } // feet have none
-
-    [[nodiscard]] Laid laid(const PosedNumbers& x, const Laid* known) const {
-        Laid out;
-        if (known) out = *known;
-        out.model = model_of(x);
-        out.beyond.resize(places_.rows(), bones);
-        for (Eigen::Index b = 0; b < bones; ++b) {
-            const ModelBone& bone = out.model[static_cast<std::size_t>(b)];
-            if (known && bone == known->model[static_cast<std::size_t>(b)]) continue;
-            for (Eigen::Index i = 0; i < places_.rows(); ++i)
-                out.beyond(i, b) = std::abs(search::detail::beyond(bone, places_.row(i).transpose()));
-            for (std::size_t k = 0; k < along.size() && has_middle(b); ++k)
-                out.off_middle(static_cast<Eigen::Index>(k), b) =
-                    depth_of(bone.from + along[k] * (bone.to - bone.from)) -
-                    (bone.from_radius + along[k] * (bone.to_radius - bone.from_radius));
+            out[bone + 4] = {
+                .from = at(at_ankle), .to = at(at_toe), .from_radius = foot, .to_radius = foot, .has_middle = false};
         }
         return out;
     }
@@ -162,32 +141,24 @@ private:
     }
 
     [[nodiscard]] Eigen::VectorXd residuals(const Laid& state, const PosedNumbers& x, const PosedNumbers& start) const {
-        constexpr double on_surface = 0.02, in_middle = 0.03; // of the height: as much as counts 1
-        constexpr double surface_weight = 6, middle_weight = 4, prior_weight = 0.5;
-        constexpr double at_known = 0.005, near_start = 0.15;
-        constexpr double middles = 40;
+        constexpr double near_start = 0.15;
         std::vector<double> out;
-        out.reserve(static_cast<std::size_t>(places_.rows()) + 200);
-        for (Eigen::Index i = 0; i < places_.rows(); ++i)
-            out.push_back(robust(state.beyond.row(i).minCoeff() / on_surface) * surface_weight /
-                          std::sqrt(static_cast<double>(places_.rows())));
-        for (Eigen::Index b = 0; b < bones; ++b)
-            for (Eigen::Index k = 0; k < state.off_middle.rows() && has_middle(b); ++k)
-                out.push_back(robust(state.off_middle(k, b) / in_middle) * middle_weight / std::sqrt(middles));
-        add_priors(x, prior_weight, out);
+        out.reserve(places_.size() + 200);
+        add_misfit(state, true, out);
+        add_priors(x, out);
         for (int r = 0; r < posed_radii; ++r)
             out.push_back(prior_weight * (x[3 * posed_nodes + r] - start[3 * posed_nodes + r]));
         for (int i = 0; i < 3 * posed_nodes; ++i) out.push_back(prior_weight * (x[i] - start[i]) / near_start);
         for (const auto& [part, place] : known_) {
             const Vec3d off = (place_of(x, part) - place) / at_known;
-            out.insert(out.end(), off.data(), off.data() + 3);
+            out.insert(out.end(), off.begin(), off.end());
         }
         return Eigen::Map<Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
     }
 
     /// What bodies have in common. Each divisor is a standard deviation, broader than over people.
-    static void add_priors(const PosedNumbers& x, double weight, std::vector<double>& out) {
-        const auto add = [&](double off, double deviation) { out.push_back(weight * off / deviation); };
+    static void add_priors(const PosedNumbers& x, std::vector<double>& out) {
+        const auto add = [&](double off, double deviation) { out.push_back(prior_weight * off / deviation); };
         const auto log_length = [](const Vec3d& way) { return std::log(way.norm() + 1e-6); };
         const auto length = [&](Node from, Node to, int side) {
             return log_length(place_at(x, to, side) - place_at(x, from, side));
@@ -251,7 +222,8 @@ private:
         }
     }
 
-    Places places_, cloud_, normals_;
+    std::vector<Vec3d> places_;
+    Places cloud_, normals_;
     std::vector<std::pair<NodePart, Vec3d>> known_;
     PlaceTree tree_;
 };
@@ -367,8 +339,11 @@ std::vector<PosedFit> fit_posed(const Body<Scalar>& body, const SkeletonTemplate
     std::vector<std::pair<detail::NodePart, Vec3d>> parts;
     for (const KnownPlace& one : known)
         parts.emplace_back(detail::node_part_of(wanted.joint(one.joint)), one.place / height);
-    const detail::PosedSolver solver(detail::spread_places(body.mesh, few) / height, std::move(cloud) / height,
-                                     std::move(normals), std::move(parts));
+    const detail::Places spread = detail::spread_places(body.mesh, few) / height;
+    std::vector<Vec3d> places;
+    for (const auto& place : spread.rowwise()) places.emplace_back(place.transpose());
+    const detail::PosedSolver solver(std::move(places), std::move(cloud) / height, std::move(normals),
+                                     std::move(parts));
 
     struct Run {
         detail::PosedNumbers from, numbers;

@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 
@@ -120,66 +122,30 @@ public:
     /// `with_middles`: whether axes have to lie in the middle, which asks for distances to the surface.
     [[nodiscard]] core::LeastSquares<RestNumbers> solve(const RestNumbers& start, const RestNumbers& prior, int rounds,
                                                         bool with_middles) const {
+        const auto depth_of = [&](const Vec3d& place) { return with_middles ? distance_(place) : 0; };
         return core::least_squares(
-            start, rounds, [&](const RestNumbers& x, const Laid* known) { return laid(x, with_middles, known); },
-            [&](const Laid& state, const RestNumbers& x) { return residuals(state, x, prior); });
+            start, rounds,
+            [&](const RestNumbers& x, const Laid* known) { return laid(model_of(x).bones, places_, depth_of, known); },
+            [&](const Laid& state, const RestNumbers& x) { return residuals(state, x, prior, with_middles); });
     }
 
 private:
-    static constexpr std::array<double, 4> along{0.1, 0.35, 0.65,
-                                                 0.9};        ///< a bone: where its axis has to be in the middle
-    static constexpr Eigen::Index bones = 5, with_middle = 4; ///< a foot's axis has no middle to be in
+    using Laid = LaidBones<std::tuple_size_v<decltype(RestModel::bones)>>;
 
-    /// How the model lies in the surface.
-    struct Laid {
-        RestModel model;
-        Eigen::Matrix<double, Eigen::Dynamic, bones> beyond;         ///< per place and bone, absolute
-        Eigen::Matrix<double, along.size(), with_middle> off_middle; ///< distance to the surface less the radius
-        bool has_middles = false;
-    };
-
-    /// What a bone has in common with `known` is taken over: most numbers move one or two of them.
-    [[nodiscard]] Laid laid(const RestNumbers& x, bool with_middles, const Laid* known) const {
-        Laid out;
-        if (known) out = *known;
-        out.model = model_of(x);
-        out.has_middles = with_middles;
-        const auto places = static_cast<Eigen::Index>(places_.size());
-        out.beyond.resize(places, bones);
-        for (Eigen::Index b = 0; b < bones; ++b) {
-            const ModelBone& bone = out.model.bones[static_cast<std::size_t>(b)];
-            if (known && bone == known->model.bones[static_cast<std::size_t>(b)]) continue;
-            for (Eigen::Index i = 0; i < places; ++i)
-                out.beyond(i, b) = std::abs(beyond(bone, places_[static_cast<std::size_t>(i)]));
-            for (std::size_t k = 0; k < along.size() && with_middles && b < with_middle; ++k) {
-                const double radius = bone.from_radius + along[k] * (bone.to_radius - bone.from_radius);
-                out.off_middle(static_cast<Eigen::Index>(k), b) =
-                    distance_(bone.from + along[k] * (bone.to - bone.from)) - radius;
-            }
-        }
-        return out;
-    }
-
-    [[nodiscard]] Eigen::VectorXd residuals(const Laid& laid, const RestNumbers& x, const RestNumbers& prior) const {
-        constexpr double on_surface = 0.02, in_middle = 0.03; // of the height: as much as counts 1
-        constexpr double surface_weight = 6, middle_weight = 4, prior_weight = 0.5; // of all residuals of the kind
+    [[nodiscard]] Eigen::VectorXd residuals(const Laid& state, const RestNumbers& x, const RestNumbers& prior,
+                                            bool with_middles) const {
         static const RestNumbers deviations = prior_deviations();
-        constexpr double at_known = 0.005;
-        const Eigen::Index places = laid.beyond.rows(), middles = laid.has_middles ? laid.off_middle.size() : 0;
-        Eigen::VectorXd out(places + middles + 3 * static_cast<Eigen::Index>(known_.size()) + numbers);
-        for (Eigen::Index i = 0; i < places; ++i)
-            out[i] = robust(laid.beyond.row(i).minCoeff() / on_surface) * surface_weight /
-                     std::sqrt(static_cast<double>(places));
-        for (Eigen::Index k = 0; k < middles; ++k)
-            out[places + k] =
-                robust(laid.off_middle.data()[k] / in_middle) * middle_weight / std::sqrt(static_cast<double>(middles));
-        Eigen::Index next = places + middles;
+        std::vector<double> out;
+        out.reserve(places_.size() + 100);
+        add_misfit(state, with_middles, out);
+        const RestModel model = model_of(x);
         for (const auto& [joint, place] : known_) {
-            out.segment<3>(next) = (place_of(laid.model, wanted_, joint) - place) / at_known;
-            next += 3;
+            const Vec3d off = (place_of(model, wanted_, joint) - place) / at_known;
+            out.insert(out.end(), off.begin(), off.end());
         }
-        out.tail<numbers>() = prior_weight * (x - prior).cwiseQuotient(deviations);
-        return out;
+        const RestNumbers off_prior = prior_weight * (x - prior).cwiseQuotient(deviations);
+        out.insert(out.end(), off_prior.begin(), off_prior.end());
+        return Eigen::Map<Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
     }
 
     std::vector<Vec3d> places_;
