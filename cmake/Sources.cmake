@@ -448,6 +448,7 @@ set(skelgen_evaluation_headers
 set(skelgen_synth_headers
     include/skelgen/synth/body.hpp
     include/skelgen/synth/garment.hpp
+    include/skelgen/synth/hand_shape.hpp
     include/skelgen/synth/objects.hpp
     include/skelgen/synth/pieces.hpp
     include/skelgen/synth/pose.hpp
@@ -610,6 +611,7 @@ set(skelgen_synth_sources
     src/synth/body_surface.cpp
     src/synth/clothing.cpp
     src/synth/geodesic.cpp
+    src/synth/held_things.cpp
     src/synth/implicit_body.cpp
     src/synth/joints.cpp
     src/synth/kinematics.cpp

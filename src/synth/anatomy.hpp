@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
+#include <skelgen/synth/hand_shape.hpp>
 #include <skelgen/synth/pose.hpp>
 
 #include "kinematics.hpp"
@@ -30,13 +32,27 @@ namespace skelgen::synth {
 [[nodiscard]] std::vector<Blob> thigh(const Proportions& proportions);
 [[nodiscard]] std::vector<Blob> calf(const Proportions& proportions);
 
-struct Hand {
-    std::vector<Blob> blobs;
-    Vec3 fingertip; ///< of the middle finger
+/// A digit's bones and how thick it is at its end.
+struct HandDigit {
+    std::array<Vec3, hands::phalanges + 1> places; ///< its joints and the middle of its round end
+    double end_radius = 0;
+    bool is_sunk = false; ///< its end lies in the palm, the thumb's in a finger
+
+    /// On the surface.
+    [[nodiscard]] Vec3 tip() const {
+        return places.back() + end_radius * (places.back() - places[places.size() - 2]).normalized();
+    }
 };
 
-/// z from the wrist to the fingers, -x the palm, -y the thumb. `fingers`: bend curls and side spreads them.
-[[nodiscard]] Hand hand(const Proportions& proportions, const JointAngles& fingers);
+struct Hand {
+    std::vector<Blob> blobs;
+    Vec3 fingertip;                ///< of the middle finger
+    std::vector<HandDigit> digits; ///< from the thumb on
+    std::optional<RoundCone> held; ///< a thing of its own
+};
+
+/// z from the wrist to the fingers, -x the palm, -y the thumb. `fingers`: bend curls and side spreads them all.
+[[nodiscard]] Hand hand(const Proportions& proportions, const JointAngles& fingers, const HandShape& shape = {});
 
 struct Foot {
     std::vector<Blob> blobs;

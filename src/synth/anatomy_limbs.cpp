@@ -1,5 +1,6 @@
 #include "anatomy.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -68,11 +69,13 @@ constexpr std::array<LimbRow, 8> calf_rows{{{0.00, .0517, .0561, .016, .002, .01
                                             {0.90, .0340, .0394, .008, .000},
                                             {1.00, .0339, .0413, .007, .000}}};
 
-/// A finger of three phalanges from its knuckle, curled towards the palm (-x).
-Vec3 add_finger(std::vector<Blob>& blobs, const Vec3& knuckle, double spread, double curl, double length,
-                double radius) {
+/// A finger of three phalanges from its knuckle, curled towards the palm (-x). `web`: of its blend with what is beside
+/// it, of a usual finger.
+HandDigit add_finger(std::vector<Blob>& blobs, const Vec3& knuckle, double spread, double curl, double length,
+                     double radius, double web) {
     constexpr std::array<double, 3> share{0.46, 0.30, 0.24}, bend{1.0, 1.15, 0.8};
-    Vec3 at = knuckle;
+    HandDigit digit;
+    Vec3 at = digit.places[0] = knuckle;
     double angle = 0;
     for (std::size_t i = 0; i < share.size(); ++i) {
         angle += curl * bend[i];
@@ -80,10 +83,92 @@ Vec3 add_finger(std::vector<Blob>& blobs, const Vec3& knuckle, double spread, do
         const Vec3 next = at + length * share[i] * direction;
         const double thick = radius * (1 - 0.09 * static_cast<double>(i)),
                      thin = radius * (1 - 0.09 * static_cast<double>(i + 1));
-        blobs.push_back({RoundCone{at, next, thick, thin}, i == 0 ? 0.006 * radius / 0.009 : 0.002 * radius / 0.009});
-        at = next;
+        blobs.push_back({RoundCone{at, next, thick, thin}, i == 0 ? web * radius / 0.009 : 0.002 * radius / 0.009});
+        digit.places[i + 1] = at = next;
+        digit.end_radius = thin;
     }
-    return at;
+    return digit;
+}
+
+/// One of a hand's fingers at rest: where its knuckle is, across the palm and beyond the wrist; metres and degrees.
+struct FingerRow {
+    double y, z, length, radius, splay;
+};
+
+/// From the thumb's side on.
+std::vector<FingerRow> finger_rows(int fingers) {
+    switch (fingers) {
+    case 1:
+        return {{.0000, .086, .084, .0140, 0}};
+    case 2:
+        return {{-.0190, .085, .084, .0130, -6}, {.0180, .084, .079, .0125, 9}};
+    case 3:
+        return {{-.0275, .084, .079, .0105, -9}, {.0000, .087, .086, .0108, 0}, {.0265, .081, .072, .0100, 11}};
+    default:
+        return {{-.0310, .084, .077, .0088, -9},
+                {-.0105, .087, .086, .0090, -2},
+                {.0100, .084, .080, .0087, 5},
+                {.0295, .077, .063, .0078, 14}};
+    }
+}
+
+struct FingerAngles {
+    double curl, spread; ///< radians
+};
+
+/// Those of fingers that have grown together are alike.
+std::vector<FingerAngles> finger_angles(const std::vector<FingerRow>& rows, const JointAngles& pose,
+                                        const HandShape& shape) {
+    std::vector<FingerAngles> angles;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const DigitShape& own = shape.digit[i + 1];
+        const double splay = rows[i].splay, outwards = splay < 0 ? -1 : 1;
+        angles.push_back({(10 + pose.bend + own.curl) * degree,
+                          splay * degree + pose.side * degree * splay / 10 + outwards * own.spread * degree});
+    }
+    for (std::size_t first = 0, end = 1; first < angles.size(); first = end++) {
+        while (end < angles.size() && shape.digit[end].joined) ++end;
+        FingerAngles mean{0, 0};
+        for (std::size_t i = first; i < end; ++i) mean.curl += angles[i].curl, mean.spread += angles[i].spread;
+        const auto n = static_cast<double>(end - first);
+        if (end - first > 1)
+            std::fill(angles.begin() + static_cast<std::ptrdiff_t>(first),
+                      angles.begin() + static_cast<std::ptrdiff_t>(end), FingerAngles{mean.curl / n, mean.spread / n});
+    }
+    return angles;
+}
+
+/// The thumb and its ball. `thick`: more than a usual one.
+HandDigit add_thumb(std::vector<Blob>& blobs, double k, double puffy, double thick, double spread, double curl) {
+    const double out = 1 + 0.02 * spread;
+    HandDigit thumb{{k * Vec3(-0.004, -0.018, 0.022), k * Vec3(-0.010, -0.044 * out, 0.052),
+                     k * Vec3(-0.013, -0.060 * out, 0.082), k * Vec3(-0.015, -0.068 * out, 0.106)},
+                    0.0080 * k * puffy * thick};
+    auto& [root, base, middle, tip] = thumb.places;
+    if (curl != 0) {
+        const Vec3 across = (middle - base).cross(Vec3(-0.5, 0.87, 0)).normalized(), last = tip - middle;
+        const Eigen::AngleAxisd bent(curl * degree, across);
+        middle = base + bent * (middle - base);
+        tip = middle + bent * (bent * last);
+    }
+    blobs.push_back({RoundCone{root, base, 0.0155 * k * puffy, 0.0125 * k * puffy}, 0.012 * k});
+    blobs.push_back({RoundCone{base, middle, 0.0122 * k * puffy * thick, 0.0100 * k * puffy * thick}, 0.004 * k});
+    blobs.push_back({RoundCone{middle, tip, 0.0102 * k * puffy * thick, thumb.end_radius}, 0.003 * k});
+    return thumb;
+}
+
+/// What the fingers close around, beside the thumb and as thick as there is room for.
+RoundCone held_by(std::vector<Blob> blobs, const HandDigit& finger, double k, HeldThing thing) {
+    constexpr double gap = 0.0015;
+    set_bounds(blobs);
+    const Vec3 palm = finger.places[0] + k * Vec3(-0.012, 0, -0.010);
+    const double x = (palm.x() + finger.places[2].x()) / 2, z = (palm.z() + finger.places[2].z()) / 2;
+    const double before = thing == HeldThing::staff ? 0.5 : thing == HeldThing::rod ? 0.14 : 0;
+    double room = 0.03;
+    for (const double y : {-0.08, -0.06, -0.04, -0.02, 0.0, 0.02, 0.04})
+        if (before > 0 || y == 0) room = std::min(room, evaluate(blobs, Vec3(x, y * k, z), 1) / k);
+    const double radius = std::max(0.004, room - gap) * k;
+    return {Vec3(x, -before * k, z), Vec3(x, (before > 0 ? 0.8 * before : 0.001) * k, z), radius, radius};
 }
 
 } // namespace
@@ -119,7 +204,7 @@ std::vector<Blob> calf(const Proportions& p) {
     return blobs;
 }
 
-Hand hand(const Proportions& p, const JointAngles& fingers) {
+Hand hand(const Proportions& p, const JointAngles& fingers, const HandShape& shape) {
     const double k = p.hand_scale, puffy = 1 + 0.2 * p.fat;
     const auto ring = [&](double at, double side, double depth) {
         return Ring{at * k, side * k * puffy, depth * k, depth * k};
@@ -129,28 +214,53 @@ Hand hand(const Proportions& p, const JointAngles& fingers) {
                                   ring(0.084, .0120, .0405)},
                                  2.5, 0.020 * k, 0.012 * k),
                             0});
-    const double curl = (10 + fingers.bend) * degree, spread = fingers.side * degree;
-    struct FingerRow {
-        double y, z, length, radius, splay;
+    std::vector<Blob> palm = result.blobs, webs;
+    const std::vector<FingerRow> rows = finger_rows(shape.digits - 1);
+    const std::vector<FingerAngles> angles = finger_angles(rows, fingers, shape);
+    // Fingers that are as close all along as curled ones would else be joined by a film here and there.
+    const bool is_usual = shape == HandShape{};
+    const double web = is_usual ? 0.006 : 0.0035;
+    const auto add = [&](std::vector<Blob>& blobs, const FingerRow& row, const FingerAngles& bent) {
+        return add_finger(blobs, k * Vec3(0, row.y, row.z), bent.spread, bent.curl, k * row.length,
+                          k * row.radius * puffy, web);
     };
-    constexpr std::array<FingerRow, 4> rows{{{-.0310, .084, .077, .0088, -9},
-                                             {-.0105, .087, .086, .0090, -2},
-                                             {.0100, .084, .080, .0087, 5},
-                                             {.0295, .077, .063, .0078, 14}}};
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const FingerRow& row = rows[i];
-        const Vec3 tip =
-            add_finger(result.blobs, k * Vec3(0, row.y, row.z), row.splay * degree + spread * row.splay / 10, curl,
-                       k * row.length, k * row.radius * puffy);
-        if (i == 1) result.fingertip = tip + Vec3(0, 0, k * row.radius);
+        result.digits.push_back(add(result.blobs, rows[i], angles[i]));
+        if (i == std::min<std::size_t>(1, rows.size() - 1))
+            result.fingertip = result.digits.back().places.back() + Vec3(0, 0, k * rows[i].radius);
+        if (i == 0 || is_usual) continue;
+        const FingerRow &a = rows[i - 1], &b = rows[i];
+        const double radius = (a.radius + b.radius) / 2;
+        if (shape.digit[i].joined) {
+            add(webs, {(a.y + b.y) / 2, (a.z + b.z) / 2, (a.length + b.length) / 2, 0.95 * radius, 0}, angles[i]);
+            continue;
+        }
+        // The skin between them reaches to the middle of their first phalanges.
+        constexpr double on_bone = 0.42, thin = 0.6;
+        const auto at = [&](const HandDigit& d) -> Vec3 { return d.places[0] + on_bone * (d.places[1] - d.places[0]); };
+        webs.push_back({RoundCone{at(result.digits[i - 1]), at(result.digits[i]), thin * radius * k, thin * radius * k},
+                        0.002 * k});
     }
-    // The thumb and its ball.
-    const double out = 1 + 0.02 * fingers.side;
-    const Vec3 root = k * Vec3(-0.004, -0.018, 0.022), base = k * Vec3(-0.010, -0.044 * out, 0.052);
-    const Vec3 middle = k * Vec3(-0.013, -0.060 * out, 0.082), tip = k * Vec3(-0.015, -0.068 * out, 0.106);
-    result.blobs.push_back({RoundCone{root, base, 0.0155 * k * puffy, 0.0125 * k * puffy}, 0.012 * k});
-    result.blobs.push_back({RoundCone{base, middle, 0.0122 * k * puffy, 0.0100 * k * puffy}, 0.004 * k});
-    result.blobs.push_back({RoundCone{middle, tip, 0.0102 * k * puffy, 0.0080 * k * puffy}, 0.003 * k});
+    std::vector<Blob> but_thumb = result.blobs;
+    constexpr std::array<double, 4> thumb_thickness{1.4, 1.3, 1.15, 1}; // beside one finger to four
+    result.digits.insert(result.digits.begin(), add_thumb(result.blobs, k, puffy, thumb_thickness.at(rows.size() - 1),
+                                                          fingers.side + shape.digit[0].spread, shape.digit[0].curl));
+    set_bounds(palm), set_bounds(but_thumb);
+    for (std::size_t i = 0; i < result.digits.size(); ++i)
+        result.digits[i].is_sunk = evaluate(i == 0 ? but_thumb : palm, result.digits[i].places.back(), 1) < 0;
+    // A fist has no tunnel along its palm.
+    if (std::all_of(result.digits.begin() + 1, result.digits.end(), [](const HandDigit& d) { return d.is_sunk; })) {
+        const auto middle = [](const HandDigit& d) -> Vec3 { return (d.places[0] + d.places[1] + d.places[2]) / 3; };
+        const Vec3 from = middle(result.digits[1]), to = middle(result.digits.back()) + Vec3(0, 0.001 * k, 0);
+        webs.push_back({RoundCone{from, to, 0.012 * k, 0.012 * k}, 0.003 * k});
+    }
+    result.blobs.insert(result.blobs.end(), webs.begin(), webs.end());
+    if (shape.glove > 0) {
+        for (Blob& blob : result.blobs) blob = grown(blob, shape.glove);
+        for (HandDigit& digit : result.digits) digit.end_radius += shape.glove;
+    }
+    if (shape.holds != HeldThing::none)
+        result.held = held_by(result.blobs, result.digits[std::min<std::size_t>(2, rows.size())], k, shape.holds);
     return result;
 }
 

@@ -10,6 +10,7 @@
 
 #include "body_surface.hpp"
 #include "geodesic.hpp"
+#include "held_things.hpp"
 #include "implicit_body.hpp"
 #include "pieces.hpp"
 
@@ -51,8 +52,8 @@ std::vector<int> vertices_at(const TriangleMesh<double>& mesh, const std::array<
     return vertices;
 }
 
-double clearance(const Proportions& proportions, const BodyPose& pose) {
-    return ImplicitBody(proportions, pose).clearance();
+double clearance(const Proportions& proportions, const BodyPose& pose, const std::array<HandShape, 2>& hands = {}) {
+    return ImplicitBody(proportions, pose, hands).clearance();
 }
 
 /// Puts the lowest vertex on the ground, which was at the height that is returned.
@@ -60,6 +61,10 @@ double stand_on_ground(SynthBody& body) {
     const double ground = body.mesh.vertices.col(2).minCoeff();
     body.mesh.vertices.col(2).array() -= ground;
     for (auto& joint : body.truth.joints) joint.z() -= ground;
+    for (DigitTruth& digit : body.truth.digits) {
+        for (auto& joint : digit.joints) joint.z() -= ground;
+        digit.tip.z() -= ground;
+    }
     return ground;
 }
 
@@ -70,6 +75,7 @@ nlohmann::ordered_json to_json(const Vector3<double>& p) { return {p.x(), p.y(),
 SynthBody synthesize_body(const BodyPlan& plan) {
     check_faces(plan.faces);
     check_pose(plan.pose);
+    for (const HandShape& hand : plan.hands) check_hand(hand);
     const Proportions proportions = proportions_of(plan.shape);
     const ImplicitBody field = dressed_field(plan, proportions);
 
@@ -80,6 +86,9 @@ SynthBody synthesize_body(const BodyPlan& plan) {
         if (beyond_any(static_cast<BodyJoint>(j), plan.missing))
             body.truth.missing.push_back(static_cast<BodyJoint>(j));
     }
+    for (const DigitTruth& digit : field.digits())
+        if (!beyond_any(digit.side == Side::left ? BodyJoint::left_hand : BodyJoint::right_hand, plan.missing))
+            body.truth.digits.push_back(digit);
     const std::vector<int> tips = vertices_at(body.mesh, field.extremities());
     body.truth.geodesic_diameter = geodesic_diameter(body.mesh, tips);
     const double ground = stand_on_ground(body);
@@ -90,6 +99,7 @@ SynthBody synthesize_body(const BodyPlan& plan) {
         body.mesh = put_together(naked_field(plan, proportions), field, proportions, plan.pieces, plan.faces);
         body.mesh.vertices.col(2).array() -= ground;
     }
+    body.mesh = with_held_things(body.mesh, field, plan, ground);
     if (plan.faults.any()) body.mesh = with_scan_faults(body.mesh, plan.faults);
     return body;
 }
@@ -103,6 +113,12 @@ SynthBody synthesize_body(const BodyShape& shape, const BodyPose& pose, int face
 double limb_clearance(const BodyShape& shape, const BodyPose& pose) {
     check_pose(pose);
     return clearance(proportions_of(shape), pose);
+}
+
+double limb_clearance(const BodyPlan& plan) {
+    check_pose(plan.pose);
+    for (const HandShape& hand : plan.hands) check_hand(hand);
+    return clearance(proportions_of(plan.shape), plan.pose, plan.hands);
 }
 
 BodyPose spread_limbs(const BodyShape& shape, const BodyPose& pose) {
@@ -148,7 +164,20 @@ std::string truth_to_json(const BodyTruth& truth, const std::string& mesh_file) 
     for (const auto& [name, position] : truth.end_points) tips[name] = to_json(position);
     json["joints"] = joints;
     json["markers"] = markers;
+    Json fingers = Json::object(), fused = Json::object();
+    std::string leader; // of those that are one: the first joint of the first one
+    for (const DigitTruth& digit : truth.digits) {
+        for (std::size_t k = 0; k < digit.joints.size(); ++k)
+            fingers[hands::joint_name(digit.side, digit.digit, k + 1)] = to_json(digit.joints[k]);
+        tips[hands::tip_name(digit.side, digit.digit)] = to_json(digit.tip);
+        if (digit.is_fused)
+            fused[leader].push_back(std::string(hands::name_of(digit.digit)));
+        else
+            leader = hands::joint_name(digit.side, digit.digit, 1);
+    }
     json["end_points"] = tips;
+    if (!fingers.empty()) json["fingers"] = fingers;
+    if (!fused.empty()) json["fused"] = fused;
     for (const BodyJoint joint : truth.missing) missing.push_back(std::string(joint_name(joint)));
     if (!missing.empty()) json["missing"] = missing;
     return json.dump(1) + "\n";

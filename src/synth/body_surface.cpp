@@ -9,7 +9,7 @@
 namespace skelgen::synth {
 
 ImplicitBody naked_field(const BodyPlan& plan, const Proportions& proportions) {
-    ImplicitBody field(proportions, plan.pose);
+    ImplicitBody field(proportions, plan.pose, plan.hands);
     if (!plan.may_touch && field.clearance() < least_gap / 2 * proportions.scale)
         throw Error(ErrorCode::usage, "parts of the body touch or sink into each other in this pose: spread the limbs");
     for (const BodyJoint joint : plan.missing) field.leave_out(joint);

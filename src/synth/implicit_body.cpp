@@ -106,7 +106,7 @@ double Part::distance_bound(const Vec3& world) const {
     return bound;
 }
 
-ImplicitBody::ImplicitBody(const Proportions& p, const BodyPose& pose)
+ImplicitBody::ImplicitBody(const Proportions& p, const BodyPose& pose, const std::array<HandShape, 2>& hands)
     : skeleton_(pose_skeleton(p, pose)), spine_(skeleton_), scale_(p.scale) {
     const PosedSkeleton& s = skeleton_;
     const auto at = [&s](BodyJoint joint) { return s.position(joint); };
@@ -140,8 +140,8 @@ ImplicitBody::ImplicitBody(const Proportions& p, const BodyPose& pose)
         }
     extremities_[0] = skull.frame * (h * Vec3(0, -0.010, 0.165));
 
-    build_arm(p, pose, PartName::left_upper_arm, BodyJoint::left_shoulder, extremities_[1]);
-    build_arm(p, pose, PartName::right_upper_arm, BodyJoint::right_shoulder, extremities_[2]);
+    build_arm(p, pose, hands[0], PartName::left_upper_arm, BodyJoint::left_shoulder, extremities_[1]);
+    build_arm(p, pose, hands[1], PartName::right_upper_arm, BodyJoint::right_shoulder, extremities_[2]);
     build_leg(p, pose, PartName::left_thigh, BodyJoint::left_hip, extremities_[3]);
     build_leg(p, pose, PartName::right_thigh, BodyJoint::right_hip, extremities_[4]);
     for (Part& part : parts_) set_bounds(part.blobs);
@@ -166,13 +166,13 @@ ImplicitBody::ImplicitBody(const Proportions& p, const BodyPose& pose)
     }
 }
 
-void ImplicitBody::build_arm(const Proportions& p, const BodyPose& pose, PartName first, BodyJoint shoulder,
-                             Vec3& fingertip) {
+void ImplicitBody::build_arm(const Proportions& p, const BodyPose& pose, const HandShape& shape, PartName first,
+                             BodyJoint shoulder, Vec3& fingertip) {
     const auto at = [&](int step) { return skeleton_.position(next(shoulder, step)); };
     const double side = side_of(shoulder), heavy = std::max(0.0, p.fat), k = p.limb_scale;
     Part& upper = parts_[index(first)] = limb_part(skeleton_.frame(shoulder), side, upper_arm(p), p.upper_arm);
     Part& fore = parts_[index(first) + 1] = limb_part(skeleton_.frame(next(shoulder, 1)), side, forearm(p), p.forearm);
-    Hand fist = hand(p, pose.at(next(shoulder, 3)));
+    Hand fist = hand(p, pose.at(next(shoulder, 3)), shape);
     Part& palm = parts_[index(first) + 2] =
         limb_part(skeleton_.frame(next(shoulder, 2)), side, std::move(fist.blobs), p.palm);
     fore.twist = radians(pose.at(next(shoulder, 2)).turn) / p.forearm;
@@ -184,6 +184,26 @@ void ImplicitBody::build_arm(const Proportions& p, const BodyPose& pose, PartNam
     probe_limb(palm, 0.2, 1);
     probe_cones(palm);
     fingertip = palm.to_world(fist.fingertip);
+    for (const HandDigit& digit : fist.digits) digits_.emplace_back(next(first, 2), digit);
+    if (fist.held) held_.emplace_back(next(first, 2), *fist.held);
+}
+
+std::vector<DigitTruth> ImplicitBody::digits() const {
+    std::vector<DigitTruth> out;
+    for (std::size_t i = 0; i < digits_.size(); ++i) {
+        const auto& [name, digit] = digits_[i];
+        const Part& palm = part(name);
+        const bool is_thumb = i == 0 || digits_[i - 1].first != name;
+        DigitTruth& known = out.emplace_back();
+        known.side = name == PartName::left_hand ? Side::left : Side::right;
+        if (!is_thumb) known.digit = hands::all_digits[static_cast<std::size_t>(out[i - 1].digit) + 1];
+        for (std::size_t k = 0; k < known.joints.size(); ++k) known.joints[k] = palm.to_world(digit.places[k]);
+        known.tip = palm.to_world(digit.tip());
+        if (!is_thumb)
+            known.is_fused = (digit.is_sunk && digits_[i - 1].second.is_sunk) ||
+                             (*this)((known.joints[1] + out[i - 1].joints[1]) / 2) < 0;
+    }
+    return out;
 }
 
 void ImplicitBody::build_leg(const Proportions& p, const BodyPose& pose, PartName first, BodyJoint hip, Vec3& toe) {

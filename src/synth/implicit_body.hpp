@@ -2,10 +2,13 @@
 
 #include <array>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include <skelgen/synth/hand_shape.hpp>
 #include <skelgen/synth/pose.hpp>
 
+#include "anatomy.hpp"
 #include "kinematics.hpp"
 #include "primitives.hpp"
 #include "proportions.hpp"
@@ -68,7 +71,7 @@ inline constexpr int part_count = 14;
 /// around their joint, others meet sharply.
 class ImplicitBody {
 public:
-    ImplicitBody(const Proportions& proportions, const BodyPose& pose);
+    ImplicitBody(const Proportions& proportions, const BodyPose& pose, const std::array<HandShape, 2>& hands = {});
 
     [[nodiscard]] double operator()(const Vec3& p) const;
 
@@ -116,9 +119,16 @@ public:
     /// Positions of head_top, left_fingertip, right_fingertip, left_toe, right_toe near the surface, in that order.
     [[nodiscard]] const std::array<Vec3, 5>& extremities() const { return extremities_; }
 
+    /// The digits of the left and of the right hand, whether these are there or not; what is fused, as the surface with
+    /// all that is worn has it.
+    [[nodiscard]] std::vector<DigitTruth> digits() const;
+
+    /// What a hand holds, with the hand's part and in its coordinates.
+    [[nodiscard]] const std::vector<std::pair<PartName, RoundCone>>& held() const { return held_; }
+
 private:
-    void build_arm(const Proportions& proportions, const BodyPose& pose, PartName first, BodyJoint shoulder,
-                   Vec3& fingertip);
+    void build_arm(const Proportions& proportions, const BodyPose& pose, const HandShape& shape, PartName first,
+                   BodyJoint shoulder, Vec3& fingertip);
     void build_leg(const Proportions& proportions, const BodyPose& pose, PartName first, BodyJoint hip, Vec3& toe);
     [[nodiscard]] double part_value(PartName name, const Vec3& p) const;
     /// The limb of three parts that begins with `first`; parts further away than `limit` left out.
@@ -132,6 +142,8 @@ private:
     std::vector<Part> carried_;
     std::vector<Blob> mouth_; ///< what is cut out of head and neck, in the head's coordinates
     std::array<Vec3, 5> extremities_;
+    std::vector<std::pair<PartName, HandDigit>> digits_; ///< with their part and in its coordinates
+    std::vector<std::pair<PartName, RoundCone>> held_;
 };
 
 } // namespace skelgen::synth

@@ -1,11 +1,16 @@
 #include <skelgen/synth/sets.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <random>
 #include <utility>
 
 #include <skelgen/core/error.hpp>
+
+#include "anatomy.hpp"
+#include "lines.hpp"
 
 namespace skelgen::synth {
 namespace {
@@ -447,12 +452,129 @@ Plans mouths(std::uint64_t seed) {
     return plans;
 }
 
+/// The smallest gap between a usual hand's thumb and its fingers, metres: a little too large at most.
+double thumb_gap(const HandShape& shape) {
+    constexpr int samples = 6; // a bone
+    const Hand usual = hand(proportions_of({}), {}, shape);
+    const auto on_bones = [&](const HandDigit& digit) {
+        std::vector<Vec3> out;
+        for (std::size_t k = 1; k < digit.places.size(); ++k)
+            for (int i = 0; i <= samples; ++i)
+                out.emplace_back(digit.places[k - 1] + (digit.places[k] - digit.places[k - 1]) * i / samples);
+        return out;
+    };
+    const std::vector<Vec3> thumb = on_bones(usual.digits[0]);
+    double least = 1;
+    for (std::size_t d = 1; d < usual.digits.size(); ++d)
+        for (const Vec3& p : on_bones(usual.digits[d]))
+            for (std::size_t i = samples + 1; i < thumb.size(); ++i) least = std::min(least, (p - thumb[i]).norm());
+    return least - usual.digits[0].end_radius / 0.7 - usual.digits[1].end_radius / 0.7;
+}
+
+/// The hands of one body, drawn at random.
+class DrawnHands {
+public:
+    explicit DrawnHands(std::uint64_t seed) : random_(seed) {}
+
+    [[nodiscard]] double between(double low, double high) { return std::lerp(low, high, uniform(random_)); }
+    [[nodiscard]] bool is_one_in(double count) { return uniform(random_) * count < 1; }
+    [[nodiscard]] int one_of(int low, int high) {
+        return low + static_cast<int>(uniform(random_) * static_cast<double>(high - low + 1));
+    }
+
+    void draw(BodyPlan& body, std::size_t which) {
+        HandShape& hand = body.hands[which];
+        const double kind = uniform(random_);
+        hand.digits = kind < 0.3 || kind > 0.7 ? 5 : kind < 0.5 ? one_of(2, 4) : 5;
+        hold(hand, between(-5, 50), between(0, 8));
+        if (kind >= 0.5 && kind < 0.7)
+            join(hand);
+        else if (kind >= 0.7 && kind < 0.8)
+            hold(hand, between(0, 25), between(6, 10)), hand.glove = between(0.0005, 0.002);
+        else if (kind >= 0.8 && kind < 0.9)
+            hold(hand, between(44, 56), 2), hand.holds = static_cast<HeldThing>(one_of(1, 3));
+        else if (kind >= 0.9 && kind < 0.95)
+            make_fist(hand), body.may_touch = true;
+        else if (kind >= 0.95)
+            body.missing.push_back(which == 0 ? J::left_wrist : J::right_wrist);
+    }
+
+private:
+    void hold(HandShape& hand, double curl, double spread) {
+        for (DigitShape& digit : hand.digit)
+            digit.curl = std::max(-10.0, curl + between(-6, 6)), digit.spread = spread + between(-1, 1);
+        constexpr double least_gap_of_thumb = 0.004;
+        constexpr int attempts = 20;
+        for (int i = 0; i < attempts; ++i) {
+            hand.digit[0].curl = between(0, 20), hand.digit[0].spread = between(0, 14);
+            if (thumb_gap(hand) > least_gap_of_thumb) return;
+        }
+        hand.digit[0] = {0, 10, false};
+    }
+
+    /// All fingers, or two of them.
+    void join(HandShape& hand) {
+        const bool all = is_one_in(2);
+        const auto last = static_cast<std::size_t>(hand.digits - 2);
+        const auto only = static_cast<std::size_t>(one_of(1, static_cast<int>(last)));
+        for (std::size_t i = 1; i <= last; ++i) hand.digit[i].joined = all || i == only;
+    }
+
+    void make_fist(HandShape& hand) {
+        for (DigitShape& digit : hand.digit) digit = {between(86, 90), 0, false};
+        hand.digit[0] = {between(20, 40), 0, false};
+    }
+
+    std::mt19937_64 random_;
+};
+
+/// The body's arms are closed in until hands are almost at its thighs.
+void put_hands_to_thighs(BodyPlan& body, double gap) {
+    for (const J joint : {J::left_shoulder, J::right_shoulder}) body.pose.at(joint) = {4, 40, 0};
+    for (const J joint : {J::left_elbow, J::right_elbow}) body.pose.at(joint) = {10, -10, 0};
+    for (const J joint : {J::left_hip, J::right_hip}) body.pose.at(joint) = {0, 16, 4};
+    constexpr int most_steps = 120;
+    for (const J joint : {J::left_shoulder, J::right_shoulder}) {
+        double& side = body.pose.at(joint).side;
+        for (int step = 0; step < most_steps && limb_clearance(body) > gap; ++step) side -= 0.5;
+        side += 0.5;
+    }
+}
+
+/// One in three bodies in a random pose, one in a named one, one with its hands at the thighs.
+Plans hands(std::uint64_t seed) {
+    constexpr int bodies = 24, faces = 20000;
+    constexpr double room = 0.008, at_thigh = 0.012; // metres
+    const std::array<const char*, 4> named{"a", "t", "walk", "arms-overhead"};
+    Plans plans;
+    for (std::uint64_t i = 0; i < bodies; ++i) {
+        DrawnHands drawn(seed * 1000 + i);
+        const double age = drawn.between(12, 75), masculinity = drawn.between(0, 1);
+        BodyPlan body = plan(numbered("hands", plans.size()), person(age, masculinity), {}, faces);
+        for (const std::size_t which : {0U, 1U}) drawn.draw(body, which);
+        const auto hold = [&](const BodyPose& pose) {
+            body.pose = pose;
+            for (const J joint : {J::left_hand, J::right_hand}) body.pose.at(joint) = {}; // the hands' own
+            return limb_clearance(body) > room;
+        };
+        if (i % 3 == 0)
+            for (std::uint64_t attempt = 0; !hold(random_free_pose(body.shape, seed * 1000 + 24 * attempt + i));
+                 ++attempt) {
+            }
+        else
+            (void)hold(spread_limbs(body.shape, named_pose(named[i / 3 % named.size()])));
+        if (i % 3 == 2) put_hands_to_thighs(body, at_thigh);
+        plans.push_back(body);
+    }
+    return plans;
+}
+
 struct NamedSet {
     const char* name;
     Plans (*plans)(std::uint64_t seed);
 };
 
-constexpr std::array<NamedSet, 12> sets{{{"scape", scape},
+constexpr std::array<NamedSet, 13> sets{{{"scape", scape},
                                          {"faust", faust},
                                          {"proportions", proportions},
                                          {"partial", partial},
@@ -463,7 +585,8 @@ constexpr std::array<NamedSet, 12> sets{{{"scape", scape},
                                          {"cartoon", cartoon},
                                          {"curled", curled},
                                          {"mouths", mouths},
-                                         {"armed", armed}}};
+                                         {"armed", armed},
+                                         {"hands", hands}}};
 
 } // namespace
 

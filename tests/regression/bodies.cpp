@@ -41,9 +41,9 @@ void make_set(const fs::path& folder, const std::string& set, std::size_t count,
 } // namespace
 
 const std::vector<SetSample>& body_samples() {
-    static const std::vector<SetSample> samples{{"scape", 14},  {"faust", 9},  {"proportions", 3}, {"partial", 3},
-                                                {"joined", 2},  {"scan", 2},   {"dressed", 2},     {"pieces", 3},
-                                                {"cartoon", 6}, {"curled", 5}, {"mouths", 2},      {"armed", 2}};
+    static const std::vector<SetSample> samples{
+        {"scape", 14}, {"faust", 9},   {"proportions", 3}, {"partial", 3}, {"joined", 2}, {"scan", 2}, {"dressed", 2},
+        {"pieces", 3}, {"cartoon", 6}, {"curled", 5},      {"mouths", 2},  {"armed", 2},  {"hands", 1}};
     return samples;
 }
 

@@ -10,12 +10,14 @@
 #include <skelgen/core/error.hpp>
 #include <skelgen/evaluation/evaluate.hpp>
 #include <skelgen/extract.hpp>
+#include <skelgen/hands/find_hands.hpp>
 #include <skelgen/io/atomic_file.hpp>
 #include <skelgen/io/read_file.hpp>
 #include <skelgen/io/read_mesh.hpp>
 #include <skelgen/io/skeleton_json.hpp>
 
 #include "bodies.hpp"
+#include "hands.hpp"
 #include "parallel.hpp"
 #include "tubes.hpp"
 
@@ -49,7 +51,14 @@ ExtractOptions options_for(const fs::path& mesh) {
 /// no skeleton of a body, and as one of what is no body.
 void extract(const fs::path& mesh, const fs::path& skeleton) {
     try {
-        write_skeleton(skeleton, extract_skeleton(read_mesh<double>(mesh), options_for(mesh)).skeleton);
+        const TriangleMesh<double> input = read_mesh<double>(mesh);
+        const Extraction<double> found = extract_skeleton(input, options_for(mesh));
+        if (mesh.parent_path().filename() != hand_set) return write_skeleton(skeleton, found.skeleton);
+        const auto hands = hands::find_hands(input, found.body, found.skeleton);
+        io::SkeletonProvenance provenance;
+        provenance.fused = hands::fused_digits(hands);
+        io::write_file_atomically(skeleton,
+                                  io::skeleton_to_json(hands::with_digits(found.skeleton, hands), provenance));
         return;
     } catch (const Error& error) {
         if (error.code() == ErrorCode::no_skeleton || error.code() == ErrorCode::bad_input) return;
@@ -106,6 +115,7 @@ Json to_json(const SetResult& result) {
     for (const auto& [name, count] : result.counts) json[name] = count;
     if (!result.joints.empty()) json["joints"] = result.joints;
     if (result.axis) json["axis"] = *result.axis;
+    if (result.digits) json["digit_joints"] = *result.digits;
     return json;
 }
 
@@ -118,6 +128,8 @@ SetResult to_result(const Json& json) {
             result.joints = value.get<std::map<std::string, double>>();
         else if (key == "axis")
             result.axis = value.get<double>();
+        else if (key == "digit_joints")
+            result.digits = value.get<double>();
         else
             result.counts[key] = value.get<std::size_t>();
     }
@@ -175,6 +187,12 @@ Results measure(const fs::path& folder, unsigned jobs) {
         const evaluation::SetSummary summary = summarise(score);
         results[summary.name] = to_result(summary);
     }
+    const HandScores hands = measure_hands(folder);
+    SetResult& of_hands = results[hand_set];
+    of_hands.counts["counted"] = hands.counted;
+    of_hands.counts["thumbs"] = hands.thumbs;
+    of_hands.counts["told"] = hands.told;
+    if (hands.error) of_hands.digits = rounded(*hands.error);
     const std::vector<TubeScore> tubes = measure_tubes(folder / tube_set, jobs);
     io::write_file_atomically(folder / tube_set / "scores.txt", to_table(tubes));
     results[tube_set] = to_result(tubes);
@@ -189,6 +207,7 @@ Expectations read_expectations(const fs::path& file) {
         expectations.tolerances.count = tolerances.at("count").get<std::size_t>();
         expectations.tolerances.joint_error = tolerances.at("joint_error").get<double>();
         expectations.tolerances.axis_error = tolerances.value("axis_error", expectations.tolerances.axis_error);
+        expectations.tolerances.digit_error = tolerances.value("digit_error", expectations.tolerances.digit_error);
         for (const auto& [set, result] : json.at("sets").items()) expectations.sets[set] = to_result(result);
         return expectations;
     } catch (const Json::exception& error) {
@@ -202,7 +221,8 @@ void write_expectations(const fs::path& file, const Expectations& expectations) 
     const Json json{{"tolerances",
                      {{"count", expectations.tolerances.count},
                       {"joint_error", expectations.tolerances.joint_error},
-                      {"axis_error", expectations.tolerances.axis_error}}},
+                      {"axis_error", expectations.tolerances.axis_error},
+                      {"digit_error", expectations.tolerances.digit_error}}},
                     {"sets", sets}};
     io::write_file_atomically(file, json.dump(1) + "\n");
 }
@@ -225,6 +245,7 @@ std::vector<std::string> moves(const Results& before, const Results& after) {
             a.counts, b.counts, [](std::size_t count) { return std::to_string(count); }, add);
         for_each_pair(a.joints, b.joints, digits, add);
         add("axis", digits_or_none(a.axis), digits_or_none(b.axis));
+        add("digit joints", digits_or_none(a.digits), digits_or_none(b.digits));
     }
     return lines;
 }
@@ -242,6 +263,10 @@ std::vector<std::string> regressions(const Expectations& expected, const Results
                 lines.push_back(line(set, name, std::to_string(count), std::to_string(is)));
         if (result.axis && !(now->second.axis && *now->second.axis <= *result.axis + expected.tolerances.axis_error))
             lines.push_back(line(set, "axis", digits_or_none(result.axis), digits_or_none(now->second.axis)));
+        if (result.digits &&
+            !(now->second.digits && *now->second.digits <= *result.digits + expected.tolerances.digit_error))
+            lines.push_back(
+                line(set, "digit joints", digits_or_none(result.digits), digits_or_none(now->second.digits)));
         // The errors are of the solved meshes: of others, they are not to be compared.
         if (count_or_none(now->second, "solved") != count_or_none(result, "solved")) continue;
         for (const auto& [joint, error] : result.joints) {

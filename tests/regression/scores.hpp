@@ -13,18 +13,21 @@ namespace skelgen::regression {
 struct SetResult {
     std::size_t meshes = 0;
     std::map<std::string, std::size_t> counts; ///< of meshes: "solved", "sides" (right); of objects: "refused"; of
-                                               ///< tubes: "ends", "cycles" (right), "near" (the axis, everywhere)
+                                               ///< tubes: "ends", "cycles" (right), "near" (the axis, everywhere);
+                                               ///< of hands: "counted", "thumbs", "told" (`HandScores`)
     std::map<std::string, double> joints;      ///< mean error over the solved meshes, in geodesic diameters
     std::optional<double> axis;                ///< of tubes: mean distance of curve and axis, in local radii
+    std::optional<double> digits;              ///< of hands: median error of the digits' joints, geodesic diameters
 };
 
 using Results = std::map<std::string, SetResult>;
 
 /// How far a result may fall behind the expected one.
 struct Tolerances {
-    std::size_t count = 0;    ///< meshes
-    double joint_error = 0.0; ///< geodesic diameters
-    double axis_error = 0.01; ///< local radii
+    std::size_t count = 0;       ///< meshes
+    double joint_error = 0.0;    ///< geodesic diameters
+    double axis_error = 0.01;    ///< local radii
+    double digit_error = 0.0002; ///< geodesic diameters
 };
 
 struct Expectations {

@@ -8,6 +8,7 @@
 
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/synth/garment.hpp>
+#include <skelgen/synth/hand_shape.hpp>
 #include <skelgen/synth/pieces.hpp>
 #include <skelgen/synth/pose.hpp>
 #include <skelgen/synth/scan_faults.hpp>
@@ -20,6 +21,7 @@ struct BodyTruth {
     std::array<Vector3<double>, body_joint_count> joints;            ///< in the order of BodyJoint
     std::vector<std::pair<std::string, Vector3<double>>> end_points; ///< head_top, left_fingertip, ... on vertices
     std::vector<BodyJoint> missing; ///< not in the mesh; `joints` says where they would be
+    std::vector<DigitTruth> digits; ///< of the hands that are not missing: the left one's first, from the thumb on
     double geodesic_diameter = 0;   ///< largest distance on the mesh along its edges
 };
 
@@ -42,6 +44,7 @@ struct BodyPlan {
     bool may_touch = false;         ///< parts that touch grow together: handles, genus above 0
     std::vector<BodyJoint> missing; ///< wrists, elbows, shoulders, ankles, knees from which on a limb is left out
     std::vector<Garment> clothes;   ///< put on in this order; the joints stay those of the body
+    std::array<HandShape, 2> hands; ///< the left one and the right one
     BodyPieces pieces;
     ScanFaults faults;
 };
@@ -60,6 +63,9 @@ struct BodyPlan {
 /// other; an estimate, good to some millimetres.
 [[nodiscard]] double limb_clearance(const BodyShape& shape, const BodyPose& pose);
 
+/// The same of a planned body, with its hands; clothes and what is missing do not count.
+[[nodiscard]] double limb_clearance(const BodyPlan& plan);
+
 /// The pose with arms and legs spread until nothing touches: what a heavier body makes of a pose.
 /// \throws Error usage when spreading does not help.
 [[nodiscard]] BodyPose spread_limbs(const BodyShape& shape, const BodyPose& pose);
@@ -68,7 +74,8 @@ struct BodyPlan {
 [[nodiscard]] BodyPose random_free_pose(const BodyShape& shape, std::uint64_t seed);
 
 /// JSON with the fields of the reference data: mesh, scale (the geodesic diameter), source, joints, markers, end_points
-/// and, where there are any, the missing joints.
+/// and, where there are any, the missing joints. Digits have their joints in `fingers`, named as in `human51`, and
+/// their tips among the end points. `fused` has the digits that are one with another, by the first joint of that one.
 /// \param mesh_file what to write into "mesh"
 [[nodiscard]] std::string truth_to_json(const BodyTruth& truth, const std::string& mesh_file);
 

@@ -23,6 +23,8 @@ namespace skelgen::synth {
 /// - curled: squatting, kneeling, knees to the chest, hands in the lap, behind the back and on knees and shoulders: a
 ///   few millimetres apart, and grown together
 /// - mouths: open, with a cavity behind the lips
+/// - hands: of two to five digits, open, curled and spread, grown together, in gloves, as fists, missing, or around a
+///   rod, a staff or a ball. The left one and the right one are drawn by themselves; a third is beside the thighs
 /// - armed: staff, sword or axe in the right hand of people and figures, and a stout figure without
 [[nodiscard]] std::vector<std::string> set_names();
 

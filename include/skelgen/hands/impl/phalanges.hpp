@@ -180,9 +180,14 @@ std::vector<FoundDigit<Scalar>> name_digits(const std::vector<DigitTube<Scalar>>
     const std::vector<std::size_t> row = detail::in_a_row<Scalar>(tubes, thumb);
     if (row.empty()) return out;
 
-    Scalar thinnest = thumb ? detail::outer_radius(tubes[*thumb]) : detail::outer_radius(tubes[row.front()]);
-    if (row.size() > 1 || !thumb)
-        for (const std::size_t i : row) thinnest = std::min(thinnest, detail::outer_radius(tubes[i]));
+    // Figures' fingers are thicker than their thumbs: only where all of them are clearly so, or one is alone, is the
+    // thumb what one digit's girth is told by.
+    Scalar thinnest = detail::outer_radius(tubes[row.front()]);
+    for (const std::size_t i : row) thinnest = std::min(thinnest, detail::outer_radius(tubes[i]));
+    if (thumb)
+        if (const Scalar of_thumb = detail::outer_radius(tubes[*thumb]);
+            row.size() == 1 || detail::digits_in<Scalar>(thinnest / of_thumb) > 1)
+            thinnest = of_thumb;
     constexpr std::size_t fingers = 4;
     std::vector<std::size_t> widths;
     std::size_t spare = fingers - std::min(fingers, row.size());
