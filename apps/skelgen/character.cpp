@@ -23,11 +23,14 @@ std::string number_text(double number) {
 
 applications::Rig<double> rig_of(const TriangleMesh<double>& mesh, const Extraction<double>& found,
                                  const SkeletonTemplate& skeleton_template, const applications::RigOptions& options,
-                                 Fingers fingers) {
+                                 Fingers fingers, bool toes) {
     auto rig = applications::make_rig(mesh, found.body, found.skeleton, skeleton_template, options);
-    if (fingers == Fingers::off) return rig;
-    auto hands = hands::find_hands(mesh, found.body, found.skeleton);
+    std::vector<hands::Hand<double>> hands;
+    if (fingers != Fingers::off) hands = hands::find_hands(mesh, found.body, found.skeleton);
     if (fingers == Fingers::automatic) std::erase_if(hands, [](const auto& hand) { return hand.digits.size() < 2; });
+    if (toes)
+        for (auto& foot : hands::find_feet(mesh, found.body, found.skeleton)) hands.push_back(std::move(foot));
+    if (hands.empty()) return rig;
     return applications::with_finger_bones(std::move(rig), mesh, found.skeleton, skeleton_template, hands);
 }
 
@@ -38,8 +41,8 @@ Character make_character(const MeshInput& input, const CharacterOptions& options
     if (options.component > 0) body = with_own_part(std::move(body));
     KeptLooks kept = keep_looks(input);
     kept.looks = io::looks_of(kept.looks, body.part);
-    auto rig =
-        rig_of(body.mesh(), body.found, builtin_template(body.skeleton().template_name), options.rig, options.fingers);
+    auto rig = rig_of(body.mesh(), body.found, builtin_template(body.skeleton().template_name), options.rig,
+                      options.fingers, options.toes);
     return {std::move(rig), std::move(kept), body.skeleton(), body.found.body.repairs};
 }
 

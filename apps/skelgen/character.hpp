@@ -30,13 +30,15 @@ struct CharacterOptions {
     int component = 0; ///< as `PrepareOptions::component`
     applications::RigOptions rig = {applications::RestPose::as_is, applications::Place::keep};
     Fingers fingers = Fingers::off;
+    bool toes = false;
 };
 
-/// A mesh bound to the skeleton that was found in it, with its fingers where they are wanted. \throws Error as
+/// A mesh bound to the skeleton that was found in it, with its fingers and toes where they are wanted. \throws Error as
 /// `applications::make_rig`.
 [[nodiscard]] applications::Rig<double> rig_of(const TriangleMesh<double>& mesh, const Extraction<double>& found,
                                                const SkeletonTemplate& skeleton_template,
-                                               const applications::RigOptions& options, Fingers fingers);
+                                               const applications::RigOptions& options, Fingers fingers,
+                                               bool toes = false);
 
 /// Reads a mesh, finds the body in it and binds it; where one of several is chosen, without the others. \throws Error
 /// as `fit_file`, without the file's name.

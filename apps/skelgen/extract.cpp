@@ -25,6 +25,7 @@ struct ExtractCommand {
     std::string output = "-";
     std::string skeleton_template = "human21";
     std::string fingers = "off";
+    bool toes = false;
     std::string curve;
     std::string trail;
     std::vector<std::string> hints; ///< "left_hand=x,y,z" each
@@ -90,7 +91,7 @@ void run(const ExtractCommand& command) {
     std::vector<Hint> hints;
     for (const std::string& text : command.hints) hints.push_back(hint_of(text));
     ExtractOptions options;
-    const auto named = template_and_fingers(command.skeleton_template, command.fingers);
+    const auto named = template_and_fingers(command.skeleton_template, command.fingers, command.toes);
     want_template(options, named.first);
     if (!hints.empty() && options.or_quadruped)
         throw Error(ErrorCode::usage,
@@ -102,7 +103,7 @@ void run(const ExtractCommand& command) {
     const auto result = in_file(command.mesh.file, [&] {
         try {
             const WaitingLine waiting(command.mesh.file.string(), !command.quiet);
-            return extract_file(command.mesh, options, named.second, hints);
+            return extract_file(command.mesh, options, named.second, hints, command.toes);
         } catch (const NoSkeleton& refused) {
             if (command.verbose) print_trail(command.mesh.file, refused.trail());
             write_trail(command, refused.trail());
@@ -136,6 +137,7 @@ void add_extract_command(CLI::App& app) {
     sub->add_option("--fingers", command->fingers, "Joints of the fingers: none, all, or where the surface shows some")
         ->check(CLI::IsMember({"auto", "off", "on"}))
         ->capture_default_str();
+    sub->add_flag("--toes", command->toes, "Also joints of the single toes, where the surface shows them");
     sub->add_option("--curve", command->curve, "Also write the curve skeleton: .json, .obj, .ply or .swc");
     sub->add_option("--trail", command->trail, "Also write what was tried and what came of it (JSON), found or not");
     sub->add_option(

@@ -25,6 +25,7 @@ struct RigCommand {
     std::string unit; ///< empty: as the height tells
     io::Credits credits;
     std::string fingers = "auto";
+    bool toes = false;
     BoneOptions bones;
     int component = 0;
     bool quiet = false;
@@ -56,7 +57,8 @@ void run(const RigCommand& command) {
     const double metres = command.unit.empty() ? 0 : units.at(command.unit);
     const CharacterOptions options{command.component,
                                    {rest_pose(command, *format), places.at(command.place), metres},
-                                   fingers_by_name().at(command.fingers)};
+                                   fingers_by_name().at(command.fingers),
+                                   command.toes};
     Character character = in_file(command.mesh.file, [&] {
         const WaitingLine waiting(command.mesh.file.string(), !command.quiet);
         return make_character(command.mesh, options);
@@ -96,6 +98,7 @@ void add_rig_command(CLI::App& app) {
     sub->add_option("--fingers", command->fingers, "Bones of the fingers: where the surface shows some, or none")
         ->check(CLI::IsMember({"auto", "off", "on"}))
         ->capture_default_str();
+    sub->add_flag("--toes", command->toes, "Also bones of the single toes, where the surface shows them");
     add_bone_options(*sub, command->bones);
     add_component_option(*sub, command->component);
     sub->add_flag("-q,--quiet", command->quiet, "No warnings but what a licence forbids, and guesses");

@@ -235,8 +235,8 @@ Hand hand(const Proportions& p, const JointAngles& fingers, const HandShape& sha
             add(webs, {(a.y + b.y) / 2, (a.z + b.z) / 2, (a.length + b.length) / 2, 0.95 * radius, 0}, angles[i]);
             continue;
         }
-        // The skin between them reaches to the middle of their first phalanges.
-        constexpr double on_bone = 0.42, thin = 0.6;
+        // The skin between them reaches as far up their first phalanges as that of people and characters.
+        constexpr double on_bone = 0.25, thin = 0.6;
         const auto at = [&](const HandDigit& d) -> Vec3 { return d.places[0] + on_bone * (d.places[1] - d.places[0]); };
         webs.push_back({RoundCone{at(result.digits[i - 1]), at(result.digits[i]), thin * radius * k, thin * radius * k},
                         0.002 * k});

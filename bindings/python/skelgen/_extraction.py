@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, SupportsIndex, overload
 
@@ -34,9 +35,11 @@ class Extraction(Skeleton):
         geodesic_diameter: the largest distance along the surface.
     """
 
-    def __init__(self, mesh: Mesh, template: PathLike, fingers: str, component: int, threads: int) -> None:
+    def __init__(  # noqa: PLR0913
+        self, mesh: Mesh, template: PathLike, fingers: str, toes: bool, component: int, threads: int  # noqa: FBT001
+    ) -> None:
         self._mesh = mesh
-        self._options = _checked(template, fingers, component, threads)
+        self._options = _checked(template, fingers, toes, component, threads)
         self._found: _core.FoundBody | None = None
         self._curve: Curve | None = None
         self._skeleton_text = self._body.skeleton_json
@@ -125,7 +128,7 @@ class Extraction(Skeleton):
         """
         return Aligned(self._mesh, *_core.align(self._body, origin, scale))
 
-    def rig(self, rest: str = "as-is", *, fingers: str = "auto") -> Rig:
+    def rig(self, rest: str = "as-is", *, fingers: str = "auto", toes: bool = False) -> Rig:
         """Bind the mesh to its skeleton: a character that moves.
 
         Where `component` chose one of several bodies, that one alone.
@@ -133,6 +136,7 @@ class Extraction(Skeleton):
         Args:
             rest: "as-is", "t-pose" or "a-pose". VRM wants the T-pose.
             fingers: bones of the fingers: "auto" (where the surface shows some), "on" or "off".
+            toes: also bones of the single toes, where the surface shows them.
 
         Raises:
             ValueError: there is no such pose, or an option has another value.
@@ -140,7 +144,7 @@ class Extraction(Skeleton):
 
         >>> skelgen.extract("body.off").rig(rest="t-pose").save("body.glb")
         """
-        return Rig(self, rest, fingers)
+        return Rig(self, rest, fingers, toes=toes)
 
     def pose(self, like: MeshLike) -> Posed:
         """Hold the body as another one holds itself, whatever the shape, proportions and unit of both.
@@ -410,14 +414,21 @@ class Rig:
     """
 
     def __init__(
-        self, extraction: Extraction, rest: str = "as-is", fingers: str = "auto", clips: tuple[Path, ...] = ()
+        self,
+        extraction: Extraction,
+        rest: str = "as-is",
+        fingers: str = "auto",
+        clips: tuple[Path, ...] = (),
+        *,
+        toes: bool = False,
     ) -> None:
         self.extraction = extraction
         self.rest = rest
         self._fingers = fingers
+        self._toes = toes
         self._clips = clips
         scene = extraction._mesh._scene  # noqa: SLF001
-        self._character = _core.make_rig(extraction._body, rest, fingers, scene)  # noqa: SLF001
+        self._character = _core.make_rig(extraction._body, rest, fingers, toes, scene)  # noqa: SLF001
         for clip in clips:
             self._character = _core.animated(self._character, clip)
         self.vertices: FloatArray = self._character.vertices
@@ -482,7 +493,8 @@ class Rig:
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickled as what it was made of."""
-        return type(self), (self.extraction, self.rest, self._fingers, self._clips)
+        made_of = (self.extraction, self.rest, self._fingers, self._clips)
+        return partial(type(self), toes=self._toes), made_of
 
     def __repr__(self) -> str:
         moving = f", moving: {', '.join(self.animations)}" if self.animations else ""
@@ -564,6 +576,7 @@ def extract(  # noqa: PLR0913
     *,
     template: PathLike = "human21",
     fingers: str = "off",
+    toes: bool = False,
     component: int = 0,
     threads: int = 1,
     name: str | None = None,
@@ -577,6 +590,7 @@ def extract(  # noqa: PLR0913
         template: a built-in template's name, or a template's file; "human51" is human21 with fingers, "quadruped" a
             four-legged animal's, "auto" a person's or an animal's, whichever is likelier.
         fingers: joints of the fingers: "off", "on" or "auto" (where the surface shows some).
+        toes: also joints of the single toes, where the surface shows them.
         component: which of several bodies that stand apart, 1 for the largest; 0: there must be one alone.
         threads: that work on it; the result does not depend on their number.
         name: what results call the mesh; by default its file's name, or "mesh".
@@ -592,20 +606,23 @@ def extract(  # noqa: PLR0913
     >>> body.positions.shape, body.names[:2]
     ((21, 3), ('crotch', 'waist'))
     """
-    return Extraction(as_mesh(mesh, faces, name=name), template, fingers, component, threads)
+    return Extraction(as_mesh(mesh, faces, name=name), template, fingers, toes, component, threads)
 
 
-def _checked(template: PathLike, fingers: str, component: int, threads: int) -> tuple[str, str, int, int]:
+def _checked(
+    template: PathLike, fingers: str, toes: bool, component: int, threads: int  # noqa: FBT001
+) -> tuple[str, str, bool, int, int]:
     for name, value, kind, what in (
         ("template", template, (str, os.PathLike), "a template's name or file"),
         ("fingers", fingers, str, '"off", "on" or "auto"'),
+        ("toes", toes, bool, "True or False"),
         ("component", component, SupportsIndex, "a whole number"),
         ("threads", threads, SupportsIndex, "a whole number"),
     ):
         if not isinstance(value, kind):
             message = f"{name}: {value!r} is not {what}"
             raise TypeError(message)
-    return os.fspath(template), fingers, component, threads
+    return os.fspath(template), fingers, toes, component, threads
 
 
 def _found(mesh: MeshLike, faces: npt.ArrayLike | None = None, **options: Any) -> Extraction:  # noqa: ANN401
@@ -657,13 +674,14 @@ def rig(
     *,
     rest: str = "as-is",
     fingers: str = "auto",
+    toes: bool = False,
     **options: Any,  # noqa: ANN401
 ) -> Rig:
-    """`extract` and `Extraction.rig`, which say more; options as `extract` has them, but `fingers`.
+    """`extract` and `Extraction.rig`, which say more; options as `extract` has them, but `fingers` and `toes`.
 
     >>> skelgen.rig("body.off", rest="t-pose").save("body.vrm")
     """
-    return _found(mesh, faces, **options).rig(rest, fingers=fingers)
+    return _found(mesh, faces, **options).rig(rest, fingers=fingers, toes=toes)
 
 
 def pose(mesh: MeshLike, faces: npt.ArrayLike | None = None, *, like: MeshLike, **options: Any) -> Posed:  # noqa: ANN401

@@ -29,12 +29,12 @@ Extraction<double> found_in(const TriangleMesh<double>& mesh, const std::string&
 
 FoundBody::FoundBody(const Vertices& vertices, const Faces& faces, const FindOptions& options)
     : vertices_(vertices), faces_(faces), read_ms_(options.read_ms), component_(options.component) {
-    const auto [named, fingers] = cli::template_and_fingers(options.skeleton_template, options.fingers);
+    const auto [named, fingers] = cli::template_and_fingers(options.skeleton_template, options.fingers, options.toes);
     const LentMesh mesh(vertices, faces);
     found_ = found_in(*mesh, named, options);
     template_ = found_.skeleton_template;
     const core::ThreadScope threads(options.threads);
-    shown_ = cli::with_fingers(*mesh, found_, fingers);
+    shown_ = cli::with_fingers(*mesh, found_, fingers, options.toes);
     source_ = {options.name, (*mesh).vertices.rows(), (*mesh).faces.rows(), found_.geodesic_diameter};
 }
 

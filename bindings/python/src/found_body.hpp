@@ -21,6 +21,7 @@ struct FindOptions {
     std::string name;                          ///< of the mesh, in the files of results
     std::string skeleton_template = "human21"; ///< or human51: with fingers
     std::string fingers = "off";               ///< or "on", "auto"
+    bool toes = false;                         ///< also joints of single toes
     int component = 0;
     int threads = 1;
     bool with_curve = false;
@@ -37,7 +38,7 @@ public:
     [[nodiscard]] const Vertices& vertices() const { return vertices_; }
     [[nodiscard]] const Faces& faces() const { return faces_; }
     [[nodiscard]] const Extraction<double>& found() const { return found_; }
-    /// Without fingers: what everything else is made with.
+    /// Without fingers and toes: what everything else is made with.
     [[nodiscard]] const KinematicSkeleton<double>& skeleton() const { return found_.skeleton; }
     [[nodiscard]] const SkeletonTemplate& skeleton_template() const { return template_; }
     [[nodiscard]] const Body<double>& body() const { return found_.body; }

@@ -203,8 +203,8 @@ CurveArrays find_curve(const Vertices& vertices, const Faces& faces, const std::
 // ------------------------------------------------------------------------------------------------------- applications
 
 Found extract(const Vertices& vertices, const Faces& faces, const std::string& name, const std::string& wanted,
-              const std::string& fingers, int component, int threads, bool with_curve, double read_ms) {
-    const FindOptions options{name, wanted, fingers, component, threads, with_curve, read_ms};
+              const std::string& fingers, bool toes, int component, int threads, bool with_curve, double read_ms) {
+    const FindOptions options{name, wanted, fingers, toes, component, threads, with_curve, read_ms};
     return interruptible([=] { return std::make_shared<FoundBody>(vertices, faces, options); });
 }
 
@@ -330,18 +330,18 @@ RestPose rest_named(const std::string& name) {
     throw Error(ErrorCode::usage, "rest: '" + name + "' is none of as-is, t-pose, a-pose");
 }
 
-std::shared_ptr<Character> make_rig(const Found& found, const std::string& rest, const std::string& fingers,
+std::shared_ptr<Character> make_rig(const Found& found, const std::string& rest, const std::string& fingers, bool toes,
                                     const std::optional<Scene>& scene) {
     const RestPose pose = rest_named(rest);
     const cli::Fingers wanted = cli::template_and_fingers("human21", fingers).second;
     return interruptible([=] {
         const Written own(*found);
-        return std::make_shared<Character>(Character{
-            cli::rig_of(own.mesh, own.body, found->skeleton_template(), {pose, applications::Place::keep}, wanted),
-            found->skeleton_template(),
-            own.part,
-            looks_of(scene, own.part),
-            {}});
+        return std::make_shared<Character>(Character{cli::rig_of(own.mesh, own.body, found->skeleton_template(),
+                                                                 {pose, applications::Place::keep}, wanted, toes),
+                                                     found->skeleton_template(),
+                                                     own.part,
+                                                     looks_of(scene, own.part),
+                                                     {}});
     });
 }
 
@@ -472,7 +472,8 @@ NB_MODULE(_core, m) {
         .def_prop_ro("trail_json", &FoundBody::trail_json)
         .def_prop_ro("curve", [](const FoundBody& found) { return arrays_of(found.curve()); });
     m.def("extract", &extract, nb::arg("vertices"), nb::arg("faces"), nb::arg("name"), nb::arg("template"),
-          nb::arg("fingers"), nb::arg("component"), nb::arg("threads"), nb::arg("with_curve"), nb::arg("read_ms"));
+          nb::arg("fingers"), nb::arg("toes"), nb::arg("component"), nb::arg("threads"), nb::arg("with_curve"),
+          nb::arg("read_ms"));
     m.def("skeleton_json", [](const std::string& text) {
         const auto document = io::parse_skeleton_document(text);
         return skeleton_to_json(document.skeleton, document.provenance);
@@ -513,7 +514,8 @@ NB_MODULE(_core, m) {
             for (const auto& animation : c.animations) names.push_back(animation.name);
             return names;
         });
-    m.def("make_rig", &make_rig, nb::arg("found"), nb::arg("rest"), nb::arg("fingers"), nb::arg("scene").none());
+    m.def("make_rig", &make_rig, nb::arg("found"), nb::arg("rest"), nb::arg("fingers"), nb::arg("toes"),
+          nb::arg("scene").none());
     m.def("animated", &animated, nb::arg("character"), nb::arg("clip"));
     m.def("run_program", &run_program, nb::arg("arguments"));
     m.def("write_character", &write_character, nb::arg("character"), nb::arg("file"), nb::arg("names"));

@@ -82,6 +82,12 @@ def test_fingers(body: skelgen.Extraction, sample: Path, workplace: Path, finger
     assert pickle.loads(pickle.dumps(rig)).names == rig.names  # noqa: S301
 
 
+def test_toes(body: skelgen.Extraction, sample: Path) -> None:
+    toed = skelgen.extract(sample, toes=True)
+    assert without_timings(toed.to_dict()) == program_json("extract", "-q", sample, "--toes")
+    assert pickle.loads(pickle.dumps(body.rig(toes=True))).names == body.rig(toes=True).names  # noqa: S301
+
+
 def test_a_template_with_fingers(body: skelgen.Extraction, sample: Path) -> None:
     assert skelgen.extract(sample, template="auto").template == "human21"
     hands = skelgen.extract(sample, template="human51")

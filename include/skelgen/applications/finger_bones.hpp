@@ -14,7 +14,8 @@ namespace skelgen::applications {
 /// vertex followed wrist and hand is divided among the wrist and the one digit that the vertex lies on, or, in the
 /// palm, is nearest to, by where it is along that digit's bones: no vertex follows two. The joint in the middle of the
 /// knuckles moves nothing then. Bones lie at rest as the hand does, y along them, x about which they bend towards the
-/// palm on both sides. `rig` as made of `mesh` and `skeleton`, `hands` found there.
+/// palm on both sides. Feet (`hands::find_feet`) are divided likewise, two bones a toe below the ball of the foot.
+/// `rig` as made of `mesh` and `skeleton`, `hands` and feet found there.
 /// O(vertices log faces). \throws Error usage when the skeleton is not of that template.
 template <typename Scalar>
 [[nodiscard]] Rig<Scalar>

@@ -18,15 +18,21 @@ struct DigitTube {
     bool is_alone = false;             ///< there is no other: the axis is that of the hand's outer half
 };
 
+/// Which parts of a surface are digits, relative to the hand's length.
+struct DigitBounds {
+    double least = 0.1; ///< that they stand out by, calibrated: shorter stubs are knuckles and folds
+    double nearest = 0; ///< distance from the forearm at which they join another one
+};
+
 /// The digits of a hand's surface: where distances from the forearm have maxima that stand out from where the parts
-/// beyond them meet (persistence: EH08), by a tenth of the hand's length at least: knuckles and nails do not. Tubes
+/// beyond them meet (persistence: EH08), within the bounds: knuckles and nails do not. Tubes
 /// that leave the hand's surroundings are none, as what is held, or the body behind a hand that lies on it. Nor are
 /// those that join the rest too far from knuckles or forearm, as the other hand's. Of more than five those that stand
 /// out most are taken. A hand without any is one tube, if its end is there. In no order. `place` is in the surface's
 /// unit. O(n log n).
 template <typename Scalar>
-[[nodiscard]] std::vector<DigitTube<Scalar>> find_tubes(const HandSurface<Scalar>& hand,
-                                                        const HandPlace<Scalar>& place);
+[[nodiscard]] std::vector<DigitTube<Scalar>> find_tubes(const HandSurface<Scalar>& hand, const HandPlace<Scalar>& place,
+                                                        const DigitBounds& bounds = {});
 
 } // namespace skelgen::hands
 

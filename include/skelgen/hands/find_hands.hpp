@@ -24,13 +24,24 @@ template <typename Scalar>
 [[nodiscard]] std::vector<Hand<Scalar>> find_hands(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
                                                    const KinematicSkeleton<Scalar>& skeleton);
 
+/// The feet of a body and the toes that its surface shows, as `find_hands` finds digits: none below shoes, nor where
+/// the triangles are too large to show them.
+template <typename Scalar>
+[[nodiscard]] std::vector<Hand<Scalar>> find_feet(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
+                                                  const KinematicSkeleton<Scalar>& skeleton);
+
 /// The skeleton with the joints and end points of all digits (human51): after its own, by side and digit, those of each
 /// from its knuckle on, with the wrist as parent of the first; digits that were not found are not present.
 template <typename Scalar>
 [[nodiscard]] KinematicSkeleton<Scalar> with_digits(KinematicSkeleton<Scalar> skeleton,
                                                     const std::vector<Hand<Scalar>>& hands);
 
-/// The skeleton without them (human21); one of another template comes back as it is. O(joints).
+/// The skeleton with those of all toes, likewise: two joints each, left_toe1_1 and on, below the foot's.
+template <typename Scalar>
+[[nodiscard]] KinematicSkeleton<Scalar> with_toes(KinematicSkeleton<Scalar> skeleton,
+                                                  const std::vector<Hand<Scalar>>& feet);
+
+/// The skeleton without digits (human21) and toes; one without either comes back as it is. O(joints).
 template <typename Scalar>
 [[nodiscard]] KinematicSkeleton<Scalar> without_digits(KinematicSkeleton<Scalar> skeleton);
 
@@ -50,8 +61,9 @@ fused_digits(const std::vector<Hand<Scalar>>& hands) {
     for (const Hand<Scalar>& hand : hands)
         for (const FoundDigit<Scalar>& digit : hand.digits) {
             if (digit.fused.empty()) continue;
-            auto& [joint, names] = out.emplace_back(joint_name(hand.side, digit.digit, 1), std::vector<std::string>{});
-            for (const Digit other : digit.fused) names.emplace_back(name_of(other));
+            auto& [joint, names] =
+                out.emplace_back(joint_name(hand.side, digit.digit, 1, hand.kind), std::vector<std::string>{});
+            for (const Digit other : digit.fused) names.push_back(name_of(other, hand.kind));
         }
     return out;
 }

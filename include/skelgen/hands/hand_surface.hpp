@@ -33,6 +33,11 @@ struct HandPlace {
 template <typename Scalar>
 [[nodiscard]] std::optional<HandPlace<Scalar>> hand_place(const KinematicSkeleton<Scalar>& skeleton, Side side);
 
+/// That of the front of a foot, whose digits are its toes: the instep for the wrist, the ball for the knuckles; none
+/// where the leg ends before the foot.
+template <typename Scalar>
+[[nodiscard]] std::optional<HandPlace<Scalar>> toes_place(const KinematicSkeleton<Scalar>& skeleton, Side side);
+
 /// The surface of a hand, and how far its places are from the forearm along it.
 template <typename Scalar = double>
 struct HandSurface {

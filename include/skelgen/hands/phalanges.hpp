@@ -19,6 +19,15 @@ template <typename Scalar>
 [[nodiscard]] std::vector<FoundDigit<Scalar>> name_digits(const std::vector<DigitTube<Scalar>>& tubes,
                                                           const HandPlace<Scalar>& place, Side side);
 
+/// Names the toes of a foot from the big one, which is on its inner side, and gives each two joints. The first one is
+/// behind its web by three quarters of the way from the webs to the ball of the foot, the second one in the middle of
+/// the toe. One that is as wide as several is these together; fewer than two tubes show no toes. `up` leads from the
+/// ball towards the ankle. In the order of the digits. O(tubes).
+template <typename Scalar>
+[[nodiscard]] std::vector<FoundDigit<Scalar>> name_toes(const std::vector<DigitTube<Scalar>>& tubes,
+                                                        const HandPlace<Scalar>& place, Side side,
+                                                        const Vector3<Scalar>& up);
+
 } // namespace skelgen::hands
 
 #ifdef SKELGEN_HEADER_ONLY

@@ -32,17 +32,17 @@ Scalar smooth_step(Scalar x) {
 template <typename Scalar>
 class DigitBones {
 public:
-    explicit DigitBones(const hands::FoundDigit<Scalar>& digit)
-        : places_{digit.joints[0], digit.joints[1], digit.joints[2], digit.tip} {
+    DigitBones(const hands::FoundDigit<Scalar>& digit, hands::DigitKind kind)
+        : places_{digit.joints[0], digit.joints[1], digit.joints[2], digit.tip}, count_(hands::joints_of(kind)) {
         constexpr Scalar narrow = Scalar(0.7);
-        for (std::size_t k = 0; k < hands::phalanges; ++k) {
+        for (std::size_t k = 0; k < count_; ++k) {
             begins_[k + 1] = begins_[k] + (places_[k + 1] - places_[k]).norm();
             // The narrower a bend, the less volume it loses, and the more edges stretch. That at the knuckle ends at
             // the web.
             widths_[k] = narrow * digit.radii[k];
         }
         thickness_ = std::max(digit.radii[1], digit.radii[2]);
-        if (digit.digit != hands::Digit::thumb)
+        if (digit.digit != hands::Digit::thumb || kind == hands::DigitKind::toe)
             widths_[0] = std::clamp((digit.web - digit.joints[0]).norm(), digit.radii[0] / 2, 2 * digit.radii[0]);
     }
 
@@ -53,7 +53,7 @@ public:
     };
     [[nodiscard]] Beside beside(const Vector3<Scalar>& place) const {
         Beside out;
-        for (std::size_t k = 0; k < hands::phalanges; ++k) {
+        for (std::size_t k = 0; k < count_; ++k) {
             const Vector3<Scalar> bone = places_[k + 1] - places_[k];
             const Scalar length = bone.norm();
             if (!(length > 0)) continue;
@@ -70,7 +70,7 @@ public:
     [[nodiscard]] std::array<Scalar, hands::phalanges> shares(Scalar along) const {
         std::array<Scalar, hands::phalanges> out{};
         Scalar beyond = 1;
-        for (std::size_t k = 0; k < hands::phalanges; ++k) {
+        for (std::size_t k = 0; k < count_; ++k) {
             const Scalar width = widths_[k] > 0 ? widths_[k] : (begins_[k + 1] - begins_[k]) / 4;
             const Scalar part = width > 0 ? smooth_step<Scalar>((along - begins_[k]) / width) : Scalar(along > 0);
             const Scalar here = beyond * part;
@@ -84,7 +84,8 @@ public:
     [[nodiscard]] Scalar thickness() const { return thickness_; }
 
 private:
-    std::array<Vector3<Scalar>, hands::phalanges + 1> places_;
+    std::array<Vector3<Scalar>, hands::phalanges + 1> places_; ///< a toe has its tip twice
+    std::size_t count_;                                        ///< of bones
     std::array<Scalar, hands::phalanges + 1> begins_{};
     std::array<Scalar, hands::phalanges> widths_{};
     Scalar thickness_ = 0;
@@ -99,7 +100,7 @@ public:
           digit_(static_cast<std::size_t>(hand.surface.vertices.rows()), -1) {
         for (const hands::FoundDigit<Scalar>& digit : hand.digits) {
             for (const int v : digit.vertices) digit_[static_cast<std::size_t>(v)] = static_cast<int>(bones_.size());
-            bones_.emplace_back(digit);
+            bones_.emplace_back(digit, hand.kind);
         }
     }
 
@@ -146,6 +147,7 @@ template <typename Scalar>
 Skin<Scalar> with_divided_hand(Skin<Scalar> skin, const TriangleMesh<Scalar>& mesh, const hands::Hand<Scalar>& hand,
                                int wrist, int middle, int first_bone) {
     const DigitsOfHand<Scalar> digits(hand);
+    const std::size_t bones = hands::joints_of(hand.kind);
     constexpr int influences = Skin<Scalar>::influences;
     for (Eigen::Index v = 0; v < skin.joints.rows(); ++v) {
         Scalar freed = 0;
@@ -161,12 +163,12 @@ Skin<Scalar> with_divided_hand(Skin<Scalar> skin, const TriangleMesh<Scalar>& me
         if (!(freed > 0)) continue;
         const auto follows = digits.following(core::point(mesh.vertices, v));
         Scalar left = 1;
-        for (std::size_t k = 0; k < hands::phalanges && follows.digit >= 0; ++k) {
+        for (std::size_t k = 0; k < bones && follows.digit >= 0; ++k) {
             const Scalar share = std::max(follows.shares[k], Scalar(0));
             left -= share;
             if (share > 0)
                 all.emplace_back(freed * share,
-                                 first_bone + follows.digit * static_cast<int>(hands::phalanges) + static_cast<int>(k));
+                                 first_bone + follows.digit * static_cast<int>(bones) + static_cast<int>(k));
         }
         if (left > 0) all.emplace_back(freed * left, wrist);
         std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
@@ -199,11 +201,11 @@ struct FingerToRest {
 /// are too few to say.
 template <typename Scalar>
 FingerToRest<Scalar> motion_of_digit(const Rig<Scalar>& rig, const TriangleMesh<Scalar>& mesh, int first_bone,
-                                     const FingerToRest<Scalar>& otherwise) {
+                                     std::size_t bones, const FingerToRest<Scalar>& otherwise) {
     constexpr std::size_t least = 12; // vertices
     std::vector<Eigen::Index> vertices;
     for (Eigen::Index v = 0; v < rig.skin.joints.rows(); ++v)
-        if (const int bone = rig.skin.joints(v, 0) - first_bone; bone >= 0 && bone < static_cast<int>(hands::phalanges))
+        if (const int bone = rig.skin.joints(v, 0) - first_bone; bone >= 0 && bone < static_cast<int>(bones))
             vertices.push_back(v);
     if (vertices.size() < least) return otherwise;
     Eigen::Matrix<Scalar, 3, Eigen::Dynamic> from(3, static_cast<Eigen::Index>(vertices.size())), to = from;
@@ -233,8 +235,10 @@ Rig<Scalar> with_finger_bones(Rig<Scalar> rig, const TriangleMesh<Scalar>& mesh,
     if (rig.joints.size() != skeleton.joints.size() || rig.motions.size() != skeleton.joints.size())
         throw Error(ErrorCode::usage, "the rig was not made of that skeleton: it has other joints");
     for (const hands::Hand<Scalar>& hand : hands) {
-        const int wrist = find_joint(skeleton_template, JointRole::wrist, hand.side);
-        const int middle = find_joint(skeleton_template, JointRole::hand, hand.side);
+        const bool is_foot = hand.kind == hands::DigitKind::toe;
+        const std::size_t bones = hands::joints_of(hand.kind);
+        const int wrist = find_joint(skeleton_template, is_foot ? JointRole::foot : JointRole::wrist, hand.side);
+        const int middle = is_foot ? wrist : find_joint(skeleton_template, JointRole::hand, hand.side);
         if (hand.digits.empty() || wrist < 0 || middle < 0) continue;
         rig.skin = detail::with_divided_hand(std::move(rig.skin), mesh, hand, wrist, middle,
                                              static_cast<int>(rig.joints.size()));
@@ -243,13 +247,14 @@ Rig<Scalar> with_finger_bones(Rig<Scalar> rig, const TriangleMesh<Scalar>& mesh,
             const auto carrier = static_cast<std::size_t>(digit.digit == hands::Digit::thumb ? wrist : middle);
             const RigJoint<Scalar> carried_by = rig.joints[carrier];
             const detail::FingerToRest<Scalar> carried{rig.metres_per_unit, rig.motions[carrier]};
-            const auto at_rest = detail::motion_of_digit(rig, mesh, static_cast<int>(rig.joints.size()), carried);
-            for (std::size_t k = 0; k < hands::phalanges; ++k) {
-                const Vector3<Scalar> end = k + 1 < hands::phalanges ? digit.joints[k + 1] : digit.tip;
+            const auto at_rest =
+                detail::motion_of_digit(rig, mesh, static_cast<int>(rig.joints.size()), bones, carried);
+            for (std::size_t k = 0; k < bones; ++k) {
+                const Vector3<Scalar> end = k + 1 < bones ? digit.joints[k + 1] : digit.tip;
                 RigJoint<Scalar> joint;
-                joint.name = hands::joint_name(hand.side, digit.digit, k + 1);
+                joint.name = hands::joint_name(hand.side, digit.digit, k + 1, hand.kind);
                 joint.parent = k == 0 ? wrist : static_cast<int>(rig.joints.size()) - 1;
-                joint.role = JointRole::hand;
+                joint.role = is_foot ? JointRole::foot : JointRole::hand;
                 joint.side = hand.side;
                 joint.position = at_rest(digit.joints[k]);
                 joint.end = at_rest(end);

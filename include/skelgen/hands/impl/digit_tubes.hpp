@@ -157,8 +157,8 @@ Ring<Scalar> ring_around(const HandSurface<Scalar>& hand, const surface::LevelSe
 } // namespace detail
 
 template <typename Scalar>
-std::vector<DigitTube<Scalar>> find_tubes(const HandSurface<Scalar>& hand, const HandPlace<Scalar>& place) {
-    constexpr Scalar least = Scalar(0.1); // of the hand's length, calibrated: shorter stubs are knuckles and folds
+std::vector<DigitTube<Scalar>> find_tubes(const HandSurface<Scalar>& hand, const HandPlace<Scalar>& place,
+                                          const DigitBounds& bounds) {
     // Digits of characters join their neighbours 0.6 from the knuckles, a cartoon's thumb 0.8, and 1.5 from the
     // forearm.
     constexpr Scalar farthest_web = 1;
@@ -167,12 +167,14 @@ std::vector<DigitTube<Scalar>> find_tubes(const HandSurface<Scalar>& hand, const
     constexpr int rings = 24;
     constexpr std::size_t least_rings = 5;
     const Scalar length = place.length();
-    const detail::Peaks<Scalar> found = detail::PartsFromAbove<Scalar>(hand, least * length).peaks();
+    const detail::Peaks<Scalar> found =
+        detail::PartsFromAbove<Scalar>(hand, static_cast<Scalar>(bounds.least) * length).peaks();
     const surface::LevelSets<Scalar> levels(hand.mesh, hand.adjacency, hand.distance);
     std::vector<DigitTube<Scalar>> tubes;
     for (std::size_t i = 0; i < found.peaks.size(); ++i) {
         const detail::Peak<Scalar>& peak = found.peaks[i];
         if (peak.goes_on || peak.joins > longest_way * place.stretched()) continue;
+        if (peak.joins < static_cast<Scalar>(bounds.nearest) * length) continue;
         DigitTube<Scalar> tube;
         tube.joins = peak.joins;
         tube.ends = peak.ends;

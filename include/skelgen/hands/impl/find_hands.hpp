@@ -30,7 +30,8 @@ struct TubesOfHand {
 template <typename Scalar>
 class BodySurfaces {
 public:
-    BodySurfaces(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body) : mesh_(mesh), body_(body) {}
+    BodySurfaces(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body, const DigitBounds& bounds = {})
+        : mesh_(mesh), body_(body), bounds_(bounds) {}
 
     /// The tubes of a hand, in the input's coordinates.
     [[nodiscard]] TubesOfHand<Scalar> tubes(const HandPlace<Scalar>& in_input) {
@@ -113,7 +114,7 @@ private:
     }
 
     /// The same on the faces themselves.
-    [[nodiscard]] static TubesOfHand<Scalar> tubes_of_piece(const Pieces& pieces, const HandPlace<Scalar>& in_input) {
+    [[nodiscard]] TubesOfHand<Scalar> tubes_of_piece(const Pieces& pieces, const HandPlace<Scalar>& in_input) const {
         const HandPlace<Scalar> place = moved(in_input, pieces.similarity);
         const auto own = arm_pieces(pieces.mesh, place);
         const auto hand = own_hand_surface(own ? *own : pieces.mesh, place);
@@ -127,9 +128,9 @@ private:
     }
 
     /// In the input's coordinates.
-    static TubesOfHand<Scalar> tubes_on(const HandSurface<Scalar>& hand, const HandPlace<Scalar>& place,
-                                        const Similarity<Scalar>& similarity) {
-        TubesOfHand<Scalar> out{find_tubes(hand, place), hand.mesh};
+    [[nodiscard]] TubesOfHand<Scalar> tubes_on(const HandSurface<Scalar>& hand, const HandPlace<Scalar>& place,
+                                               const Similarity<Scalar>& similarity) const {
+        TubesOfHand<Scalar> out{find_tubes(hand, place, bounds_), hand.mesh};
         for (DigitTube<Scalar>& tube : out.tubes) {
             for (Vector3<Scalar>& on_axis : tube.axis) on_axis = similarity.to_input(on_axis);
             for (Scalar& radius : tube.radii) radius *= similarity.scale;
@@ -143,8 +144,41 @@ private:
 
     const TriangleMesh<Scalar>& mesh_;
     const Body<Scalar>& body_;
+    DigitBounds bounds_;
     std::optional<Material> material_;
 };
+
+/// The skeleton with joints and end points of all digits of a kind below the joint of that name.
+template <typename Scalar>
+KinematicSkeleton<Scalar> with_joints_of(DigitKind kind, const std::string& below, KinematicSkeleton<Scalar> skeleton,
+                                         const std::vector<Hand<Scalar>>& hands) {
+    for (const Side side : {Side::left, Side::right}) {
+        const int carrier = find_joint(skeleton, std::string(side_prefix(side)) + below);
+        if (carrier < 0) continue;
+        const Vector3<Scalar> otherwise = skeleton.joints[static_cast<std::size_t>(carrier)].position;
+        const auto hand = std::find_if(hands.begin(), hands.end(), [&](const auto& each) { return each.side == side; });
+        for (const Digit digit : all_digits) {
+            const FoundDigit<Scalar>* found = nullptr;
+            if (hand != hands.end())
+                for (const FoundDigit<Scalar>& each : hand->digits)
+                    if (each.digit == digit) found = &each;
+            int parent = carrier;
+            for (std::size_t k = 0; k < joints_of(kind); ++k) {
+                Joint<Scalar> joint;
+                joint.name = joint_name(side, digit, k + 1, kind);
+                joint.parent = parent;
+                joint.is_present = found != nullptr;
+                joint.confidence = found ? found->confidence : 0;
+                joint.position = found ? found->joints[k] : otherwise;
+                joint.radius = found ? found->radii[k] : Scalar(0);
+                parent = static_cast<int>(skeleton.joints.size());
+                skeleton.joints.push_back(std::move(joint));
+            }
+            if (found) skeleton.end_points.emplace_back(tip_name(side, digit, kind), found->tip);
+        }
+    }
+    return skeleton;
+}
 
 } // namespace detail
 
@@ -167,50 +201,58 @@ std::vector<Hand<Scalar>> find_hands(const TriangleMesh<Scalar>& mesh, const Bod
 }
 
 template <typename Scalar>
+std::vector<Hand<Scalar>> find_feet(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body,
+                                    const KinematicSkeleton<Scalar>& skeleton) {
+    // Little toes of FAUST's bodies stand out by 0.057 and more, join beyond 1.0; what lies behind the ball is no toe.
+    constexpr DigitBounds bounds{0.045, 0.9};
+    detail::BodySurfaces<Scalar> surfaces(mesh, body, bounds);
+    std::vector<Hand<Scalar>> feet;
+    for (const Side side : {Side::left, Side::right}) {
+        const auto place = toes_place(skeleton, side);
+        if (!place) continue;
+        const auto joint = [&](const char* name) -> const Joint<Scalar>& {
+            return skeleton
+                .joints[static_cast<std::size_t>(find_joint(skeleton, std::string(side_prefix(side)) + name))];
+        };
+        detail::TubesOfHand<Scalar> found = surfaces.tubes(*place);
+        const Vector3<Scalar> up = joint("ankle").position - joint("foot").position;
+        Hand<Scalar> foot{side, name_toes<Scalar>(found.tubes, *place, side, up), std::move(found.surface),
+                          DigitKind::toe};
+        for (FoundDigit<Scalar>& toe : foot.digits) toe.confidence *= joint("foot").confidence;
+        feet.push_back(std::move(foot));
+    }
+    return feet;
+}
+
+template <typename Scalar>
 KinematicSkeleton<Scalar> with_digits(KinematicSkeleton<Scalar> skeleton, const std::vector<Hand<Scalar>>& hands) {
     skeleton.template_name = template_with_digits;
-    for (const Side side : {Side::left, Side::right}) {
-        const int wrist = find_joint(skeleton, std::string(side_prefix(side)) + "wrist");
-        if (wrist < 0) continue;
-        const auto hand = std::find_if(hands.begin(), hands.end(), [&](const auto& each) { return each.side == side; });
-        for (const Digit digit : all_digits) {
-            const FoundDigit<Scalar>* found = nullptr;
-            if (hand != hands.end())
-                for (const FoundDigit<Scalar>& each : hand->digits)
-                    if (each.digit == digit) found = &each;
-            int parent = wrist;
-            for (std::size_t k = 0; k < phalanges; ++k) {
-                Joint<Scalar> joint;
-                joint.name = joint_name(side, digit, k + 1);
-                joint.parent = parent;
-                joint.is_present = found != nullptr;
-                joint.confidence = found ? found->confidence : 0;
-                joint.position = found ? found->joints[k] : skeleton.joints[static_cast<std::size_t>(wrist)].position;
-                joint.radius = found ? found->radii[k] : Scalar(0);
-                parent = static_cast<int>(skeleton.joints.size());
-                skeleton.joints.push_back(std::move(joint));
-            }
-            if (found) skeleton.end_points.emplace_back(tip_name(side, digit), found->tip);
-        }
-    }
-    return skeleton;
+    return detail::with_joints_of(DigitKind::finger, "wrist", std::move(skeleton), hands);
+}
+
+template <typename Scalar>
+KinematicSkeleton<Scalar> with_toes(KinematicSkeleton<Scalar> skeleton, const std::vector<Hand<Scalar>>& feet) {
+    return detail::with_joints_of(DigitKind::toe, "foot", std::move(skeleton), feet);
 }
 
 template <typename Scalar>
 KinematicSkeleton<Scalar> without_digits(KinematicSkeleton<Scalar> skeleton) {
-    if (skeleton.template_name != template_with_digits) return skeleton;
-    skeleton.template_name = "human21";
-    for (const Side side : {Side::left, Side::right})
-        for (const Digit digit : all_digits) {
-            for (std::size_t k = phalanges; k > 0; --k) { // from the last on: none is another joint's parent then
-                const int j = find_joint(skeleton, joint_name(side, digit, k));
-                if (j < 0) continue;
-                skeleton.joints.erase(skeleton.joints.begin() + j);
-                for (Joint<Scalar>& joint : skeleton.joints)
-                    if (joint.parent > j) --joint.parent;
+    for (const DigitKind kind : {DigitKind::finger, DigitKind::toe}) {
+        if (kind == DigitKind::finger && skeleton.template_name != template_with_digits) continue;
+        for (const Side side : {Side::left, Side::right})
+            for (const Digit digit : all_digits) {
+                for (std::size_t k = joints_of(kind); k > 0; --k) { // from the last on: none is another's parent then
+                    const int j = find_joint(skeleton, joint_name(side, digit, k, kind));
+                    if (j < 0) continue;
+                    skeleton.joints.erase(skeleton.joints.begin() + j);
+                    for (Joint<Scalar>& joint : skeleton.joints)
+                        if (joint.parent > j) --joint.parent;
+                }
+                std::erase_if(skeleton.end_points,
+                              [&](const auto& each) { return each.first == tip_name(side, digit, kind); });
             }
-            std::erase_if(skeleton.end_points, [&](const auto& each) { return each.first == tip_name(side, digit); });
-        }
+    }
+    if (skeleton.template_name == template_with_digits) skeleton.template_name = "human21";
     return skeleton;
 }
 

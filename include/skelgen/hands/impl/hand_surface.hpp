@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <queue>
 #include <string>
@@ -194,6 +195,24 @@ std::vector<bool> others_vertices(const TriangleMesh<Scalar>& mesh, const HandPl
     return out;
 }
 
+/// Places of joints by their names without the side, and of an end point; false where one is missing.
+template <typename Scalar>
+bool read_places(const KinematicSkeleton<Scalar>& skeleton, Side side,
+                 std::initializer_list<std::pair<const char*, Vector3<Scalar>*>> joints, const char* end_point,
+                 Vector3<Scalar>& end_place) {
+    const std::string prefix(side_prefix(side));
+    for (const auto& [joint, place] : joints) {
+        const int found = find_joint(skeleton, prefix + joint);
+        if (found < 0 || !skeleton.joints[static_cast<std::size_t>(found)].is_present) return false;
+        *place = skeleton.joints[static_cast<std::size_t>(found)].position;
+    }
+    const auto end = std::find_if(skeleton.end_points.begin(), skeleton.end_points.end(),
+                                  [&](const auto& each) { return each.first == prefix + end_point; });
+    if (end == skeleton.end_points.end()) return false;
+    end_place = end->second;
+    return true;
+}
+
 } // namespace detail
 
 template <typename Scalar>
@@ -213,20 +232,27 @@ std::optional<TriangleMesh<Scalar>> arm_pieces(const TriangleMesh<Scalar>& mesh,
 
 template <typename Scalar>
 std::optional<HandPlace<Scalar>> hand_place(const KinematicSkeleton<Scalar>& skeleton, Side side) {
-    const std::string prefix(side_prefix(side));
     HandPlace<Scalar> out;
-    for (const auto& [joint, place] :
-         {std::pair{"elbow", &out.elbow}, std::pair{"wrist", &out.wrist}, std::pair{"hand", &out.knuckles}}) {
-        const int found = find_joint(skeleton, prefix + joint);
-        if (found < 0 || !skeleton.joints[static_cast<std::size_t>(found)].is_present) return std::nullopt;
-        *place = skeleton.joints[static_cast<std::size_t>(found)].position;
-    }
-    const auto end = std::find_if(skeleton.end_points.begin(), skeleton.end_points.end(),
-                                  [&](const auto& each) { return each.first == prefix + "fingertip"; });
-    if (end == skeleton.end_points.end()) return std::nullopt;
-    out.tip = end->second;
+    const bool is_there = detail::read_places(
+        skeleton, side,
+        {std::pair{"elbow", &out.elbow}, std::pair{"wrist", &out.wrist}, std::pair{"hand", &out.knuckles}}, "fingertip",
+        out.tip);
     const bool has_bones = (out.wrist - out.elbow).norm() > 0 && (out.knuckles - out.wrist).norm() > 0;
-    if (!has_bones || !(out.length() > 0)) return std::nullopt;
+    if (!is_there || !has_bones || !(out.length() > 0)) return std::nullopt;
+    return out;
+}
+
+template <typename Scalar>
+std::optional<HandPlace<Scalar>> toes_place(const KinematicSkeleton<Scalar>& skeleton, Side side) {
+    constexpr Scalar behind_ball = Scalar(0.5); // of the way from the ball to the end of the toes
+    HandPlace<Scalar> out;
+    if (!detail::read_places(skeleton, side, {std::pair{"ankle", &out.elbow}, std::pair{"foot", &out.knuckles}}, "toe",
+                             out.tip))
+        return std::nullopt;
+    const Vector3<Scalar> toes = out.tip - out.knuckles;
+    if (!(toes.norm() > 0)) return std::nullopt;
+    out.wrist = out.knuckles - behind_ball * toes;
+    out.elbow = out.wrist - (1 + behind_ball) * toes;
     return out;
 }
 

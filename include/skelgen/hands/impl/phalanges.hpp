@@ -40,10 +40,10 @@ std::size_t first_sound(const DigitTube<Scalar>& tube) {
     return tube.axis.size() / 12;
 }
 
-/// Which way a tube leaves the hand: from there over its first third.
+/// Which way a tube leaves the hand: from there to its next joint, over its first quarter.
 template <typename Scalar>
 Vector3<Scalar> base_direction(const DigitTube<Scalar>& tube) {
-    return direction<Scalar>(tube.axis[tube.axis.size() / 3] - tube.axis[first_sound(tube)]);
+    return direction<Scalar>(tube.axis[tube.axis.size() / 4] - tube.axis[first_sound(tube)]);
 }
 
 /// A place on a tube's axis, that far from its end along it; beyond the web straight on.
@@ -133,6 +133,20 @@ std::vector<std::size_t> in_a_row(const std::vector<DigitTube<Scalar>>& tubes, s
     return row;
 }
 
+/// How many digits each tube of a row is, of that many in all.
+template <typename Scalar>
+std::vector<std::size_t> widths_in_digits(const std::vector<DigitTube<Scalar>>& tubes,
+                                          const std::vector<std::size_t>& row, Scalar thinnest, std::size_t digits) {
+    std::vector<std::size_t> widths;
+    std::size_t spare = digits - std::min(digits, row.size());
+    for (const std::size_t i : row) {
+        const std::size_t more = std::min(spare, digits_in<Scalar>(outer_radius(tubes[i]) / thinnest) - 1);
+        widths.push_back(1 + (tubes[i].is_alone ? spare : more));
+        spare -= widths.back() - 1;
+    }
+    return widths;
+}
+
 /// A digit with its joints on a tube.
 template <typename Scalar>
 FoundDigit<Scalar> on_tube(const DigitTube<Scalar>& tube, Digit digit, const HandPlace<Scalar>& place) {
@@ -189,14 +203,7 @@ std::vector<FoundDigit<Scalar>> name_digits(const std::vector<DigitTube<Scalar>>
             row.size() == 1 || detail::digits_in<Scalar>(thinnest / of_thumb) > 1)
             thinnest = of_thumb;
     constexpr std::size_t fingers = 4;
-    std::vector<std::size_t> widths;
-    std::size_t spare = fingers - std::min(fingers, row.size());
-    for (const std::size_t i : row) {
-        const std::size_t more =
-            std::min(spare, detail::digits_in<Scalar>(detail::outer_radius(tubes[i]) / thinnest) - 1);
-        widths.push_back(1 + (tubes[i].is_alone ? spare : more));
-        spare -= widths.back() - 1;
-    }
+    const std::vector<std::size_t> widths = detail::widths_in_digits(tubes, row, thinnest, fingers);
     if (thumb) out.push_back(detail::on_tube(tubes[*thumb], Digit::thumb, place));
     std::size_t next = 1;
     for (std::size_t k = 0; k < row.size() && next < all_digits.size(); ++k) {
@@ -219,6 +226,51 @@ std::vector<FoundDigit<Scalar>> name_digits(const std::vector<DigitTube<Scalar>>
     for (FoundDigit<Scalar>& digit : out) {
         const bool is_thumb = digit.digit == Digit::thumb;
         digit.hinge = detail::hinge_of<Scalar>(digit, is_thumb ? Vector3<Scalar>(middle - digit.web) : palm);
+    }
+    return out;
+}
+
+template <typename Scalar>
+std::vector<FoundDigit<Scalar>> name_toes(const std::vector<DigitTube<Scalar>>& tubes, const HandPlace<Scalar>& place,
+                                          Side side, const Vector3<Scalar>& up) {
+    // Both as MakeHuman's rig has them: of the way from the webs to the ball, and of that from the ends to the ball.
+    constexpr Scalar first = Scalar(0.75), middle = Scalar(0.45);
+    constexpr Scalar clear = Scalar(0.12);     // of the place's length, that a toe stands out by, and more
+    constexpr Scalar of_big_toe = Scalar(0.8); // how thick the second one is; the others are thinner
+    if (tubes.size() < 2) return {};
+    const Vector3<Scalar> forward = detail::direction<Scalar>(place.tip - place.knuckles);
+    const Vector3<Scalar> inwards = static_cast<Scalar>(sign_of(side)) * forward.cross(up);
+    std::vector<std::size_t> row;
+    Scalar to_ball = 0; // from the webs
+    for (std::size_t i = 0; i < tubes.size(); ++i) {
+        row.push_back(i);
+        to_ball += forward.dot(tubes[i].axis.front() - place.knuckles) / static_cast<Scalar>(tubes.size());
+    }
+    to_ball = std::max(to_ball, Scalar(0));
+    std::sort(row.begin(), row.end(), [&](std::size_t a, std::size_t b) {
+        return inwards.dot(tubes[a].axis.front()) > inwards.dot(tubes[b].axis.front());
+    });
+    const Scalar usual = of_big_toe * detail::outer_radius(tubes[row.front()]);
+    const std::vector<std::size_t> widths = detail::widths_in_digits(tubes, row, usual, all_digits.size());
+
+    std::vector<FoundDigit<Scalar>> out;
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < row.size() && next < all_digits.size(); ++k) {
+        const DigitTube<Scalar>& tube = tubes[row[k]];
+        FoundDigit<Scalar>& toe = out.emplace_back();
+        toe.digit = all_digits[next++];
+        for (std::size_t more = 1; more < widths[k] && next < all_digits.size(); ++more)
+            toe.fused.push_back(all_digits[next++]);
+        toe.tip = tube.axis.back();
+        toe.web = tube.axis.front();
+        toe.vertices = tube.vertices;
+        const Scalar beyond_web = detail::axis_length(tube), from_tip = middle * (to_ball + beyond_web);
+        const auto on_tube = detail::from_end<Scalar>(tube, std::min(from_tip, beyond_web));
+        const Scalar behind_web = std::max(from_tip - beyond_web, Scalar(0));
+        toe.joints = {toe.web - first * to_ball * forward, on_tube.place - behind_web * forward, toe.tip};
+        toe.radii = {tube.radii[detail::first_sound(tube)], on_tube.radius, Scalar(0)};
+        toe.hinge = detail::direction<Scalar>((toe.joints[1] - toe.joints[0]).cross(-up));
+        toe.confidence = static_cast<double>(std::min(Scalar(1), (tube.ends - tube.joins) / (clear * place.length())));
     }
     return out;
 }

@@ -1,0 +1,134 @@
+#include <skelgen/hands/find_hands.hpp>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <skelgen/surface/prepare.hpp>
+
+#include "catch.hpp"
+#include "hand_shape.hpp"
+
+using namespace skelgen;
+using namespace skelgen::test;
+using hands::DigitKind;
+
+namespace {
+
+/// A toe from the ball of the foot to the middle of its round end. The left foot: x to the person's left, y forwards, z
+/// up; its length from the ball to the end of the big toe is 1.
+struct Toe {
+    Vec3 base, end;
+    double radius;
+
+    [[nodiscard]] Vec3 tip() const { return end + radius * (end - base).normalized(); }
+};
+
+std::vector<Toe> five_toes() {
+    return {{{-0.32, 0.0, 0}, {-0.34, 0.87, -0.02}, 0.13},
+            {{-0.10, 0.0, 0}, {-0.04, 0.86, -0.02}, 0.10},
+            {{0.08, -0.06, 0}, {0.20, 0.75, -0.02}, 0.095},
+            {{0.24, -0.14, 0}, {0.41, 0.61, -0.02}, 0.09},
+            {{0.38, -0.24, 0}, {0.58, 0.46, -0.02}, 0.085}};
+}
+
+/// Shin, instep and toes; in a shoe, all that is around the toes.
+Mesh foot_of(const std::vector<Toe>& toes, bool is_shod = false) {
+    struct Tube {
+        Vec3 a, b;
+        double radius;
+    };
+    std::vector<Tube> tubes{{{-0.02, -1.7, 2.2}, {-0.02, -1.7, 0.6}, 0.42},
+                            {{-0.02, -1.7, 0.6}, {-0.02, -2, 0.1}, 0.3}};
+    for (const double across : {-0.3, -0.1, 0.1, 0.3})
+        tubes.push_back({{across / 2, -1.6, 0.45}, {across, 0.05 - 0.25 * (across + 0.3), 0.02}, 0.2});
+    for (const Toe& toe : toes) tubes.push_back({toe.base, toe.end, toe.radius});
+    if (is_shod) tubes.push_back({{-0.1, 0, 0.05}, {0, 0.75, 0.05}, 0.36});
+    const auto field = [&](const Vec3& p) {
+        double least = 1;
+        for (const Tube& tube : tubes) least = std::min(least, segment_distance(p, tube.a, tube.b) - tube.radius);
+        return least;
+    };
+    return level_set(field, {-0.8, -2.5, -0.5}, {1, 1.3, 2.3}, 0.035);
+}
+
+KinematicSkeleton<double> leg_skeleton() {
+    KinematicSkeleton<double> out;
+    out.template_name = "human21";
+    out.joints = {{"left_knee", -1, Vec3(0, -1.6, 7)},
+                  {"left_ankle", 0, Vec3(0, -1.7, 0.8)},
+                  {"left_foot", 1, Vec3(-0.02, 0, 0)}};
+    out.end_points.emplace_back("left_toe", Vec3(-0.34, 1, -0.02));
+    return out;
+}
+
+hands::Hand<double> only_foot(const Mesh& mesh, const KinematicSkeleton<double>& skeleton) {
+    const auto found = hands::find_feet(mesh, surface::prepare(mesh), skeleton);
+    REQUIRE(found.size() == 1);
+    CHECK(found.front().kind == DigitKind::toe);
+    return found.front();
+}
+
+} // namespace
+
+TEST_CASE("five toes of a foot are found, from the big one on, and have two joints each", "[hands]") {
+    const std::vector<Toe> toes = five_toes();
+    const hands::Hand<double> foot = only_foot(foot_of(toes), leg_skeleton());
+    REQUIRE(foot.digits.size() == 5);
+    for (std::size_t t = 0; t < toes.size(); ++t) {
+        INFO(hands::name_of(hands::all_digits[t], DigitKind::toe));
+        const hands::FoundDigit<double>& toe = foot.digits[t];
+        CHECK(toe.digit == hands::all_digits[t]);
+        CHECK(toe.fused.empty());
+        CHECK((toe.tip - toes[t].tip()).norm() < 0.06);
+        CHECK((toe.joints[0] - toes[t].base).norm() < 0.2);
+        CHECK((toe.joints[1] - (toes[t].base + 0.52 * (toes[t].end - toes[t].base))).norm() < 0.12);
+        CHECK(toe.hinge.z() == Approx(0).margin(0.2));
+        CHECK((toe.tip - toe.joints[1]).normalized().cross(toe.hinge).z() > 0.5); // positive turns: towards the sole
+        CHECK(toe.confidence > 0.5);
+    }
+}
+
+TEST_CASE("the big toe is on the inner side of the right foot, too", "[hands]") {
+    KinematicSkeleton<double> skeleton = leg_skeleton();
+    for (Joint<double>& joint : skeleton.joints) {
+        joint.name.replace(0, 4, "right");
+        joint.position.x() *= -1;
+    }
+    skeleton.end_points = {{"right_toe", Vec3(0.34, 1, -0.02)}};
+    const hands::Hand<double> foot = only_foot(mirrored(foot_of(five_toes())), skeleton);
+    REQUIRE(foot.digits.size() == 5);
+    CHECK(foot.side == Side::right);
+    CHECK((foot.digits[0].tip - five_toes()[0].tip().cwiseProduct(Vec3(-1, 1, 1))).norm() < 0.06);
+}
+
+TEST_CASE("shoes and feet without gaps show no toes", "[hands]") {
+    CHECK(only_foot(foot_of({}, true), leg_skeleton()).digits.empty());
+    CHECK(only_foot(foot_of(five_toes(), true), leg_skeleton()).digits.size() < 2);
+    std::vector<Toe> thick = five_toes();
+    for (Toe& toe : thick) toe.radius = 0.2;
+    CHECK(only_foot(foot_of(thick), leg_skeleton()).digits.size() < 5);
+}
+
+TEST_CASE("a skeleton gets the joints of all toes below the foot's, and loses them again", "[hands]") {
+    const KinematicSkeleton<double> skeleton = leg_skeleton();
+    std::vector<Toe> some = five_toes();
+    some.resize(2);
+    const auto feet = std::vector{only_foot(foot_of(some), skeleton)};
+    const KinematicSkeleton<double> all = hands::with_toes(skeleton, feet);
+    CHECK(all.template_name == "human21");
+    REQUIRE(all.joints.size() == skeleton.joints.size() + 10);
+    const auto joint = [&](const std::string& name) {
+        const int j = find_joint(all, name);
+        REQUIRE(j >= 0);
+        return all.joints[static_cast<std::size_t>(j)];
+    };
+    CHECK(joint("left_toe1_1").is_present);
+    CHECK(all.joints.at(static_cast<std::size_t>(joint("left_toe1_1").parent)).name == "left_foot");
+    CHECK(all.joints.at(static_cast<std::size_t>(joint("left_toe1_2").parent)).name == "left_toe1_1");
+    CHECK_FALSE(joint("left_toe5_2").is_present);
+    CHECK(all.end_points.back().first == "left_toe2_tip");
+    const KinematicSkeleton<double> again = hands::without_digits(all);
+    CHECK(again.joints.size() == skeleton.joints.size());
+    CHECK(again.end_points.size() == 1);
+}
