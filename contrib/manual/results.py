@@ -59,6 +59,7 @@ SETS = {
     "cartoon": "heads, hands, feet and limbs of all sizes, horns, tails, paws",
     "curled": "squatting, kneeling, folded, touching or grown together",
     "armed": "figures that hold a sword, an axe or a staff",
+    "hands": "hands of two to five digits, gloved, holding things, grown together, missing",
     "not-a-body": "animals, furniture, two people: solved is what is refused",
 }
 

@@ -199,9 +199,9 @@ std::vector<DigitTruth> ImplicitBody::digits() const {
         if (!is_thumb) known.digit = hands::all_digits[static_cast<std::size_t>(out[i - 1].digit) + 1];
         for (std::size_t k = 0; k < known.joints.size(); ++k) known.joints[k] = palm.to_world(digit.places[k]);
         known.tip = palm.to_world(digit.tip());
-        if (!is_thumb)
-            known.is_fused = (digit.is_sunk && digits_[i - 1].second.is_sunk) ||
-                             (*this)((known.joints[1] + out[i - 1].joints[1]) / 2) < 0;
+        if (is_thumb) continue;
+        const auto is_filled = [&](std::size_t k) { return (*this)((known.joints[k] + out[i - 1].joints[k]) / 2) < 0; };
+        known.is_fused = (digit.is_sunk && digits_[i - 1].second.is_sunk) || (is_filled(1) && is_filled(2));
     }
     return out;
 }

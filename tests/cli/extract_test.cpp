@@ -242,6 +242,31 @@ TEST_CASE("with fingers, the file has all joints of human51 and fits the schema"
     CHECK(refused.err.find("human21 alone") != std::string::npos);
 }
 
+TEST_CASE("with toes, the file has their joints; the sample's foot shows none, and so they are not present") {
+    const TemporaryFolder folder;
+    const auto extract = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> arguments{"extract", sample_body, "-o", "out.json", "-q", "--toes"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        return run_cli(folder.path(), arguments);
+    };
+    REQUIRE(extract({}).status == 0);
+    const auto toed = nlohmann::json::parse(read_file(folder / "out.json"));
+    CHECK(schema_faults(toed, SKELGEN_DATA "/schema/skeleton.schema.json").empty());
+    CHECK(toed["template"] == "human21");
+    REQUIRE(toed["joints"].size() == 41);
+    CHECK(toed["joints"][21]["name"] == "left_toe1_1");
+    CHECK(toed["joints"][21]["parent"] == "left_foot");
+    CHECK(toed["joints"][40]["name"] == "right_toe5_2");
+    for (std::size_t j = 21; j < 41; ++j) CHECK_FALSE(toed["joints"][j].value("present", true));
+    CHECK(run_cli(folder.path(), {"rig", sample_body, "--skeleton", "out.json", "--toes", "-q", "-o", "out.glb"})
+              .status == 0);
+    REQUIRE(extract({"--fingers", "on"}).status == 0);
+    CHECK(nlohmann::json::parse(read_file(folder / "out.json"))["joints"].size() == 71);
+    const CliResult refused = extract({"--template", "quadruped"});
+    CHECK(refused.status == 2);
+    CHECK(refused.err.find("toes go with human21") != std::string::npos);
+}
+
 TEST_CASE("an output that is no place to write to ends with status 2 and one line") {
     const TemporaryFolder folder;
     fs::create_directory(folder / "folder");

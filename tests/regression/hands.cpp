@@ -47,14 +47,14 @@ std::vector<Chain> chains(const NamedDigits& digits, Side side) {
         if (!out.empty() && std::find(out.back().begin(), out.back().end(), name) != out.back().end()) continue;
         out.push_back({name});
         if (digits.fused.contains(first))
-            for (const Json& other : digits.fused[first]) out.back().push_back(other);
+            for (const Json& other : digits.fused[first]) out.back().push_back(other.get<std::string>());
     }
     return out;
 }
 
 Vector3<double> place(const NamedDigits& digits, Side side, const std::string& digit, std::size_t number) {
     const Json& p = digits.joints.at(std::string(side_prefix(side)) + digit + "_" + std::to_string(number));
-    return {p[0], p[1], p[2]};
+    return {p.at(0).get<double>(), p.at(1).get<double>(), p.at(2).get<double>()};
 }
 
 } // namespace

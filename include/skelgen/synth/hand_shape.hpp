@@ -39,8 +39,8 @@ struct DigitTruth {
     hands::Digit digit = hands::Digit::thumb;
     std::array<Vector3<double>, hands::phalanges> joints; ///< from the knuckle on; the thumb's metacarpal from its base
     Vector3<double> tip = Vector3<double>::Zero();        ///< its end on the surface
-    /// The surface does not tell it from the digit before it: the middle between the second joints of both lies inside,
-    /// or both end in the palm.
+    /// The surface does not tell it from the digit before it: the middles between the second and the third joints of
+    /// both lie inside, or both end in the palm.
     bool is_fused = false;
 };
 

@@ -238,14 +238,19 @@ std::vector<FoundDigit<Scalar>> name_toes(const std::vector<DigitTube<Scalar>>& 
     constexpr Scalar clear = Scalar(0.12);     // of the place's length, that a toe stands out by, and more
     constexpr Scalar of_big_toe = Scalar(0.8); // how thick the second one is; the others are thinner
     if (tubes.size() < 2) return {};
-    const Vector3<Scalar> forward = detail::direction<Scalar>(place.tip - place.knuckles);
-    const Vector3<Scalar> inwards = static_cast<Scalar>(sign_of(side)) * forward.cross(up);
+    // The end of the foot is that of the big toe: forwards is where all point to, along the sole.
+    const Vector3<Scalar> to_end = detail::direction<Scalar>(place.tip - place.knuckles);
+    const Vector3<Scalar> from_sole = detail::direction<Scalar>(up - up.dot(to_end) * to_end);
+    const Vector3<Scalar> inwards = static_cast<Scalar>(sign_of(side)) * to_end.cross(up);
     std::vector<std::size_t> row;
-    Scalar to_ball = 0; // from the webs
+    Vector3<Scalar> forward = Vector3<Scalar>::Zero(), web = Vector3<Scalar>::Zero();
     for (std::size_t i = 0; i < tubes.size(); ++i) {
         row.push_back(i);
-        to_ball += forward.dot(tubes[i].axis.front() - place.knuckles) / static_cast<Scalar>(tubes.size());
+        forward += tubes[i].axis.back() - tubes[i].axis.front();
+        web += tubes[i].axis.front() / static_cast<Scalar>(tubes.size());
     }
+    forward = detail::direction<Scalar>(forward - forward.dot(from_sole) * from_sole);
+    Scalar to_ball = forward.dot(web - place.knuckles);
     to_ball = std::max(to_ball, Scalar(0));
     std::sort(row.begin(), row.end(), [&](std::size_t a, std::size_t b) {
         return inwards.dot(tubes[a].axis.front()) > inwards.dot(tubes[b].axis.front());
