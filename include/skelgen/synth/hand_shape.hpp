@@ -20,7 +20,8 @@ struct DigitShape {
 /// What a hand holds: a thing of its own, as thick as there is room for.
 enum class HeldThing { none, rod, staff, ball };
 
-/// What a hand looks like.
+/// What a hand looks like. Digits that are not joined should stay apart by some millimetres: where surfaces just touch,
+/// meshing takes very long.
 struct HandShape {
     int digits = 5;                    ///< 2 to 5: a thumb and the fingers, all thicker where they are fewer
     std::array<DigitShape, 5> digit{}; ///< from the thumb on; those that there are
