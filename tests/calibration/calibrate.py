@@ -347,7 +347,8 @@ def measures(meshes, penalty, trees=TREES):
 def ablate(meshes, witnesses, penalty):
     kinds = {
         "bodies at rest": lambda row: row["hypothesis"][4] != "rest_fit",
-        "whole curves": lambda row: row["hypothesis"][4] in ("draft", "quick", "rest_fit"),
+        "bodies in any pose": lambda row: row["hypothesis"][4] != "posed_fit",
+        "whole curves": lambda row: row["hypothesis"][4] in ("draft", "quick", "rest_fit", "posed_fit"),
         "finer curves": lambda row: row["hypothesis"][4] != "finer",
         "cuts at contacts": lambda row: row["hypothesis"][2] == 0,
         "things held": lambda row: row["hypothesis"][3] == "nothing",

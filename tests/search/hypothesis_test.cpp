@@ -12,8 +12,8 @@ using namespace skelgen::search;
 
 namespace {
 
-constexpr std::array efforts{Effort::draft,    Effort::quick,         Effort::whole,   Effort::finer,
-                             Effort::detailed, Effort::more_detailed, Effort::rest_fit};
+constexpr std::array efforts{Effort::draft,    Effort::quick,         Effort::whole,    Effort::finer,
+                             Effort::detailed, Effort::more_detailed, Effort::rest_fit, Effort::posed_fit};
 
 /// How many different spellings these values have, empty ones not counted.
 template <typename Values>
@@ -82,7 +82,8 @@ TEST_CASE("whatever is allowed to be wanted, every effort's options are allowed,
 }
 
 TEST_CASE("a curve costs a draft or more, and the more the finer it is") {
-    for (const Effort effort : efforts) CHECK(cost_of(effort) >= 1);
+    for (const Effort effort : efforts) CHECK((cost_of(effort) >= 1 || effort == Effort::posed_fit));
+    CHECK(cost_of(Effort::posed_fit) == 0); // is always tried last, and needs no curve
     CHECK(curve_options(Effort::whole, {}).detail == curve::Detail::limbs);
     for (const Effort effort : {Effort::detailed, Effort::more_detailed}) {
         const curve::CurveOptions detailed = curve_options(effort, {}), whole = curve_options(Effort::whole, {});

@@ -221,6 +221,25 @@ TEST_CASE("limbs that have grown together lead to cuts at the curve's loops") {
     CHECK(climb.found.back().body != climb.found.back().whole);
 }
 
+TEST_CASE("where nothing is likely a body in any pose is laid in, last of all and whatever the budget") {
+    Mesh flat = standing_man(); // no person's proportions
+    const Eigen::RowVector3d extent = flat.vertices.colwise().maxCoeff() - flat.vertices.colwise().minCoeff();
+    Eigen::Index longest = 0;
+    extent.maxCoeff(&longest);
+    flat.vertices.col(longest) *= 0.35;
+    const Climb<double> climb = climbed(flat, 1, Thoroughness::exhaustive);
+    REQUIRE(climb.trail.size() == 2);
+    CHECK(spent_on(climb.trail) == 1);
+    CHECK(climb.trail[0].hypothesis.effort == Effort::draft);
+    CHECK(climb.trail[0].probability < likely_enough);
+    CHECK(climb.trail[1].hypothesis.effort == Effort::posed_fit);
+    CHECK(climb.trail[1].candidates > 0);
+    CHECK(climb.found.front().candidate.evidence[Witness::posed] == 0);
+    CHECK(climb.found.back().candidate.evidence[Witness::posed] == 1);
+    CHECK(climb.found.back().candidate.evidence[Witness::fitted] == 1);
+    for (const Tried& each : thorough().trail) CHECK(each.hypothesis.effort != Effort::posed_fit); // it is likely
+}
+
 TEST_CASE("a curve with too few ends is no body's: the failure says so, and so does the trail") {
     const Climb<double> climb = climbed(three_tubes(), 1);
     CHECK(climb.found.empty());

@@ -83,6 +83,37 @@ TEST_CASE("fit_posed: from joints that are off, the surface brings them nearer t
     }
 }
 
+TEST_CASE("fit_posed: limbs end beyond their joints, and the template has the lengths that were found") {
+    const FixtureBody known = load_fixture_body("standing-man");
+    const Body<double> body = prepare(known.mesh);
+    const PosedFit fit = fit_posed(body, person(), {true_joints(known, body)}).front();
+    REQUIRE(fit.tips.size() == 5);
+    const auto at = [&](JointRole role, Side side) -> Vec3 {
+        return fit.joints.row(find_joint(person(), role, side)).transpose();
+    };
+    for (const auto& [joint, tip] : fit.tips) {
+        const TemplateJoint& end = person().joint(joint);
+        const Vec3 last = fit.joints.row(joint).transpose(), before = fit.joints.row(end.parent).transpose();
+        INFO(end.name);
+        CHECK((tip - before).norm() >= (last - before).norm() - 1e-9);
+    }
+    const auto& found = fit.skeleton_template;
+    const auto length_in = [&](const SkeletonTemplate& one, JointRole from, JointRole to) {
+        return (one.joint(find_joint(one, to, Side::left)).position -
+                one.joint(find_joint(one, from, Side::left)).position)
+            .norm();
+    };
+    const auto trunk_of = [](const SkeletonTemplate& one) {
+        return (one.joint(find_joint(one, JointRole::neck, Side::none)).position - one.joint(0).position).norm();
+    };
+    const double leg = (at(JointRole::knee, Side::left) - at(JointRole::hip, Side::left)).norm() +
+                       (at(JointRole::ankle, Side::left) - at(JointRole::knee, Side::left)).norm();
+    const double trunk = (at(JointRole::neck, Side::none) - fit.joints.row(0).transpose()).norm();
+    const double leg_in_template =
+        length_in(found, JointRole::hip, JointRole::knee) + length_in(found, JointRole::knee, JointRole::ankle);
+    CHECK(leg_in_template / trunk_of(found) == Approx(leg / trunk).epsilon(0.1));
+}
+
 TEST_CASE("fit_posed: what is known is met, the cheapest of several starts comes first, and no start has no fit") {
     const FixtureBody known = load_fixture_body("standing-man");
     const Body<double> body = prepare(known.mesh);

@@ -22,7 +22,8 @@ enum class Effort {
     finer,         ///< a proxy half as fine again
     detailed,      ///< roughly centred, with finer branches: tails, horns, trunks
     more_detailed, ///< the same of a proxy three times as fine
-    rest_fit       ///< none: a body at rest is laid into the surface (rest_fit.hpp)
+    rest_fit,      ///< none: a body at rest is laid into the surface (rest_fit.hpp)
+    posed_fit      ///< none: a body in any pose is laid into the surface (posed_fit.hpp)
 };
 
 /// What of the things that hands may hold is taken off.

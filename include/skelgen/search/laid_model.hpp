@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/embedding/proportions.hpp>
 
 namespace skelgen::search::detail {
 
@@ -258,6 +260,34 @@ struct RestFrame {
 /// Parts of the way from shoulder to fingertip, from the crotch to the neck, and from there to the top, in the mean
 /// over people and characters, as place_of() has more of them.
 inline constexpr double elbow_at = 0.43, wrist_at = 0.78, waist_at = 0.33, chest_at = 0.7, head_at = 0.45;
+
+/// How long parts of a body are, in any unit: from the crotch to the neck, to the head's top, from the shoulder to the
+/// fingertip, and from the hip to the ankle and half as far as the toes.
+struct PartLengths {
+    double trunk, head, arm, leg;
+};
+
+/// The template with head, arms and legs as long beside the trunk.
+inline SkeletonTemplate with_lengths(const SkeletonTemplate& wanted, const PartLengths& lengths) {
+    using enum JointRole;
+    const auto place = [&](JointRole role, Side side) -> std::optional<Vec3d> {
+        const int j = find_joint(wanted, role, side);
+        return j >= 0 ? std::optional(wanted.joint(j).position) : std::nullopt;
+    };
+    auto top = place(neck, Side::none);
+    if (!top) top = place(chest, Side::none);
+    const double unit = lengths.trunk / std::max((*top - wanted.joint(0).position).norm(), 1e-9);
+    const auto ratio = [&](double length, JointRole from, JointRole end) {
+        const int joint = find_joint(wanted, end, end == head ? Side::none : Side::left);
+        auto start = place(from, end == head ? Side::none : Side::left);
+        if (!start) start = place(chest, Side::none);
+        const TemplateJoint& last = wanted.joint(joint);
+        const double rest = ((last.tip ? *last.tip : last.position) - *start).norm();
+        return rest > 0 && unit > 0 ? length / (unit * rest) : 1;
+    };
+    return embedding::with_proportions(wanted, {ratio(lengths.head, neck, head), ratio(lengths.arm, shoulder, hand),
+                                                ratio(lengths.leg, hip, foot), 1});
+}
 
 /// Where a template's joint is on the model's half.
 inline Vec3d place_of(const RestModel& model, const SkeletonTemplate& wanted, int joint) {

@@ -9,6 +9,7 @@
 #include <skelgen/embedding/proportions.hpp>
 #include <skelgen/search/evidence.hpp>
 #include <skelgen/search/extract_options.hpp>
+#include <skelgen/search/posed_fit.hpp>
 #include <skelgen/search/rest_fit.hpp>
 #include <skelgen/surface/body.hpp>
 #include <skelgen/symmetry/sides.hpp>
@@ -54,6 +55,12 @@ template <typename Scalar>
 /// them.
 template <typename Scalar>
 [[nodiscard]] PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const RestFit<Scalar>& fit,
+                                                const ExtractOptions& options = {});
+
+/// The joints of a body in any pose that was laid into the surface (posed_fit.hpp), as the fit has them: along it
+/// cross-sections place them worse.
+template <typename Scalar>
+[[nodiscard]] PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const PosedFit& fit,
                                                 const ExtractOptions& options = {});
 
 /// From placed joints on: sides told apart, the skeleton completed, its evidence. The curve serves as the middle that

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <skelgen/core/skeleton_template.hpp>
@@ -11,7 +12,9 @@ namespace skelgen::search {
 
 /// A body in some pose, laid into a surface.
 struct PosedFit {
-    Points<double> joints; ///< per joint of the template, in the body's coordinates
+    Points<double> joints;                             ///< per joint of the template, in the body's coordinates
+    std::vector<std::pair<int, Vector3<double>>> tips; ///< joints that end limbs, and where these end
+    SkeletonTemplate skeleton_template;                ///< the given one with the proportions that were found
     double cost = 0;       ///< how badly surface, middles, proportions and what is known are met; robust; 0 best
     std::size_t start = 0; ///< from which of the starts
 };

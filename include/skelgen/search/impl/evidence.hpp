@@ -365,7 +365,7 @@ SKELGEN_INLINE std::string_view to_string(Witness witness) {
         "slack",         "pairs_lengths", "pairs_girths",    "mirror",
         "head_size",     "arm_length",    "leg_length",      "shoulder_width",
         "hip_width",     "trunk_girth",   "below_hips",      "neck_height",
-        "sides",         "legs_go_on",    "four_legged"};
+        "sides",         "legs_go_on",    "four_legged",     "posed"};
     return names[static_cast<std::size_t>(witness)];
 }
 

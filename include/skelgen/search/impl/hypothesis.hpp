@@ -39,6 +39,8 @@ SKELGEN_INLINE int cost_of(Effort effort) {
         return 4;
     case Effort::finer:
         return 5;
+    case Effort::posed_fit: // is tried last, whatever curves have cost
+        return 0;
     }
     return 1;
 }
@@ -85,6 +87,8 @@ SKELGEN_INLINE std::string_view to_string(Effort effort) {
         return "more_detailed";
     case Effort::rest_fit:
         return "rest_fit";
+    case Effort::posed_fit:
+        return "posed_fit";
     }
     return "";
 }

@@ -119,7 +119,7 @@ public:
             add({what, {is_later ? 1 : 0, 0, static_cast<int>(i)}});
         }
         int spent = 0;
-        while (!leads_.empty() && !is_sure()) {
+        while (!is_sure() && (!leads_.empty() || leads_to_posed())) {
             const Lead<Scalar> lead = next();
             const int cost = cost_of(lead.what.effort);
             if (spent + cost > options_.budget) continue; // a cheaper one may still be within it
@@ -141,6 +141,22 @@ private:
         const auto place = std::upper_bound(leads_.begin(), leads_.end(), lead,
                                             [](const auto& a, const auto& b) { return a.rung < b.rung; });
         leads_.insert(place, std::move(lead));
+    }
+
+    /// Once all else is tried: a body in any pose, laid into the surface that shows the likeliest skeleton, if none is
+    /// likely. What is known moves bodies of its own (extract_hinted).
+    bool leads_to_posed() {
+        if (is_posed_tried_ || for_animal_alone() || !known_.empty() || out_.found.empty()) return false;
+        const auto less = [](const Found<Scalar>& a, const Found<Scalar>& b) {
+            return a.candidate.probability < b.candidate.probability;
+        };
+        const Found<Scalar>& best = *std::max_element(out_.found.begin(), out_.found.end(), less);
+        if (best.plan != BodyKind::human || best.candidate.probability >= likely_enough) return false;
+        is_posed_tried_ = true;
+        Hypothesis what = best.hypothesis;
+        what.effort = Effort::posed_fit;
+        add({what, {}, best.body, best.curve});
+        return true;
     }
 
     Lead<Scalar> next() {
@@ -213,6 +229,8 @@ private:
 
         if (lead.what.effort == Effort::rest_fit)
             try_at_rest(lead, *surface, curve, entry);
+        else if (lead.what.effort == Effort::posed_fit)
+            try_posed(lead, *surface, curve, entry);
         else if (!is_detailed(lead.what.effort))
             try_templates(lead, *surface, curve, entry);
         if (may_show_animal(lead.what)) try_quadruped(lead, *surface, curve, entry);
@@ -285,6 +303,29 @@ private:
         }
         try_placed(lead, surface, curve, entry, options_,
                    [&](const ExtractOptions& options) { return place_joints(*lead.body, *fit, options); });
+    }
+
+    /// From the likeliest skeletons yet, and from bodies that stand along each axis of the surface.
+    void try_posed(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
+                   const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
+        constexpr std::size_t most_skeletons = 16;
+        core::Stopwatch stage;
+        std::stable_sort(whole_skeletons_.begin(), whole_skeletons_.end(),
+                         [](const auto& a, const auto& b) { return a.first > b.first; });
+        if (whole_skeletons_.size() > most_skeletons) whole_skeletons_.resize(most_skeletons);
+        std::vector<Points<double>> starts;
+        for (const auto& [probability, joints] : whole_skeletons_) {
+            Points<double>& start = starts.emplace_back(joints.rows(), 3);
+            for (Eigen::Index j = 0; j < joints.rows(); ++j)
+                start.row(j) =
+                    lead.body->similarity.to_canonical(core::point(joints, j)).transpose().template cast<double>();
+        }
+        for (Points<double>& start : standing_starts(*lead.body, wanted_)) starts.push_back(std::move(start));
+        const std::vector<PosedFit> fits = fit_posed(*lead.body, wanted_, starts);
+        out_.timings.refine += stage.lap();
+        for (const PosedFit& fit : fits)
+            try_placed(lead, surface, curve, entry, options_,
+                       [&](const ExtractOptions& options) { return place_joints(*lead.body, fit, options); });
     }
 
     void try_quadruped(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
@@ -360,6 +401,7 @@ private:
             entry.probability = probability;
             entry.lacks_limb = lacks_part(candidate.evidence);
         }
+        remember(candidate.skeleton, probability, *lead.body, plan);
         Found<Scalar> found{std::move(candidate), lead.body, surface.whole, curve, lead.what, surface.noise, plan};
         likeliest(plan) = std::max(likeliest(plan), probability);
         if (thoroughness_ == Thoroughness::exhaustive || out_.found.empty())
@@ -367,6 +409,19 @@ private:
         else if (probability > out_.found.front().candidate.probability)
             out_.found.front() = std::move(found);
         return probability;
+    }
+
+    /// Keeps the joints of a skeleton that lacks none, in the input's coordinates.
+    void remember(const KinematicSkeleton<Scalar>& skeleton, double probability, const Body<Scalar>& body,
+                  BodyKind plan) {
+        if (plan != BodyKind::human ||
+            !std::all_of(skeleton.joints.begin(), skeleton.joints.end(), [](const auto& j) { return j.is_present; }))
+            return;
+        Points<Scalar> joints(static_cast<Eigen::Index>(skeleton.joints.size()), 3);
+        for (std::size_t j = 0; j < skeleton.joints.size(); ++j)
+            core::set_point<Scalar>(joints, static_cast<Eigen::Index>(j),
+                                    body.similarity.to_input(skeleton.joints[j].position));
+        whole_skeletons_.emplace_back(probability, std::move(joints));
     }
 
     static bool lacks_part(const Evidence& evidence) {
@@ -399,7 +454,7 @@ private:
         const auto rung = [&](int step) { return Rung{lead.rung.round, step, lead.rung.surface}; };
         const Rung finer{lead.rung.round + 2, 0, lead.rung.surface};
         Hypothesis what = lead.what;
-        if (effort == Effort::rest_fit || curve->is_point) return;
+        if (effort == Effort::rest_fit || effort == Effort::posed_fit || curve->is_point) return;
         if (effort == Effort::draft && lead.what.opening == Opening::opened) {
             what.effort = Effort::detailed;
             if (animal_) add({what, rung(for_detailed), lead.body});
@@ -473,8 +528,10 @@ private:
     std::vector<surface::Remedy> remedies_; ///< of the material, which the last of them takes
     double material_area_ = 0;              ///< in the input's unit
     std::map<surface::Remedy, Outcome<PreparedSurface<Scalar>>> surfaces_;
-    std::vector<Lead<Scalar>> leads_; ///< by rung
-    double last_cut_limbs_ = 0;       ///< of the candidate tried last
+    std::vector<Lead<Scalar>> leads_;                                ///< by rung
+    double last_cut_limbs_ = 0;                                      ///< of the candidate tried last
+    std::vector<std::pair<double, Points<Scalar>>> whole_skeletons_; ///< with the probability of each
+    bool is_posed_tried_ = false;
     Climb<Scalar> out_;
 };
 

@@ -54,6 +54,23 @@ PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const RestFit<Scalar
 }
 
 template <typename Scalar>
+PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const PosedFit& fit, const ExtractOptions& options) {
+    refinement::RefinedJoints<Scalar> joints;
+    joints.positions = fit.joints.template cast<Scalar>();
+    joints.is_present.assign(fit.skeleton_template.joints.size(), true);
+    for (const auto& [joint, tip] : fit.tips) {
+        const int vertex = body.tree.nearest_corner(body.mesh, Vector3<Scalar>(tip.template cast<Scalar>()));
+        joints.tips.emplace_back(joint, core::point(body.mesh.vertices, vertex));
+    }
+    return {fit.skeleton_template,
+            std::move(joints),
+            nullptr,
+            core::geodesic_diameter(body.graph),
+            options.sides,
+            {{Witness::fitted, 1}, {Witness::fit_cost, std::log(std::max(fit.cost, 1e-3))}, {Witness::posed, 1}}};
+}
+
+template <typename Scalar>
 Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found,
                                        const PlacedJoints<Scalar>& placed) {
     core::Stopwatch stage;

@@ -85,18 +85,18 @@ inline Vec3d place_of(const PosedNumbers& x, const NodePart& part) {
 /// A body in some pose and what it is measured by, in units of its height.
 class PosedSolver {
 public:
-    /// `places` on the surface; `cloud`, more of them, with `normals`: what the distance to the surface is taken from.
-    PosedSolver(std::vector<Vec3d> places, Places cloud, Places normals, std::vector<std::pair<NodePart, Vec3d>> known)
-        : places_(std::move(places)), cloud_(std::move(cloud)), normals_(std::move(normals)), known_(std::move(known)),
-          tree_(cloud_) {}
+    /// `cloud`: places on the surface, with `normals`: what the distance to the surface is taken from.
+    PosedSolver(Places cloud, Places normals, std::vector<std::pair<NodePart, Vec3d>> known)
+        : cloud_(std::move(cloud)), normals_(std::move(normals)), known_(std::move(known)), tree_(cloud_) {}
 
-    [[nodiscard]] core::LeastSquares<PosedNumbers> solve(const PosedNumbers& from, const PosedNumbers& start,
-                                                         int rounds) const {
+    /// `places` of the surface that have to lie on the bones.
+    [[nodiscard]] core::LeastSquares<PosedNumbers> solve(const std::vector<Vec3d>& places, const PosedNumbers& from,
+                                                         const PosedNumbers& start, int rounds) const {
         return core::least_squares(
             from, rounds,
             [&](const PosedNumbers& x, const Laid* known) {
                 return laid(
-                    model_of(x), places_, [this](const Vec3d& place) { return depth_of(place); }, known);
+                    model_of(x), places, [this](const Vec3d& place) { return depth_of(place); }, known);
             },
             [&](const Laid& state, const PosedNumbers& x) { return residuals(state, x, start); });
     }
@@ -143,7 +143,7 @@ private:
     [[nodiscard]] Eigen::VectorXd residuals(const Laid& state, const PosedNumbers& x, const PosedNumbers& start) const {
         constexpr double near_start = 0.15;
         std::vector<double> out;
-        out.reserve(places_.size() + 200);
+        out.reserve(static_cast<std::size_t>(state.beyond.rows()) + 200);
         add_misfit(state, true, out);
         add_priors(x, out);
         for (int r = 0; r < posed_radii; ++r)
@@ -222,7 +222,6 @@ private:
         }
     }
 
-    std::vector<Vec3d> places_;
     Places cloud_, normals_;
     std::vector<std::pair<NodePart, Vec3d>> known_;
     PlaceTree tree_;
@@ -266,6 +265,29 @@ inline double height_of(const PosedNumbers& x) {
     double legs = 0;
     for (int side = 0; side < 2; ++side) legs += length(at_hip, at_knee, side) + length(at_knee, at_ankle, side);
     return length(at_neck, at_top, 0) + length(at_pelvis, at_neck, 0) + legs / 2;
+}
+
+/// The numbers as joints, with a height of that many of the body's units.
+inline PosedFit posed_fit_of(const PosedNumbers& x, double height, const SkeletonTemplate& wanted) {
+    const auto length = [&](Node from, Node to) {
+        double sum = 0;
+        for (int side = 0; side < 2; ++side) sum += (place_at(x, to, side) - place_at(x, from, side)).norm();
+        return sum / 2;
+    };
+    PosedFit out;
+    out.joints.resize(static_cast<Eigen::Index>(wanted.joints.size()), 3);
+    for (int j = 0; j < static_cast<int>(wanted.joints.size()); ++j) {
+        const TemplateJoint& joint = wanted.joint(j);
+        const NodePart part = node_part_of(joint);
+        out.joints.row(j) = (height * place_of(x, part)).transpose();
+        if (ends_limb(joint.role)) out.tips.emplace_back(j, height * place_at(x, part.to, part.side));
+    }
+    out.skeleton_template = with_lengths(
+        wanted, {.trunk = length(at_pelvis, at_neck),
+                 .head = length(at_neck, at_top),
+                 .arm = length(at_shoulder, at_elbow) + length(at_elbow, at_fingertip),
+                 .leg = length(at_hip, at_knee) + length(at_knee, at_ankle) + 0.5 * length(at_ankle, at_toe)});
+    return out;
 }
 
 /// Does a template have every joint that the model is laid by, and none that the model lacks?
@@ -323,8 +345,8 @@ template <typename Scalar>
 std::vector<PosedFit> fit_posed(const Body<Scalar>& body, const SkeletonTemplate& wanted,
                                 const std::vector<Points<double>>& starts, const std::vector<KnownPlace>& known) {
     using detail::Vec3d;
-    constexpr int few = 400, many = 20000, first_rounds = 3, last_rounds = 25;
-    constexpr std::size_t most_finals = 6;
+    constexpr int few = 128, more = 400, many = 20000, first_rounds = 3, last_rounds = 25;
+    constexpr std::size_t most_firsts = 96, most_finals = 6;
     if (starts.empty() || !detail::has_all_of_person(wanted)) return {};
     const double height = detail::height_of(detail::nodes_of(wanted, starts.front()));
     if (!(height > 0)) return {};
@@ -339,11 +361,13 @@ std::vector<PosedFit> fit_posed(const Body<Scalar>& body, const SkeletonTemplate
     std::vector<std::pair<detail::NodePart, Vec3d>> parts;
     for (const KnownPlace& one : known)
         parts.emplace_back(detail::node_part_of(wanted.joint(one.joint)), one.place / height);
-    const detail::Places spread = detail::spread_places(body.mesh, few) / height;
-    std::vector<Vec3d> places;
-    for (const auto& place : spread.rowwise()) places.emplace_back(place.transpose());
-    const detail::PosedSolver solver(std::move(places), std::move(cloud) / height, std::move(normals),
-                                     std::move(parts));
+    const detail::PosedSolver solver(std::move(cloud) / height, std::move(normals), std::move(parts));
+    const auto places = [&](int count) {
+        const detail::Places spread = detail::spread_places(body.mesh, count) / height;
+        std::vector<Vec3d> out;
+        for (const auto& place : spread.rowwise()) out.emplace_back(place.transpose());
+        return out;
+    };
 
     struct Run {
         detail::PosedNumbers from, numbers;
@@ -356,21 +380,28 @@ std::vector<PosedFit> fit_posed(const Body<Scalar>& body, const SkeletonTemplate
             detail::PosedNumbers from = detail::nodes_of(wanted, starts[s]) / height;
             for (int r = 0; r < detail::posed_radii; ++r)
                 from[3 * detail::posed_nodes + r] = std::log(radii[static_cast<std::size_t>(r)]);
-            const auto [numbers, cost] = solver.solve(from, from, first_rounds);
-            runs.push_back({from, numbers, cost, s});
+            runs.push_back({from, from, 0, s});
         }
-    const auto cheaper = [](const Run& a, const Run& b) { return a.cost < b.cost; };
-    std::stable_sort(runs.begin(), runs.end(), cheaper);
-    if (runs.size() > most_finals) runs.resize(most_finals);
+    const auto keep_cheapest = [&](std::size_t most, int rounds, const std::vector<Vec3d>& at) {
+        for (Run& run : runs) {
+            const auto [numbers, cost] = solver.solve(at, run.numbers, run.from, rounds);
+            run.numbers = numbers;
+            run.cost = cost;
+        }
+        std::stable_sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.cost < b.cost; });
+        if (runs.size() > most) runs.resize(most);
+    };
+    const std::vector<Vec3d> roughly = places(few);
+    keep_cheapest(most_firsts, 0, roughly);
+    keep_cheapest(most_finals, first_rounds, roughly);
+    keep_cheapest(most_finals, last_rounds, places(more));
     std::vector<PosedFit> out;
     for (const Run& run : runs) {
-        const auto [numbers, cost] = solver.solve(run.numbers, run.from, last_rounds);
-        PosedFit fit{Points<double>(static_cast<Eigen::Index>(wanted.joints.size()), 3), cost, run.start};
-        for (int j = 0; j < static_cast<int>(wanted.joints.size()); ++j)
-            fit.joints.row(j) = (height * detail::place_of(numbers, detail::node_part_of(wanted.joint(j)))).transpose();
+        PosedFit fit = detail::posed_fit_of(run.numbers, height, wanted);
+        fit.cost = run.cost;
+        fit.start = run.start;
         out.push_back(std::move(fit));
     }
-    std::stable_sort(out.begin(), out.end(), [](const PosedFit& a, const PosedFit& b) { return a.cost < b.cost; });
     return out;
 }
 

@@ -154,29 +154,6 @@ private:
     Distance distance_;
 };
 
-/// How long head, arms and legs are beside the trunk, as multiples of the template's.
-inline embedding::Proportions proportions_of_model(const RestModel& model, const SkeletonTemplate& wanted) {
-    using enum JointRole;
-    const auto place = [&](JointRole role, Side side) -> std::optional<Vec3d> {
-        const int j = find_joint(wanted, role, side);
-        return j >= 0 ? std::optional(wanted.joint(j).position) : std::nullopt;
-    };
-    auto top = place(neck, Side::none);
-    if (!top) top = place(chest, Side::none);
-    const double unit = (model.neck - model.crotch).norm() / std::max((*top - wanted.joint(0).position).norm(), 1e-9);
-    const auto ratio = [&](double length, JointRole from, JointRole end) {
-        const int joint = find_joint(wanted, end, end == head ? Side::none : Side::left);
-        auto start = place(from, end == head ? Side::none : Side::left);
-        if (!start) start = place(chest, Side::none);
-        const TemplateJoint& last = wanted.joint(joint);
-        const double rest = ((last.tip ? *last.tip : last.position) - *start).norm();
-        return rest > 0 && unit > 0 ? length / (unit * rest) : 1;
-    };
-    return {ratio((model.top - model.neck).norm(), neck, head),
-            ratio((model.fingertip - model.shoulder).norm(), shoulder, hand),
-            ratio((model.ankle - model.hip).norm() + 0.5 * (model.toe - model.ankle).norm(), hip, foot), 1};
-}
-
 /// The axes of a model that was laid into a body as a curve, and the template in it. `place`: per joint, `tip`: per end
 /// of a limb where the model has it in the body.
 template <typename Scalar>
@@ -341,7 +318,11 @@ std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>& body, const Skele
     for (const KnownPlace& one : known)
         for (const int joint : {one.joint, counterpart(wanted, one.joint)})
             if (joint >= 0) out.known.push_back(joint);
-    out.skeleton_template = embedding::with_proportions(wanted, detail::proportions_of_model(model, wanted));
+    out.skeleton_template = detail::with_lengths(
+        wanted, {.trunk = (model.neck - model.crotch).norm(),
+                 .head = (model.top - model.neck).norm(),
+                 .arm = (model.fingertip - model.shoulder).norm(),
+                 .leg = (model.ankle - model.hip).norm() + 0.5 * (model.toe - model.ankle).norm()});
     const detail::RestFrame frame = best.frame;
     const auto in_body = [frame](const Vec3d& place, double side) -> Vector3<Scalar> {
         const Vec3d there = frame.to_body(place, side);
