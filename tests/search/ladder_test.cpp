@@ -226,7 +226,7 @@ TEST_CASE("where nothing is likely a body in any pose is laid in, last of all an
     const Eigen::RowVector3d extent = flat.vertices.colwise().maxCoeff() - flat.vertices.colwise().minCoeff();
     Eigen::Index longest = 0;
     extent.maxCoeff(&longest);
-    flat.vertices.col(longest) *= 0.35;
+    flat.vertices.col(longest) *= 0.55;
     const Climb<double> climb = climbed(flat, 1, Thoroughness::exhaustive);
     REQUIRE(climb.trail.size() == 2);
     CHECK(spent_on(climb.trail) == 1);

@@ -144,14 +144,15 @@ private:
     }
 
     /// Once all else is tried: a body in any pose, laid into the surface that shows the likeliest skeleton, if none is
-    /// likely. What is known moves bodies of its own (extract_hinted).
+    /// likely but not all are hopeless. What is known moves bodies of its own (extract_hinted).
     bool leads_to_posed() {
         if (is_posed_tried_ || for_animal_alone() || !known_.empty() || out_.found.empty()) return false;
         const auto less = [](const Found<Scalar>& a, const Found<Scalar>& b) {
             return a.candidate.probability < b.candidate.probability;
         };
         const Found<Scalar>& best = *std::max_element(out_.found.begin(), out_.found.end(), less);
-        if (best.plan != BodyKind::human || best.candidate.probability >= likely_enough) return false;
+        const double probability = best.candidate.probability;
+        if (best.plan != BodyKind::human || probability >= likely_enough || probability < hopeless) return false;
         is_posed_tried_ = true;
         Hypothesis what = best.hypothesis;
         what.effort = Effort::posed_fit;
