@@ -36,7 +36,13 @@ class Extraction(Skeleton):
     """
 
     def __init__(  # noqa: PLR0913
-        self, mesh: Mesh, template: PathLike, fingers: str, toes: bool, component: int, threads: int  # noqa: FBT001
+        self,
+        mesh: Mesh,
+        template: PathLike,
+        fingers: str,
+        toes: bool,
+        component: int,
+        threads: int,  # noqa: FBT001
     ) -> None:
         self._mesh = mesh
         self._options = _checked(template, fingers, toes, component, threads)
@@ -610,7 +616,11 @@ def extract(  # noqa: PLR0913
 
 
 def _checked(
-    template: PathLike, fingers: str, toes: bool, component: int, threads: int  # noqa: FBT001
+    template: PathLike,
+    fingers: str,
+    toes: bool,
+    component: int,
+    threads: int,  # noqa: FBT001
 ) -> tuple[str, str, bool, int, int]:
     for name, value, kind, what in (
         ("template", template, (str, os.PathLike), "a template's name or file"),
