@@ -40,9 +40,9 @@ class Extraction(Skeleton):
         mesh: Mesh,
         template: PathLike,
         fingers: str,
-        toes: bool,
+        toes: bool,  # noqa: FBT001
         component: int,
-        threads: int,  # noqa: FBT001
+        threads: int,
     ) -> None:
         self._mesh = mesh
         self._options = _checked(template, fingers, toes, component, threads)
@@ -618,9 +618,9 @@ def extract(  # noqa: PLR0913
 def _checked(
     template: PathLike,
     fingers: str,
-    toes: bool,
+    toes: bool,  # noqa: FBT001
     component: int,
-    threads: int,  # noqa: FBT001
+    threads: int,
 ) -> tuple[str, str, bool, int, int]:
     for name, value, kind, what in (
         ("template", template, (str, os.PathLike), "a template's name or file"),
