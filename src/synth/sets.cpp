@@ -489,24 +489,30 @@ public:
         hold(hand, between(-5, 50), between(0, 8));
         if (kind >= 0.5 && kind < 0.7)
             join(hand);
-        else if (kind >= 0.7 && kind < 0.8)
-            hold(hand, between(0, 25), between(6, 10)), hand.glove = between(0.0005, 0.002);
-        else if (kind >= 0.8 && kind < 0.9)
-            hold(hand, between(44, 56), 2), hand.holds = static_cast<HeldThing>(one_of(1, 3));
-        else if (kind >= 0.9 && kind < 0.95)
-            make_fist(hand), body.may_touch = true;
-        else if (kind >= 0.95)
+        else if (kind >= 0.7 && kind < 0.8) {
+            hold(hand, between(0, 25), between(6, 10));
+            hand.glove = between(0.0005, 0.002);
+        } else if (kind >= 0.8 && kind < 0.9) {
+            hold(hand, between(44, 56), 2);
+            hand.holds = static_cast<HeldThing>(one_of(1, 3));
+        } else if (kind >= 0.9 && kind < 0.95) {
+            make_fist(hand);
+            body.may_touch = true;
+        } else if (kind >= 0.95)
             body.missing.push_back(which == 0 ? J::left_wrist : J::right_wrist);
     }
 
 private:
     void hold(HandShape& hand, double curl, double spread) {
-        for (DigitShape& digit : hand.digit)
-            digit.curl = std::max(-10.0, curl + between(-6, 6)), digit.spread = spread + between(-1, 1);
+        for (DigitShape& digit : hand.digit) {
+            digit.curl = std::max(-10.0, curl + between(-6, 6));
+            digit.spread = spread + between(-1, 1);
+        }
         constexpr double least_gap_of_thumb = 0.004;
         constexpr int attempts = 20;
         for (int i = 0; i < attempts; ++i) {
-            hand.digit[0].curl = between(0, 20), hand.digit[0].spread = between(0, 14);
+            hand.digit[0].curl = between(0, 20);
+            hand.digit[0].spread = between(0, 14);
             if (thumb_gap(hand) > least_gap_of_thumb) return;
         }
         hand.digit[0] = {0, 10, false};

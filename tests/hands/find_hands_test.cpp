@@ -8,6 +8,7 @@
 #include <skelgen/core/shortest_turn.hpp>
 #include <skelgen/surface/prepare.hpp>
 
+#include "anatomy/rest_skeleton.hpp"
 #include "catch.hpp"
 #include "hand_shape.hpp"
 #include "mesh_changes.hpp"
@@ -204,11 +205,7 @@ TEST_CASE("a skeleton gets the joints of all digits, and loses them again", "[ha
     CHECK(all.template_name == "human51");
     REQUIRE(all.joints.size() == skeleton.joints.size() + 30);
     for (std::size_t j = 0; j < all.joints.size(); ++j) CHECK(all.joints[j].parent < static_cast<int>(j));
-    const auto joint = [&](const std::string& name) {
-        const int j = find_joint(all, name);
-        REQUIRE(j >= 0);
-        return all.joints[static_cast<std::size_t>(j)];
-    };
+    const auto joint = [&](const std::string& name) { return joint_named(all, name); };
     CHECK(joint("left_index_1").is_present);
     CHECK(all.joints.at(static_cast<std::size_t>(joint("left_index_1").parent)).name == "left_wrist");
     CHECK(all.joints.at(static_cast<std::size_t>(joint("left_index_3").parent)).name == "left_index_2");

@@ -6,6 +6,7 @@
 
 #include <skelgen/surface/prepare.hpp>
 
+#include "anatomy/rest_skeleton.hpp"
 #include "catch.hpp"
 #include "foot_shape.hpp"
 #include "hand_shape.hpp"
@@ -76,11 +77,7 @@ TEST_CASE("a skeleton gets the joints of all toes below the foot's, and loses th
     const KinematicSkeleton<double> all = hands::with_toes(skeleton, feet);
     CHECK(all.template_name == "human21");
     REQUIRE(all.joints.size() == skeleton.joints.size() + 10);
-    const auto joint = [&](const std::string& name) {
-        const int j = find_joint(all, name);
-        REQUIRE(j >= 0);
-        return all.joints[static_cast<std::size_t>(j)];
-    };
+    const auto joint = [&](const std::string& name) { return joint_named(all, name); };
     CHECK(joint("left_toe1_1").is_present);
     CHECK(all.joints.at(static_cast<std::size_t>(joint("left_toe1_1").parent)).name == "left_foot");
     CHECK(all.joints.at(static_cast<std::size_t>(joint("left_toe1_2").parent)).name == "left_toe1_1");

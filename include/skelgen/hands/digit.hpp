@@ -51,12 +51,11 @@ struct DigitJoint {
     std::size_t number = 1; ///< from 1 at the knuckle to 3
 };
 
-/// What joint of a digit has that name, without its side: index_1; none where it is none.
-[[nodiscard]] inline std::optional<DigitJoint> digit_joint(std::string_view plain_name,
-                                                           DigitKind kind = DigitKind::finger) {
+/// What joint of a finger has that name, without its side: index_1; none where it is none.
+[[nodiscard]] inline std::optional<DigitJoint> digit_joint(std::string_view plain_name) {
     for (const Digit digit : all_digits)
-        for (std::size_t number = 1; number <= joints_of(kind); ++number)
-            if (plain_name == joint_name(Side::none, digit, number, kind)) return DigitJoint{digit, number};
+        for (std::size_t number = 1; number <= phalanges; ++number)
+            if (plain_name == joint_name(Side::none, digit, number)) return DigitJoint{digit, number};
     return std::nullopt;
 }
 

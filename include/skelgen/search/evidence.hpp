@@ -64,8 +64,8 @@ enum class Witness {
     sides,       ///< how far the witnesses of the sides agree, from 0 to 1
     legs_go_on,  ///< smaller cosine of the trunk's direction, downwards, and a leg's
     four_legged, ///< 1 where arms and legs point alike, across the trunk
-    // what it is, again
-    posed, ///< 1 where the body that was laid into the surface has any pose, not one at rest
+    // which body was laid into the surface
+    posed, ///< 1 for one in any pose, 0 for one at rest or none
     count
 };
 

@@ -26,8 +26,7 @@ inline constexpr double least_probability = 0.05;
 /// Where one way to lay the template into a curve is likelier, no other one is tried.
 inline constexpr double likely_enough = 0.5;
 
-/// Where no skeleton is likelier, the shape is nobody's in any pose either: a jointed body can be laid into a torus,
-/// too.
+/// Where no skeleton is likelier, none in another pose is looked for: one can be laid into a torus, too.
 inline constexpr double hopeless = 0.01;
 
 /// A candidate that is likelier ends the search: to go on would take longer and seldom lead to another.

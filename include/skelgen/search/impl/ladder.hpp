@@ -119,7 +119,7 @@ public:
             add({what, {is_later ? 1 : 0, 0, static_cast<int>(i)}});
         }
         int spent = 0;
-        while (!is_sure() && (!leads_.empty() || leads_to_posed())) {
+        while (!is_sure() && (!leads_.empty() || add_posed())) {
             const Lead<Scalar> lead = next();
             const int cost = cost_of(lead.what.effort);
             if (spent + cost > options_.budget) continue; // a cheaper one may still be within it
@@ -144,8 +144,9 @@ private:
     }
 
     /// Once all else is tried: a body in any pose, laid into the surface that shows the likeliest skeleton, if none is
-    /// likely but not all are hopeless. What is known moves bodies of its own (extract_hinted).
-    bool leads_to_posed() {
+    /// likely but not all are hopeless. Not where places are known: extract_hinted lays its own bodies to these.
+    /// \returns whether it is to be tried: once at most.
+    bool add_posed() {
         if (is_posed_tried_ || for_animal_alone() || !known_.empty() || out_.found.empty()) return false;
         const auto less = [](const Found<Scalar>& a, const Found<Scalar>& b) {
             return a.candidate.probability < b.candidate.probability;

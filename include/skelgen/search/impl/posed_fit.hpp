@@ -391,10 +391,12 @@ std::vector<PosedFit> fit_posed(const Body<Scalar>& body, const SkeletonTemplate
         std::stable_sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.cost < b.cost; });
         if (runs.size() > most) runs.resize(most);
     };
-    const std::vector<Vec3d> roughly = places(few);
-    keep_cheapest(most_firsts, 0, roughly);
+    // Who gives hints waits for the better answer: of 50 characters three more come right than by the quicker way.
+    const bool is_quick = known.empty();
+    const std::vector<Vec3d> closely = places(more), roughly = is_quick ? places(few) : closely;
+    if (is_quick) keep_cheapest(most_firsts, 0, roughly);
     keep_cheapest(most_finals, first_rounds, roughly);
-    keep_cheapest(most_finals, last_rounds, places(more));
+    keep_cheapest(most_finals, last_rounds, closely);
     std::vector<PosedFit> out;
     for (const Run& run : runs) {
         PosedFit fit = detail::posed_fit_of(run.numbers, height, wanted);
