@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <skelgen/evaluation/statistics.hpp>
+#include <skelgen/hands/digit.hpp>
 
 #include "io/number_text.hpp"
 
@@ -42,12 +43,18 @@ std::string table_row(const std::string& joint, const ErrorStatistics& errors) {
            four_digits(errors.p95) + "  " + four_digits(errors.worst) + "  " + errors.worst_mesh + "\n";
 }
 
-/// The joints in template order, which reads better than the alphabet; then those that no template has.
-std::vector<std::pair<std::string, ErrorStatistics>> in_template_order(const SetSummary& summary) {
+using NamedStatistics = std::vector<std::pair<std::string, ErrorStatistics>>;
+
+/// Joints in template order, which reads better than the alphabet, digits in theirs; then those that no template has.
+NamedStatistics in_template_order(NamedStatistics joints) {
     std::vector<std::string> names = evaluated_joints();
     const std::vector<std::string>& of_animals = evaluated_joints(BodyKind::quadruped);
     names.insert(names.end(), of_animals.begin(), of_animals.end());
-    auto joints = summary.per_joint;
+    for (const Side side : {Side::left, Side::right})
+        for (const hands::DigitKind kind : {hands::DigitKind::finger, hands::DigitKind::toe})
+            for (const hands::Digit digit : hands::all_digits)
+                for (std::size_t number = 1; number <= hands::joints_of(kind); ++number)
+                    names.push_back(hands::joint_name(side, digit, number, kind));
     std::stable_sort(joints.begin(), joints.end(), [&](const auto& a, const auto& b) {
         return std::find(names.begin(), names.end(), a.first) < std::find(names.begin(), names.end(), b.first);
     });
@@ -79,6 +86,7 @@ Json to_json(const MeshScore& score) {
     json["outside"] = score.outside ? Json(*score.outside) : Json(nullptr);
     json["errors"] = Json::object();
     for (const auto& [joint, error] : score.errors) json["errors"][joint] = error;
+    for (const auto& [joint, error] : score.digits) json["digits"][joint] = error;
     return json;
 }
 
@@ -103,6 +111,8 @@ Json to_json(const SetSummary& summary) {
         json["per_joint"][joint] = statistics.mean;
         json["joints"][joint] = to_json(statistics);
     }
+    for (const auto& [joint, statistics] : summary.per_digit) json["digits"][joint] = to_json(statistics);
+    if (summary.digits) json["all_digits"] = to_json(*summary.digits);
     return json;
 }
 
@@ -138,15 +148,21 @@ std::string summary_to_text(const SetSummary& summary) {
     if (!summary.errors) return text;
     text += "  error over solved meshes, in parts of the largest geodesic distance\n";
     text += "  joint           mean    median  95 %    worst   in\n";
-    for (const auto& [joint, errors] : in_template_order(summary)) text += table_row(joint, errors);
-    return text + table_row("all", *summary.errors);
+    for (const auto& [joint, errors] : in_template_order(summary.per_joint)) text += table_row(joint, errors);
+    text += table_row("all", *summary.errors);
+    for (const auto& [joint, errors] : in_template_order(summary.per_digit)) text += table_row(joint, errors);
+    return summary.digits ? text + table_row("all digits", *summary.digits) : text;
 }
 
 std::string summaries_to_csv(const std::vector<SetSummary>& summaries) {
     std::string text = "set,joint,count,mean,median,p95,worst,worst_mesh\n";
     for (const SetSummary& summary : summaries) {
-        for (const auto& [joint, errors] : in_template_order(summary)) text += csv_row(summary.name, joint, errors);
-        if (summary.errors) text += csv_row(summary.name, "all", *summary.errors);
+        const auto add = [&](const NamedStatistics& joints, const char* all, const auto& of_all) {
+            for (const auto& [joint, errors] : in_template_order(joints)) text += csv_row(summary.name, joint, errors);
+            if (of_all) text += csv_row(summary.name, all, *of_all);
+        };
+        add(summary.per_joint, "all", summary.errors);
+        add(summary.per_digit, "all digits", summary.digits);
     }
     return text;
 }

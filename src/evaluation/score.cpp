@@ -133,6 +133,9 @@ MeshScore score_joints(const io::GroundTruth& truth, const JointPositions& joint
                         "the truth has a joint \"" + name + "\" that the skeleton does not; rename or remove it");
         score.errors.emplace_back(name, distance(truth, joint->second, position));
     }
+    for (const auto& [name, position] : truth.digits)
+        if (const auto joint = joints.find(name); joint != joints.end())
+            score.digits.emplace_back(name, distance(truth, joint->second, position));
     return score;
 }
 

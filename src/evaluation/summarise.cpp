@@ -1,6 +1,7 @@
 #include <skelgen/evaluation/evaluate.hpp>
 
 #include <algorithm>
+#include <utility>
 
 #include <skelgen/evaluation/statistics.hpp>
 
@@ -25,12 +26,14 @@ ErrorStatistics to_statistics(const JointErrors& sample) {
     return statistics;
 }
 
+using NamedErrors = std::vector<std::pair<std::string, double>>;
+
 /// The solved meshes' errors joint by joint, in the order in which the joints first appear.
-std::vector<std::pair<std::string, JointErrors>> group_by_joint(const SetScore& set) {
+std::vector<std::pair<std::string, JointErrors>> group_by_joint(const SetScore& set, NamedErrors MeshScore::*errors) {
     std::vector<std::pair<std::string, JointErrors>> groups;
     for (const MeshScore& mesh : set.meshes) {
         if (!mesh.solved()) continue;
-        for (const auto& [joint, error] : mesh.errors) {
+        for (const auto& [joint, error] : mesh.*errors) {
             auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == joint; });
             if (group == groups.end()) group = groups.insert(groups.end(), {joint, {}});
             group->second.errors.push_back(error);
@@ -55,6 +58,26 @@ std::size_t count(const SetScore& set, const Condition& condition) {
     return static_cast<std::size_t>(std::count_if(set.meshes.begin(), set.meshes.end(), condition));
 }
 
+/// Of all errors, and of each joint's, ordered by name; none where there is none.
+struct Statistics {
+    std::optional<ErrorStatistics> all;
+    std::vector<std::pair<std::string, ErrorStatistics>> per_joint;
+};
+
+Statistics statistics_of(const SetScore& set, NamedErrors MeshScore::*errors) {
+    Statistics out;
+    JointErrors all; // joint after joint: the mean's last digit depends on the order
+    for (const auto& [joint, sample] : group_by_joint(set, errors)) {
+        out.per_joint.emplace_back(joint, to_statistics(sample));
+        all.errors.insert(all.errors.end(), sample.errors.begin(), sample.errors.end());
+        all.meshes.insert(all.meshes.end(), sample.meshes.begin(), sample.meshes.end());
+    }
+    if (!all.errors.empty()) out.all = to_statistics(all);
+    std::sort(out.per_joint.begin(), out.per_joint.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    return out;
+}
+
 } // namespace
 
 SetSummary summarise(const SetScore& set) {
@@ -68,16 +91,12 @@ SetSummary summarise(const SetScore& set) {
     summary.not_bodies = count(set, [](const MeshScore& mesh) { return mesh.not_a_body; });
     summary.refused = count(set, [](const MeshScore& mesh) { return mesh.refused; });
     summary.inside = mean_share_inside(set);
-
-    JointErrors all; // joint after joint: the mean's last digit depends on the order
-    for (const auto& [joint, sample] : group_by_joint(set)) {
-        summary.per_joint.emplace_back(joint, to_statistics(sample));
-        all.errors.insert(all.errors.end(), sample.errors.begin(), sample.errors.end());
-        all.meshes.insert(all.meshes.end(), sample.meshes.begin(), sample.meshes.end());
-    }
-    if (!all.errors.empty()) summary.errors = to_statistics(all);
-    std::sort(summary.per_joint.begin(), summary.per_joint.end(),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
+    auto [all, per_joint] = statistics_of(set, &MeshScore::errors);
+    auto [digits, per_digit] = statistics_of(set, &MeshScore::digits);
+    summary.errors = std::move(all);
+    summary.per_joint = std::move(per_joint);
+    summary.digits = std::move(digits);
+    summary.per_digit = std::move(per_digit);
     return summary;
 }
 

@@ -1,6 +1,7 @@
 #include <skelgen/io/truth_json.hpp>
 
 #include <cmath>
+#include <utility>
 
 #include <skelgen/core/error.hpp>
 #include <skelgen/io/read_file.hpp>
@@ -63,6 +64,9 @@ GroundTruth read_ground_truth(const std::filesystem::path& path) {
     for (const auto& [name, point] : read_points(document, "markers")) truth.markers[name] = point;
     truth.scale = read_scale(document);
     truth.missing = read_missing(document);
+    for (const char* kind : {"fingers", "toes"})
+        if (document.contains(kind))
+            for (auto& joint : read_points(document, kind)) truth.digits.push_back(std::move(joint));
     if (const auto expect = document.find("expect"); expect != document.end() && *expect == "quadruped")
         truth.plan = BodyKind::quadruped;
     return truth;

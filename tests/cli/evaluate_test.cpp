@@ -39,6 +39,27 @@ TEST_CASE("two files are compared") {
     CHECK(result.err.empty());
 }
 
+TEST_CASE("a finger and a toe of both files have rows, and a row of all digits") {
+    const TemporaryFolder folder;
+    write_case(folder / "truth.json", folder / "skeleton.json");
+    Json truth = Json::parse(read_file(folder / "truth.json")),
+         skeleton = Json::parse(read_file(folder / "skeleton.json"));
+    for (const auto& [kind, joint] : {std::pair{"fingers", "left_index_1"}, std::pair{"toes", "left_toe1_1"}}) {
+        truth[kind][joint] = {0, 0, 0};
+        skeleton["joints"].push_back({{"name", joint}, {"position", {0, 0, 0.1}}});
+    }
+    skeleton["joints"].push_back({{"name", "left_toe1_2"}, {"present", false}});
+    write_file(folder / "truth.json", truth.dump());
+    write_file(folder / "skeleton.json", skeleton.dump());
+    const CliResult result = run_cli(folder.path(), {"evaluate", "truth.json", "skeleton.json"});
+    CHECK(result.status == 0);
+    const std::size_t rows = result.out.find("\n  all             0.0100");
+    REQUIRE(rows != std::string::npos);
+    for (const char* joint : {"left_index_1  ", "left_toe1_1   ", "all digits    "})
+        CHECK(result.out.find(std::string("\n  ") + joint + "  0.0500", rows) != std::string::npos);
+    CHECK(result.out.find("left_toe1_2") == std::string::npos);
+}
+
 TEST_CASE("the truth of what is no body wants no skeleton file") {
     const TemporaryFolder folder;
     write_file(folder / "truth.json", R"({"not_a_body": true})");

@@ -84,6 +84,57 @@ TEST_CASE("errors are distances over the truth's scale, in the truth's order") {
     CHECK(score.errors[2].second == 0);
 }
 
+TEST_CASE("fingers and toes that truth and skeleton have are scored for themselves") {
+    const TemporaryFolder folder;
+    GroundTruth truth = stick_truth();
+    JointPositions joints = stick_body();
+    const auto place = [](double x) { return Vector3<double>(x, 0, 0); };
+    for (const char* name : {"left_toe1_1", "left_index_1", "left_thumb_2", "right_toe5_2"})
+        truth.digits.emplace_back(name, place(1));
+    joints["left_thumb_2"] = place(1.02);
+    joints["left_toe1_1"] = place(1.06);
+    joints["left_toe2_1"] = place(0); // which the truth does not know
+    const MeshScore score = score_joints(truth, joints);
+    CHECK(score.solved());
+    CHECK(score.errors.size() == 3);
+    REQUIRE(score.digits.size() == 2);
+    const SetSummary summary = summarise({"set", {score}});
+    CHECK(summary.errors->mean == 0);
+    REQUIRE(summary.digits.has_value());
+    CHECK(summary.digits->count == 2);
+    CHECK(summary.digits->mean == Approx(0.02).epsilon(1e-12));
+    const std::string text = summary_to_text(summary);
+    CHECK(text.find("  all             0.0000") < text.find("  left_thumb_2    0.0100"));
+    CHECK(text.find("  left_thumb_2") < text.find("  left_toe1_1     0.0300"));
+    CHECK(text.find("  left_toe1_1") < text.find("  all digits      0.0200"));
+    CHECK(summaries_to_csv({summary}).find("\nset,all digits,2,0.02") != std::string::npos);
+    const Json json = Json::parse(scores_to_json({{"set", {score}}}, true))["set"];
+    CHECK(json["digits"]["left_toe1_1"]["mean"].get<double>() == Approx(0.03));
+    CHECK(json["per_mesh"][""]["digits"]["left_thumb_2"].get<double>() == Approx(0.01));
+    CHECK_FALSE(json["joints"].contains("left_thumb_2"));
+
+    joints.erase("left_thumb_2");
+    joints.erase("left_toe1_1");
+    CHECK_FALSE(summarise({"set", {score_joints(truth, joints)}}).digits.has_value());
+}
+
+TEST_CASE("a truth file may have fingers and toes, and refuses what is no place") {
+    const TemporaryFolder folder;
+    write_truth(stick_truth(), folder / "truth.json");
+    Json document = Json::parse(std::ifstream(folder / "truth.json"));
+    CHECK(read_ground_truth(folder / "truth.json").digits.empty());
+    document["toes"]["left_toe1_1"] = {1, 2, 3};
+    document["fingers"]["left_index_1"] = {4, 5, 6};
+    std::ofstream(folder / "truth.json") << document;
+    const GroundTruth truth = read_ground_truth(folder / "truth.json");
+    REQUIRE(truth.digits.size() == 2);
+    CHECK(truth.digits[0].first == "left_index_1");
+    CHECK(truth.digits[1].second == Vector3<double>(1, 2, 3));
+    document["toes"]["left_toe1_1"] = "here";
+    std::ofstream(folder / "truth.json") << document;
+    CHECK_THROWS_AS(read_ground_truth(folder / "truth.json"), Error);
+}
+
 TEST_CASE("a skeleton that lacks a joint, or has one nowhere, is not complete") {
     JointPositions joints = stick_body();
     SECTION("missing") { joints.erase("left_wrist"); }

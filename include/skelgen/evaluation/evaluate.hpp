@@ -30,6 +30,7 @@ struct MeshScore {
     std::vector<std::string> flipped;                   ///< the joints that break `sides`
     std::optional<std::vector<std::string>> outside;    ///< the joints outside of the mesh, if a mesh was looked at
     std::vector<std::pair<std::string, double>> errors; ///< distance to the truth over its scale, in the truth's order
+    std::vector<std::pair<std::string, double>> digits; ///< the same of fingers and toes that both have
 
     JointConfidences confidences; ///< that the skeleton's file gives its joints
 
@@ -62,6 +63,8 @@ struct SetSummary {
     std::size_t not_bodies = 0, refused = 0; ///< meshes of no body; those of them without a skeleton, all solved
     std::optional<ErrorStatistics> errors;   ///< over all joints; none if nothing is solved
     std::vector<std::pair<std::string, ErrorStatistics>> per_joint; ///< ordered by the joints' names
+    std::optional<ErrorStatistics> digits; ///< over all joints of fingers and toes, which count nowhere else
+    std::vector<std::pair<std::string, ErrorStatistics>> per_digit; ///< of each, ordered likewise
     std::optional<double> inside; ///< mean share of joints inside their mesh; none if no mesh was looked at
 };
 
@@ -75,7 +78,8 @@ struct SetSummary {
 /// Reads the confidences of a skeleton file's joints. Empty when there is no such file, or none in it.
 [[nodiscard]] JointConfidences read_joint_confidences(const std::filesystem::path& path);
 
-/// Scores one skeleton. An animal's tail counts where the truth marks it, and its sides where it marks both. O(1).
+/// Scores one skeleton. An animal's tail counts where the truth marks it, and its sides where it marks both. Fingers
+/// and toes need not be found: those that are, and are known, have errors of their own. O(1).
 /// \throws Error bad_input when `truth` is of no body or lacks a marker, or names a joint that a complete `joints` does
 /// not have, unless that is a tail's.
 [[nodiscard]] MeshScore score_joints(const io::GroundTruth& truth, const JointPositions& joints);
