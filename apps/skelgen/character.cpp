@@ -83,6 +83,13 @@ void add_bone_options(CLI::App& command, BoneOptions& options) {
     command.add_flag("--twist", options.twist, "Also bones that halve the twist of upper arms, forearms and thighs");
 }
 
+void add_digit_options(CLI::App& command, DigitOptions& options) {
+    command.add_option("--fingers", options.fingers, "Bones of the fingers: where the surface shows some, or none")
+        ->check(CLI::IsMember({"auto", "off", "on"}))
+        ->capture_default_str();
+    command.add_flag("--toes", options.toes, "Also bones of the single toes, where the surface shows them");
+}
+
 void add_joint_names_option(CLI::App& command, std::string& names, const std::string& help) {
     command.add_option("--names", names, help)->check(CLI::IsMember(io::joint_names()))->capture_default_str();
 }

@@ -65,6 +65,17 @@ struct BoneOptions {
 /// Adds the options --bones and --twist.
 void add_bone_options(CLI::App& command, BoneOptions& options);
 
+/// Which bones of digits a character gets, as the command line has it.
+struct DigitOptions {
+    std::string fingers = "auto"; ///< one of `fingers_by_name`
+    bool toes = false;
+
+    [[nodiscard]] Fingers wanted() const { return fingers_by_name().at(fingers); }
+};
+
+/// Adds the options --fingers and --toes.
+void add_digit_options(CLI::App& command, DigitOptions& options);
+
 /// Adds the option --names, with `help` as what it says there: `names` is then one that `io::joint_names_named` knows.
 void add_joint_names_option(CLI::App& command, std::string& names, const std::string& help);
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <skelgen/applications/clip_body.hpp>
+#include <skelgen/applications/finger_bones.hpp>
 #include <skelgen/applications/retarget.hpp>
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/io/read_clip.hpp>
@@ -22,10 +23,12 @@ ClipInput load_clip(const std::filesystem::path& file) {
 
 applications::Animation<double> follow_clip(const ClipInput& input, const applications::Rig<double>& rig) {
     return in_file(input.file, [&] {
-        auto followed = applications::retarget(input.clip, rig, builtin_template("human21"));
+        const SkeletonTemplate& human = builtin_template("human21");
+        auto followed =
+            applications::retarget(input.clip, applications::without_finger_bones(rig, human.joints.size()), human);
         if (!followed) throw Error(ErrorCode::bad_input, followed.failure().what);
         followed->name = input.file.stem().string();
-        return *std::move(followed);
+        return applications::with_held_fingers(*std::move(followed), rig);
     });
 }
 

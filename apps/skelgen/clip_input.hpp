@@ -17,8 +17,9 @@ struct ClipInput {
 /// joints are not known as a body's.
 [[nodiscard]] ClipInput load_clip(const std::filesystem::path& file);
 
-/// Has a rig, of the template human21, move as the clip's skeleton does; the animation has the file's name. \throws
-/// Error bad_input with the file's name in front where the skeleton is held or moves as no body can.
+/// Has a rig, of the template human21 and perhaps with digits, move as the clip's skeleton does; digits are held. The
+/// animation has the file's name. \throws Error bad_input with the file's name in front where the skeleton is held or
+/// moves as no body can.
 [[nodiscard]] applications::Animation<double> follow_clip(const ClipInput& input, const applications::Rig<double>& rig);
 
 } // namespace skelgen::cli

@@ -24,8 +24,7 @@ struct RigCommand {
     std::string place = "keep";
     std::string unit; ///< empty: as the height tells
     io::Credits credits;
-    std::string fingers = "auto";
-    bool toes = false;
+    DigitOptions digits;
     BoneOptions bones;
     int component = 0;
     bool quiet = false;
@@ -57,8 +56,8 @@ void run(const RigCommand& command) {
     const double metres = command.unit.empty() ? 0 : units.at(command.unit);
     const CharacterOptions options{command.component,
                                    {rest_pose(command, *format), places.at(command.place), metres},
-                                   fingers_by_name().at(command.fingers),
-                                   command.toes};
+                                   command.digits.wanted(),
+                                   command.digits.toes};
     Character character = in_file(command.mesh.file, [&] {
         const WaitingLine waiting(command.mesh.file.string(), !command.quiet);
         return make_character(command.mesh, options);
@@ -95,10 +94,7 @@ void add_rig_command(CLI::App& app) {
                     "Its licence or that one's address, in place of the input's");
     add_wanted_option(*sub, command->mesh.wanted);
     add_skeleton_options(*sub, command->mesh);
-    sub->add_option("--fingers", command->fingers, "Bones of the fingers: where the surface shows some, or none")
-        ->check(CLI::IsMember({"auto", "off", "on"}))
-        ->capture_default_str();
-    sub->add_flag("--toes", command->toes, "Also bones of the single toes, where the surface shows them");
+    add_digit_options(*sub, command->digits);
     add_bone_options(*sub, command->bones);
     add_component_option(*sub, command->component);
     sub->add_flag("-q,--quiet", command->quiet, "No warnings but what a licence forbids, and guesses");

@@ -11,6 +11,7 @@
 #include <skelgen/io/part_looks.hpp>
 #include <skelgen/io/view_page.hpp>
 
+#include "character.hpp"
 #include "clip_input.hpp"
 #include "commands.hpp"
 #include "console.hpp"
@@ -28,6 +29,7 @@ struct ViewCommand {
     FittedInputs inputs;
     std::string output = "-";
     std::string clip; ///< empty: none
+    DigitOptions digits;
 };
 
 /// What is shown of a mesh, and what there is to say of it.
@@ -36,7 +38,7 @@ struct Viewed {
     std::vector<std::string> repairs;
 };
 
-Viewed viewed(const BatchItem& item, const MeshInput& input) {
+Viewed viewed(const BatchItem& item, const MeshInput& input, const DigitOptions& digits) {
     ExtractOptions options;
     options.prepare.component = item.component;
     FittedFile file = fit_file(input, options, true);
@@ -47,7 +49,7 @@ Viewed viewed(const BatchItem& item, const MeshInput& input) {
     body.name = item.file;
     body.source = std::move(file.source);
     body.sections = applications::bone_sections(found.body, found.skeleton, skeleton_template);
-    body.rig = applications::make_rig(found.mesh, found.body, found.skeleton, skeleton_template);
+    body.rig = rig_of(found.mesh, found, skeleton_template, {}, digits.wanted(), digits.toes);
     KeptLooks kept = keep_looks(input);
     body.looks = io::looks_of(kept.looks, file.part);
     if (!kept.warning.empty()) found.skeleton.quality.warnings.push_back(std::move(kept.warning));
@@ -79,7 +81,7 @@ std::string shown(const ViewCommand& command, const std::optional<ClipInput>& cl
     Viewed found;
     try {
         const WaitingLine waiting(item.mesh.string(), !command.inputs.quiet);
-        found = viewed(item, input);
+        found = viewed(item, input, command.digits);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::no_skeleton && error.code() != ErrorCode::bad_input) throw;
         const TriangleMesh<double> mesh = load_mesh(input); // what cannot be read is no mesh without a skeleton
@@ -132,6 +134,7 @@ void add_view_command(CLI::App& app) {
         ->capture_default_str();
     sub->add_option("--clip,--bvh", command->clip,
                     "Motion for the bodies to follow in the page, as in `animate` (default: that of their own files)");
+    add_digit_options(*sub, command->digits);
     sub->footer(
         "The page shows bodies side by side: materials, skeleton, weights; joints can be bent, and moved to where\n"
         "they belong: the page saves them as a skeleton, which `rig --skeleton` takes.\n"

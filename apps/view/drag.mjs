@@ -1,8 +1,12 @@
 // Joints put right by hand: dragged or nudged in the plane of the screen, copied to the other side, undone, saved.
 import * as THREE from "three";
+import { is_digit } from "./digits.mjs";
 
 const mirrored = (name) =>
   name.startsWith("left_") ? name.replace("left_", "right_") : name.startsWith("right_") ? name.replace("right_", "left_") : null;
+
+/// Digits are found anew by what takes the skeleton.
+const is_moved = (figure, joint) => figure.data.joints !== undefined && !is_digit(figure.data.joints[joint].name);
 
 /// Rows of three with a shift behind them, as a page's data have them.
 function to_matrix(rows) {
@@ -25,7 +29,7 @@ export class JointDrag {
     // Before the camera's own controls hear of it.
     canvas.addEventListener("pointerdown", (event) => {
       const found = this.on && event.button === 0 && !this.held ? find(event) : null;
-      if (found?.figure.data.joints) this.take(found, event);
+      if (found && is_moved(found.figure, found.joint)) this.take(found, event);
     }, { capture: true });
     canvas.addEventListener("pointermove", (event) => event.pointerId === this.held?.id && this.pull(event));
     for (const type of ["pointerup", "pointercancel"])
@@ -79,7 +83,9 @@ export class JointDrag {
   }
 
   /// Moves joints from where they are, as one step.
-  move(figure, places) {
+  move(figure, all_places) {
+    const places = all_places.filter(([joint]) => is_moved(figure, joint));
+    if (places.length === 0) return;
     this.begin();
     const moves = places.map(([joint, to]) => ({ figure, joint, from: figure.joint_place(joint), to }));
     moves.forEach((move) => this.put(move));

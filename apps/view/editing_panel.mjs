@@ -1,4 +1,5 @@
 // The controls of `skelgen view`: many bodies, and joints that are put right.
+import { is_digit } from "./digits.mjs";
 import { Panel, add, element, on_click } from "./panel.mjs";
 
 const by_finger = window.matchMedia("(pointer: coarse)").matches;
@@ -70,7 +71,7 @@ export class EditingPanel extends Panel {
     element("moved").textContent = `${moved === 0 ? "No joint" : moved === 1 ? "1 joint" : `${moved} joints`}${of} moved`;
     element("undo").disabled = drag.done.length === 0;
     element("redo").disabled = drag.undone.length === 0;
-    element("mirror").disabled = joints[joint].side === "none";
+    element("mirror").disabled = joints[joint].side === "none" || is_digit(joints[joint].name);
     element("save").disabled = !current.data.skeleton;
   }
 
@@ -78,7 +79,7 @@ export class EditingPanel extends Panel {
     const { viewer } = this;
     if (!viewer.drag.on) return super.step(right, up);
     const length = is_large ? 0.02 : 0.004; // of the picture's height
-    viewer.drag.nudge(viewer.current, viewer.joint, right * length, up * length);
+    viewer.drag.nudge(viewer.current, viewer.current.index(viewer.name), right * length, up * length);
   }
 
   acts() {

@@ -5,6 +5,7 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import * as colours from "./colours.mjs";
+import { is_digit } from "./digits.mjs";
 
 const usual_height = 1.7; // of what is in no known unit, beside bodies in metres
 const in_front = 5; // the order in which what is not surface is drawn: behind all surfaces
@@ -114,6 +115,11 @@ export class Figure {
     this.joints_moved = new Set();
   }
 
+  /// Of the joint with that name; -1 where it has none.
+  index(name) {
+    return this.data.joints?.findIndex((joint) => joint.name === name) ?? -1;
+  }
+
   /// A point of the rig in steps, as the page's data have them.
   point(steps) {
     return new THREE.Vector3(...steps).multiplyScalar(this.data.step);
@@ -131,19 +137,21 @@ export class Figure {
     this.radius = 0.006 * this.size();
     const ball = new THREE.SphereGeometry(this.radius, 16, 12);
     const spindle = new THREE.CylinderGeometry(0.25 * this.radius, 0.8 * this.radius, 1, 10).translate(0, 0.5, 0);
-    const part = (bone, geometry, side) => {
+    const part = (bone, geometry, { name, side }) => {
       const mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ color: colours.sides[side], transparent: true }));
       mesh.renderOrder = in_front;
       mesh.frustumCulled = false;
+      mesh.userData.width = is_digit(name) ? 0.4 : 1;
+      mesh.scale.setScalar(mesh.userData.width);
       bone.add(mesh);
       this.layers.skeleton.push(mesh);
       return mesh;
     };
-    this.balls = this.bones.map((bone, j) => part(bone, ball, this.data.joints[j].side));
+    this.balls = this.bones.map((bone, j) => part(bone, ball, this.data.joints[j]));
     this.spindles = this.bones.flatMap((bone, j) => {
       const children = bone.children.filter((child) => child.isBone).map((child) => this.bones.indexOf(child));
       return (children.length > 0 ? children : [null]).map((child) =>
-        ({ joint: j, child, mesh: part(bone, spindle, this.data.joints[child ?? j].side) }));
+        ({ joint: j, child, mesh: part(bone, spindle, this.data.joints[child ?? j]) }));
     });
     this.lay_spindles();
   }
@@ -154,7 +162,7 @@ export class Figure {
       const end = child === null ? this.point(this.data.joints[joint].end).applyMatrix4(this.to_bone[joint])
         : this.rest_places[child].clone();
       const length = end.length();
-      mesh.scale.set(1, Math.max(length, this.radius / 10), 1);
+      mesh.scale.setY(Math.max(length, this.radius / 10));
       mesh.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), end.divideScalar(length || 1));
     }
   }
@@ -301,7 +309,7 @@ export class Figure {
   select(joint) {
     this.balls?.forEach((ball, j) => {
       ball.material.color.copy(j === joint ? colours.selected : colours.sides[this.data.joints[j].side]);
-      ball.scale.setScalar(j === joint ? 1.5 : 1);
+      ball.scale.setScalar((j === joint ? 1.5 : 1) * ball.userData.width);
     });
   }
 

@@ -1,5 +1,6 @@
 // Texts over the picture: the names of joints, directions and bodies, and what is under the pointer.
 import * as THREE from "three";
+import { is_digit } from "./digits.mjs";
 
 const place = new THREE.Vector3();
 
@@ -28,9 +29,10 @@ export class Labels {
     });
     this.joints = figures.flatMap((figure) => figure.bones.map((bone, j) => ({
       figure, object: bone, element: label(parent, "joint", figure.data.joints[j].name),
+      order: is_digit(figure.data.joints[j].name) ? 1 : 0,
     })));
     this.directions = figures.flatMap((figure) => (figure.arrows ?? []).map(({ name, tip: end }) => ({
-      figure, object: end, element: label(parent, "joint", name),
+      figure, object: end, element: label(parent, "joint", name), order: 0,
     })));
   }
 
@@ -47,7 +49,7 @@ export class Labels {
   }
 
   /// Each name beside its joint, away from the body's middle where no other is yet, or a little higher or lower; the nearest
-  /// come first. Where there is no room for one, it is left out.
+  /// come first, digits last. Where there is no room for one, it is left out.
   lay(stage, labels) {
     const laid = [];
     for (const figure of this.figures)
@@ -58,7 +60,7 @@ export class Labels {
       one.element.hidden = one.at === null;
       one.far = stage.camera.position.distanceToSquared(place);
       return one;
-    }).filter((one) => one.at).sort((a, b) => a.far - b.far);
+    }).filter((one) => one.at).sort((a, b) => a.order - b.order || a.far - b.far);
     for (const one of seen) one.size ??= { x: one.element.offsetWidth, y: one.element.offsetHeight };
     for (const { figure, at, element, size } of seen) {
       const outward = figure.middle !== null && at.x < figure.middle ? [-6 - size.x, 6] : [6, -6 - size.x];

@@ -34,12 +34,16 @@ function best_rows(figures, aspect) {
   return height_of_view(choices[0]) > 1.5 * height_of_view(best) ? best : choices[0];
 }
 
+/// The joints of all bodies, each name once: not all show the same digits.
+const all_joints = (figures) =>
+  [...new Map(figures.flatMap(({ data }) => data.joints ?? []).reverse().map((joint) => [joint.name, joint])).values()].reverse();
+
 /// What is shown of the bodies and how they are held; every change ends in a new picture.
 class Viewer {
   constructor(figures) {
     this.figures = figures;
     this.poses = new Poses(figures);
-    this.joints = figures.find((figure) => figure.data.joints)?.data.joints ?? [];
+    this.joints = all_joints(figures);
     this.has_looks = figures.some((figure) => figure.data.has_looks);
     this.shown = { body: true, skeleton: true, floor: true, curve: false, sections: false, frame: false, names: false };
     this.scheme = this.has_looks ? "looks" : "plain";
@@ -51,7 +55,7 @@ class Viewer {
     this.labels = new Labels(document.getElementById("labels"), document.getElementById("tip"), figures);
     this.drag = new JointDrag(this.stage, {
       find: (event) => this.find(event),
-      begin: () => (this.poses.clip !== null || this.poses.bends.length > 0) && this.poses.rest(),
+      begin: () => (this.poses.clip !== null || this.poses.bends.size > 0) && this.poses.rest(),
       taken: (figure, joint) => this.choose(figure, joint),
       changed: () => this.changed(),
     });
@@ -95,6 +99,11 @@ class Viewer {
     return moving;
   }
 
+  /// Of the chosen joint.
+  get name() {
+    return this.joints[this.joint]?.name;
+  }
+
   changed() {
     this.panel.update();
     this.stage.invalidate();
@@ -111,7 +120,7 @@ class Viewer {
   }
 
   recolour() {
-    for (const figure of this.figures) figure.colour(this.scheme, this.joint);
+    for (const figure of this.figures) figure.colour(this.scheme, figure.index(this.name));
     this.set_opacity(this.opacity);
   }
 
@@ -129,14 +138,14 @@ class Viewer {
   select(joint) {
     if (this.joints.length === 0) return;
     this.joint = (joint + this.joints.length) % this.joints.length;
-    for (const figure of this.figures) figure.select(this.joint);
+    for (const figure of this.figures) figure.select(figure.index(this.name));
     if (this.scheme === "weights") this.recolour();
     this.changed();
   }
 
   choose(figure, joint) {
     this.current = figure;
-    this.select(joint);
+    this.select(this.joints.findIndex(({ name }) => name === figure.data.joints[joint].name));
   }
 
   edit() {
@@ -148,7 +157,7 @@ class Viewer {
   }
 
   mirror() {
-    if (this.drag.on) this.drag.mirror(this.current, this.joint);
+    if (this.drag.on) this.drag.mirror(this.current, this.current.index(this.name));
   }
 
   hide(figure, hidden) {
@@ -166,7 +175,12 @@ class Viewer {
   }
 
   bend(turns) {
-    this.poses.bend(this.joint, turns);
+    this.poses.bend(this.name, turns);
+    this.changed();
+  }
+
+  curl(digits, angle) {
+    this.poses.curl(digits, angle);
     this.changed();
   }
 

@@ -1,5 +1,7 @@
 // The controls of how a body is shown and held, which all pages have. They change the state and say what changed; keys do
 // the same. What they look for is in the page.
+import { digits_beside } from "./digits.mjs";
+
 const layers = [["body", "b", "Body"], ["skeleton", "s", "Skeleton"], ["names", "n", "Names"], ["floor", "g", "Floor"],
   ["curve", "c", "Curve"], ["sections", "x", "Sections"], ["frame", "f", "Directions"]];
 const schemes = [["looks", "4", "Materials"], ["plain", "1", "Plain"], ["sides", "2", "Sides"], ["weights", "3", "Weights"]];
@@ -34,6 +36,7 @@ export class Panel {
     for (const { name } of viewer.joints) add(element("joint"), "option", name.replaceAll("_", " "), { value: name });
     element("joint").addEventListener("change", (event) => viewer.select(event.target.selectedIndex));
     for (const axis of axes) element(axis).addEventListener("input", () => viewer.bend(this.turns()));
+    element("curl").addEventListener("input", (event) => viewer.curl(this.digits(), (Number(event.target.value) * Math.PI) / 180));
     on_click("rest", () => viewer.rest());
     on_click("fold", () => this.fold());
     const of_layers = [own_layers.map(([, key]) => key).join(" "), own_layers.map(([, , text]) => text.toLowerCase()).join(", ")];
@@ -79,6 +82,18 @@ export class Panel {
     return turns;
   }
 
+  /// What is curled where the chosen joint is of a hand or foot.
+  digits() {
+    const { joints, joint } = this.viewer;
+    return digits_beside(joints, joints[joint]?.name);
+  }
+
+  show_angle(id, radians) {
+    const value = degrees(radians);
+    element(id).value = String(value);
+    document.querySelector(`output[for="${id}"]`).textContent = `${value}\u00b0`;
+  }
+
   /// Shows the state as it is.
   update() {
     const { viewer } = this, { poses } = viewer;
@@ -86,12 +101,10 @@ export class Panel {
     for (const [name, button] of this.colour_buttons) button.setAttribute("aria-pressed", String(viewer.scheme === name));
     element("opacity").value = String(viewer.opacity);
     element("joint").selectedIndex = viewer.joint;
-    const turns = poses.bend_of(viewer.joint);
-    for (const axis of axes) {
-      const value = degrees(turns[axis_index[axis]]);
-      element(axis).value = String(value);
-      document.querySelector(`output[for="${axis}"]`).textContent = `${value}\u00b0`;
-    }
+    const turns = poses.bend_of(viewer.joints[viewer.joint]?.name), digits = this.digits();
+    for (const axis of axes) this.show_angle(axis, turns[axis_index[axis]]);
+    element("curl").parentElement.hidden = digits.length === 0;
+    if (digits.length > 0) this.show_angle("curl", poses.curl_of(digits));
     element("play").setAttribute("aria-pressed", String(poses.playing));
     element("play").textContent = poses.playing ? "Pause" : "Play";
     this.show_time();

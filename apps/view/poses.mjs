@@ -4,7 +4,7 @@ import * as THREE from "three";
 export class Poses {
   constructor(figures) {
     this.figures = figures.filter((figure) => figure.bones.length > 0);
-    this.bends = [];
+    this.bends = new Map();
     this.tracks = []; // of the bodies that follow the clip
     this.clip = null;
     this.playing = false;
@@ -16,20 +16,33 @@ export class Poses {
     return [...new Set(this.figures.flatMap((figure) => figure.clips.map((clip) => clip.name)))];
   }
 
-  /// Turns of a joint about x, y and z, in radians.
-  bend_of(joint) {
-    return this.bends[joint] ?? [0, 0, 0];
+  /// Turns of a joint about x, y and z, in radians. Joints go by their names: not all bodies have the same ones.
+  bend_of(name) {
+    return this.bends.get(name) ?? [0, 0, 0];
   }
 
-  bend(joint, turns) {
+  bend(name, turns) {
+    this.hold([[name, turns]]);
+  }
+
+  /// How far digits are curled, as the mean of their bends says: `digits` as `digits_beside` has them.
+  curl_of(digits) {
+    return digits.reduce((sum, { name, share }) => sum + this.bend_of(name)[0] / share, 0) / digits.length;
+  }
+
+  curl(digits, angle) {
+    this.hold(digits.map(({ name, share }) => [name, [share * angle, ...this.bend_of(name).slice(1)]]));
+  }
+
+  hold(bends) {
     this.stop();
-    this.bends[joint] = turns;
-    for (const figure of this.figures) figure.bend(this.bends);
+    for (const [name, turns] of bends) this.bends.set(name, turns);
+    for (const figure of this.figures) figure.bend(figure.data.joints.map(({ name }) => this.bends.get(name)));
   }
 
   rest() {
     this.stop();
-    this.bends = [];
+    this.bends.clear();
     for (const figure of this.figures) figure.bend([]);
   }
 

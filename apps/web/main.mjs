@@ -1,5 +1,6 @@
 // The page: takes files, has the worker find the body in them, shows it and gives it away rigged.
 import { RemoteMesh, SkelgenWorker, SkelgenError } from "../../bindings/wasm/remote.mjs";
+import { kinds_of_digits } from "../view/digits.mjs";
 import { Figure } from "../view/figure.mjs";
 import { Stage } from "../view/stage.mjs";
 import { Viewer } from "./viewer.mjs";
@@ -194,7 +195,7 @@ class App {
   }
 
   settings() {
-    return { rest: element("rest-pose").value, fingers: element("fingers").value };
+    return { rest: element("rest-pose").value, fingers: element("fingers").value, toes: element("toes").checked };
   }
 
   /// Binds the body as the settings have it, and shows that.
@@ -260,8 +261,8 @@ class App {
   told_rig() {
     const { quality } = this.body.skeleton;
     const numbers = (count) => count.toLocaleString("en");
-    const digits = this.rig.joints.length - this.body.skeleton.joints.length;
-    element("facts").textContent = `${numbers(this.counted.faces)} faces, ${this.rig.joints.length} bones${digits > 0 ? ", with fingers" : ""}`;
+    const digits = kinds_of_digits(this.rig.joints);
+    element("facts").textContent = `${numbers(this.counted.faces)} faces, ${this.rig.joints.length} bones${digits.length > 0 ? `, with ${digits.join(" and ")}` : ""}`;
     element("confidence").value = quality.sides_confidence;
     element("trust-text").textContent = this.before.length > 0 ? "Joints were moved by hand." : `${percent(quality.sides_confidence)}. ${told_confidence(quality.sides_confidence)}`;
     const list = element("warnings");
@@ -380,7 +381,7 @@ class App {
     });
     for (const button of element("samples").children) button.addEventListener("click", () => this.sample(button.dataset.sample));
     element("cancel").addEventListener("click", () => this.cancel());
-    for (const id of ["rest-pose", "fingers"]) element(id).addEventListener("change", () => this.again());
+    for (const id of ["rest-pose", "fingers", "toes"]) element(id).addEventListener("change", () => this.again());
     for (const button of element("downloads").children) button.addEventListener("click", () => this.download(button.dataset.format));
     element("correct").addEventListener("change", ({ target }) => {
       this.viewer.correct(target.checked);

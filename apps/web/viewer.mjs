@@ -111,7 +111,11 @@ export class Viewer {
   }
 
   bend(turns) {
-    this.poses.bend(this.joint, turns);
+    this.poses.bend(this.joints[this.joint].name, turns);
+    this.changed();
+  }
+  curl(digits, angle) {
+    this.poses.curl(digits, angle);
     this.changed();
   }
   rest() {

@@ -145,7 +145,7 @@ export class SkelgenWorker {
     }
   }
   rig(input, { format = "glb", names, ...options } = {}) {
-    return this.once(input, { ...options, fingers: "off" }, async (body) => {
+    return this.once(input, { ...options, fingers: "off", toes: false }, async (body) => {
       const { signal: _signal, onProgress: _progress, ...how } = options;
       const rig = await body.rig({ ...how, rest: how.rest ?? (format === "vrm" ? "t-pose" : "as-is") });
       return rig.file(format, { names }).finally(() => rig.delete());

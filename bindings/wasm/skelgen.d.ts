@@ -77,6 +77,8 @@ export interface Skeleton {
 export interface FitOptions {
   /** Joints of the fingers: none (as it is), all, or where the surface shows some. */
   fingers?: "off" | "auto" | "on";
+  /** Joints of single toes, where the surface shows them (no). */
+  toes?: boolean;
   /** Which of several bodies that stand apart; 1 is the largest. */
   component?: number;
 }
@@ -105,6 +107,7 @@ export interface RigOptions {
   rest?: RestPose;
   place?: "keep" | "centre" | "floor";
   fingers?: "off" | "auto" | "on";
+  toes?: boolean;
   /** Metres in the mesh's unit (as the height tells). */
   metresPerUnit?: number;
   title?: string;

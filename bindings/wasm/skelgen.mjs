@@ -228,9 +228,9 @@ export class Body extends Handle {
     return new Rig(this.owner, character, { name: this.name, rest: options.rest ?? "as-is" });
   }
   /// The same mesh with a skeleton that was put right: the object, or the text, of its file.
-  fit(skeleton, { fingers = "off", component = this.component } = {}) {
+  fit(skeleton, { fingers = "off", toes = false, component = this.component } = {}) {
     const text = typeof skeleton === "string" ? skeleton : JSON.stringify(skeleton);
-    const options = { fingers, component };
+    const options = { fingers, toes, component };
     return this.owner.madeBody(this.name, options, this.mesh, (native) =>
       this.owner.ask(native, "fit", this.mesh.native, text, options));
   }
@@ -404,7 +404,7 @@ export class Skelgen {
 
   /// The mesh bound to its skeleton, as a file of `options.format`.
   rig(input, { format = "glb", names, ...options } = {}) {
-    return this.once(input, { ...options, fingers: "off" }, (body) => {
+    return this.once(input, { ...options, fingers: "off", toes: false }, (body) => {
       const rig = body.rig({ ...options, rest: options.rest ?? (format === "vrm" ? "t-pose" : "as-is") });
       try {
         return rig.file(format, { names });

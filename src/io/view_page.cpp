@@ -28,8 +28,8 @@ using detail::Json;
 class ToRig {
 public:
     ToRig(const KinematicSkeleton<double>& skeleton, const Rig<double>& rig) {
-        const auto count = static_cast<Eigen::Index>(rig.joints.size());
-        if (skeleton.joints.size() != rig.joints.size())
+        const auto count = static_cast<Eigen::Index>(skeleton.joints.size());
+        if (skeleton.joints.size() > rig.joints.size())
             throw Error(ErrorCode::usage, "the rig was made of another skeleton");
         Eigen::Matrix3Xd from(3, count), to(3, count);
         for (Eigen::Index j = 0; j < count; ++j) {
@@ -75,12 +75,13 @@ Json joints_to_json(const ViewedBody& body, const ToRig& to_rig) {
     Json joints = Json::array();
     for (std::size_t j = 0; j < body.rig.joints.size(); ++j) {
         const applications::RigJoint<double>& joint = body.rig.joints[j];
-        joints.push_back({{"name", joint.name},
-                          {"side", joint.side == Side::left    ? "left"
-                                   : joint.side == Side::right ? "right"
-                                                               : "none"},
-                          {"confidence", body.skeleton.joints[j].confidence},
-                          {"end", to_rig.in_steps(joint.end)}});
+        joints.push_back(
+            {{"name", joint.name},
+             {"side", joint.side == Side::left    ? "left"
+                      : joint.side == Side::right ? "right"
+                                                  : "none"},
+             {"confidence", j < body.skeleton.joints.size() ? body.skeleton.joints[j].confidence : joint.confidence},
+             {"end", to_rig.in_steps(joint.end)}});
     }
     return joints;
 }

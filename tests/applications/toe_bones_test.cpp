@@ -58,4 +58,17 @@ TEST_CASE("toes get two bones each below the ball of the foot, and no vertex fol
         if (mesh.vertices(v, 1) < -0.6) CHECK(toes.empty());
     }
     CHECK(moved > 100);
+
+    // A motion of the body's own joints, in which the toes are held.
+    const Rig<double> bare = without_finger_bones(rig, 21);
+    REQUIRE(bare.joints.size() == 21);
+    CHECK((bare.skin.joints.array() == foot || bare.skin.weights.array() == 0).all());
+    RigPose<double> pose;
+    for (const RigJoint<double>& joint : bare.joints) pose.axes.push_back(joint.axes);
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.7, Vec3::UnitX()));
+    pose.axes[static_cast<std::size_t>(foot)] = turn * pose.axes[static_cast<std::size_t>(foot)];
+    const auto held = with_held_fingers(Animation<double>{"step", 0.1, {pose}}, rig);
+    REQUIRE(held.frames[0].axes.size() == 31);
+    for (std::size_t j = 21; j < 31; ++j)
+        CHECK(held.frames[0].axes[j].angularDistance(turn * rig.joints[j].axes) < 1e-9);
 }

@@ -30,6 +30,10 @@ TEST_CASE("view: a page that is whole in itself, with those that have no skeleto
     REQUIRE(run_cli(folder.path(), {"extract", sample_body, "-o", "body.json"}).status == 0);
     REQUIRE(run_cli(folder.path(), {"view", sample_body, "--skeleton", "body.json", "-o", "given.html"}).status == 0);
     CHECK(count(test::read_file(folder / "given.html"), "\"sides_confidence\":1,") == 1); // for which its giver answers
+    CHECK(count(page, "\"name\":\"left_index_2\"") == 1); // with digits, which the saved skeleton has none of
+    REQUIRE(run_cli(folder.path(), {"view", sample_body, "--fingers", "off", "-o", "bare.html"}).status == 0);
+    CHECK(count(test::read_file(folder / "bare.html"), "left_index_2") == 0);
+    CHECK(run_cli(folder.path(), {"view", sample_body, "--toes", "-o", "toes.html"}).status == 0);
     CHECK(count(page, "<script") == count(page, "</script"));
     CHECK(count(page, "<script src") + count(page, "<link rel=\"stylesheet") + count(page, "@import") == 0);
 

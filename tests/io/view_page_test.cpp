@@ -95,6 +95,20 @@ TEST_CASE("a viewed body: the rig as GLB, and all else in its coordinates", "[io
     CHECK((mesh.vertices - body.rig.mesh.vertices).cwiseAbs().maxCoeff() < 1e-6);
 }
 
+TEST_CASE("a viewed body: bones of digits lie behind the skeleton's joints, with their own confidence", "[io][view]") {
+    io::ViewedBody body = small_body();
+    auto digit = body.rig.joints.back();
+    digit.name = "left_toe1_1";
+    digit.confidence = 0.25;
+    body.rig.joints.push_back(digit);
+    const auto json = nlohmann::json::parse(io::viewed_body_to_json(body));
+    REQUIRE(json.at("joints").size() == 22);
+    CHECK(json.at("joints").at(21).at("name") == "left_toe1_1");
+    CHECK(json.at("joints").at(21).at("confidence") == 0.25);
+    CHECK(json.at("joints").at(20).at("confidence") == 0.5);
+    CHECK(json.at("skeleton").at("joints").size() == 21);
+}
+
 TEST_CASE("a viewed body: materials and animations go along", "[io][view]") {
     io::ViewedBody body = small_body();
     const auto vertices = body.rig.mesh.vertices.rows(), faces = body.rig.mesh.faces.rows();
@@ -116,7 +130,7 @@ TEST_CASE("a viewed body: a rig in another pose or of another skeleton is refuse
     body.skeleton.joints[5].position *= 1.1;
     CHECK_THROWS_AS(io::viewed_body_to_json(body), Error);
     body = small_body();
-    body.skeleton.joints.pop_back();
+    body.rig.joints.pop_back();
     CHECK_THROWS_AS(io::viewed_body_to_json(body), Error);
 }
 

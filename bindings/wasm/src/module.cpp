@@ -16,6 +16,7 @@
 
 #include <skelgen/applications/bone_sections.hpp>
 #include <skelgen/applications/clip_body.hpp>
+#include <skelgen/applications/finger_bones.hpp>
 #include <skelgen/applications/measurement.hpp>
 #include <skelgen/applications/own_part.hpp>
 #include <skelgen/applications/retarget.hpp>
@@ -198,6 +199,8 @@ cli::Fingers fingers_in(const val& options, const std::string& otherwise) {
     return cli::template_and_fingers("human21", text_in(options, "fingers", otherwise)).second;
 }
 
+bool toes_in(const val& options) { return options["toes"].isTrue(); }
+
 /// A mesh bound to its skeleton.
 class Character {
 public:
@@ -225,12 +228,13 @@ public:
             const auto clip = io::read_bvh(path);
             if (const auto body = applications::find_body(clip); !body)
                 throw Error(ErrorCode::bad_input, body.failure().what);
-            auto followed = applications::retarget(clip, without_fingers(rig_), builtin_template("human21"));
+            const auto& human = builtin_template("human21");
+            auto followed =
+                applications::retarget(clip, applications::without_finger_bones(rig_, human.joints.size()), human);
             if (!followed) throw Error(ErrorCode::bad_input, followed.failure().what);
             followed->name = name;
-            hold_fingers(*followed);
             std::erase_if(animations_, [&](const auto& one) { return one.name == name; });
-            animations_.push_back(*std::move(followed));
+            animations_.push_back(applications::with_held_fingers(*std::move(followed), rig_));
             return done();
         });
     }
@@ -285,25 +289,6 @@ public:
     }
 
 private:
-    /// Clips are followed by the template's joints; those of fingers are behind them, parents before children.
-    static applications::Rig<double> without_fingers(applications::Rig<double> rig) {
-        const auto own = static_cast<int>(builtin_template("human21").joints.size());
-        for (Eigen::Index i = 0; i < rig.skin.joints.size(); ++i)
-            while (rig.skin.joints.data()[i] >= own)
-                rig.skin.joints.data()[i] = rig.joints[static_cast<std::size_t>(rig.skin.joints.data()[i])].parent;
-        rig.joints.resize(std::min(rig.joints.size(), static_cast<std::size_t>(own)));
-        return rig;
-    }
-
-    /// Fingers stay as they are in the hand.
-    void hold_fingers(applications::Animation<double>& animation) const {
-        for (auto& frame : animation.frames)
-            for (std::size_t j = frame.axes.size(); j < rig_.joints.size(); ++j) {
-                const auto parent = static_cast<std::size_t>(rig_.joints[j].parent);
-                frame.axes.push_back(frame.axes[parent] * rig_.joints[parent].axes.conjugate() * rig_.joints[j].axes);
-            }
-    }
-
     std::string text_of(io::RigFormat format, io::JointNames names, const std::string& stem,
                         bool with_animations) const {
         const auto& animations = with_animations ? animations_ : no_animations_;
@@ -336,8 +321,8 @@ public:
     val find(Mesh& mesh, const val& options, const val& before_try) {
         return answered([&] {
             take_looks(mesh);
-            const auto [wanted, fingers] =
-                cli::template_and_fingers(text_in(options, "template", "human21"), text_in(options, "fingers", "off"));
+            const auto [wanted, fingers] = cli::template_and_fingers(
+                text_in(options, "template", "human21"), text_in(options, "fingers", "off"), toes_in(options));
             ExtractOptions how = options_of(options);
             how.skeleton_template = builtin_template(wanted);
             how.with_curve = options["curve"].isTrue();
@@ -347,7 +332,7 @@ public:
                 };
             const std::vector<Hint> hints = hints_in(options);
             file_.found = hints.empty() ? extract_in(mesh.mesh(), how) : extract_hinted(mesh.mesh(), hints, how);
-            finish(mesh, how.prepare.component, fingers);
+            finish(mesh, how.prepare.component, fingers, toes_in(options));
             return done();
         });
     }
@@ -360,7 +345,7 @@ public:
             file_.found =
                 fit_skeleton(mesh.mesh(), hands::without_digits(io::parse_skeleton_document(skeleton).skeleton), how);
             file_.found.skeleton.quality.sides_confidence = 1; // who gives a skeleton answers for it
-            finish(mesh, how.prepare.component, fingers_in(options, "off"));
+            finish(mesh, how.prepare.component, fingers_in(options, "off"), toes_in(options));
             return done();
         });
     }
@@ -430,7 +415,7 @@ public:
                 {text_in(options, "title", ""), text_in(options, "author", ""), text_in(options, "license", "")});
             auto made = std::make_shared<Character>(cli::rig_of(body->mesh(), body->found,
                                                                 builtin_template(body->skeleton().template_name), how,
-                                                                fingers_in(options, "auto")),
+                                                                fingers_in(options, "auto"), toes_in(options)),
                                                     std::move(looks), kept_.warning);
             val out = val::object();
             out.set("character", std::move(made));
@@ -485,12 +470,12 @@ private:
 
     void take_looks(const Mesh& mesh) { kept_ = mesh.looks(); }
 
-    void finish(const Mesh& mesh, int component, cli::Fingers fingers) {
+    void finish(const Mesh& mesh, int component, cli::Fingers fingers, bool toes) {
         file_.found.mesh = mesh.mesh();
         component_ = component;
         file_.source = {name_, file_.found.mesh.vertices.rows(), file_.found.mesh.faces.rows(),
                         file_.found.geodesic_diameter};
-        shown_ = cli::with_fingers(file_.mesh(), file_.found, fingers);
+        shown_ = cli::with_fingers(file_.mesh(), file_.found, fingers, toes);
     }
 
     std::string name_;

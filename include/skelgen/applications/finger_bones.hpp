@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
+#include <skelgen/applications/animation.hpp>
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/mesh.hpp>
@@ -21,6 +23,14 @@ template <typename Scalar>
 [[nodiscard]] Rig<Scalar>
 with_finger_bones(Rig<Scalar> rig, const TriangleMesh<Scalar>& mesh, const KinematicSkeleton<Scalar>& skeleton,
                   const SkeletonTemplate& skeleton_template, const std::vector<hands::Hand<Scalar>>& hands);
+
+/// The rig without the joints behind its first `own`: what followed them follows the one that they hang on. O(n).
+template <typename Scalar>
+[[nodiscard]] Rig<Scalar> without_finger_bones(Rig<Scalar> rig, std::size_t own);
+
+/// A motion of that for the rig with them: digits stay as they are in the hand. O(frames joints).
+template <typename Scalar>
+[[nodiscard]] Animation<Scalar> with_held_fingers(Animation<Scalar> animation, const Rig<Scalar>& rig);
 
 } // namespace skelgen::applications
 

@@ -21,7 +21,7 @@ struct ViewedBody {
     std::string name; ///< below the body
     applications::Rig<double> rig;
     SceneLooks looks;
-    KinematicSkeleton<double> skeleton; ///< that the rig was made of
+    KinematicSkeleton<double> skeleton; ///< that the rig was made of; behind its joints a rig may have those of digits
     CurveSkeleton<double> curve;
     std::vector<applications::BoneSection<double>> sections;
     std::vector<applications::Animation<double>> animations; ///< of the rig

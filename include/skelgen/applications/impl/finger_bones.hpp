@@ -269,4 +269,22 @@ Rig<Scalar> with_finger_bones(Rig<Scalar> rig, const TriangleMesh<Scalar>& mesh,
     return rig;
 }
 
+template <typename Scalar>
+Rig<Scalar> without_finger_bones(Rig<Scalar> rig, std::size_t own) {
+    for (int& joint : rig.skin.joints.reshaped())
+        while (joint >= static_cast<int>(own)) joint = rig.joints[static_cast<std::size_t>(joint)].parent;
+    rig.joints.resize(std::min(rig.joints.size(), own));
+    return rig;
+}
+
+template <typename Scalar>
+Animation<Scalar> with_held_fingers(Animation<Scalar> animation, const Rig<Scalar>& rig) {
+    for (RigPose<Scalar>& frame : animation.frames)
+        for (std::size_t j = frame.axes.size(); j < rig.joints.size(); ++j) {
+            const auto parent = static_cast<std::size_t>(rig.joints[j].parent);
+            frame.axes.push_back(frame.axes[parent] * rig.joints[parent].axes.conjugate() * rig.joints[j].axes);
+        }
+    return animation;
+}
+
 } // namespace skelgen::applications
