@@ -36,16 +36,14 @@ def format_off(points, polygons):
     return "\n".join(lines) + "\n"
 
 
-def run_skelgen(program, points, polygons, names):
-    """The GLB that `skelgen rig` makes of a mesh, and its warnings. Raises Refusal with the program's own reason."""
+def run_skelgen(program, points, polygons, options):
+    """The GLB that `skelgen rig` with those options makes of a mesh, and its warnings. Raises Refusal with the program's own reason."""
     with tempfile.TemporaryDirectory() as folder:
         mesh, rig = os.path.join(folder, "mesh.off"), os.path.join(folder, "rig.glb")
         with open(mesh, "w", encoding="ascii") as file:
             file.write(format_off(points, polygons))
         try:
-            run = subprocess.run(
-                [program, "rig", mesh, "-o", rig, "--names", names, "--fingers", "off"], capture_output=True, text=True, check=False
-            )
+            run = subprocess.run([program, "rig", mesh, "-o", rig, *options], capture_output=True, text=True, check=False)
         except OSError as error:
             raise Refusal(
                 f"{program} cannot be run ({error.strerror}); set its path in the add-on's preferences"
@@ -102,8 +100,10 @@ class Rig:
         lengths = []
         for j, axes in enumerate(self.axes):
             back = axes.inverted()
-            along = [(back @ child.translation).y for child, parent in zip(self.axes, self.parents) if parent == j]
-            if not along:
+            ways = [back @ child.translation for child, parent in zip(self.axes, self.parents) if parent == j]
+            if ways:
+                along = [max(ways, key=lambda way: way.y / (way.length or 1.0)).y]  # the one that y points at
+            else:
                 moved = self.positions[self.joints[:, 0] == j]
                 along = [(back @ Vector(point)).y for point in moved.tolist()]
             lengths.append(max(along, default=0.0))
@@ -195,6 +195,8 @@ class SKELGEN_OT_rig(bpy.types.Operator):
         description="Whose names the bones get",
         items=[(name, name, "") for name in ("skelgen", "smpl", "mixamo", "vrm")],
     )
+    fingers: bpy.props.BoolProperty(name="Fingers", description="Bones of the fingers, where the surface shows some", default=True)
+    toes: bpy.props.BoolProperty(name="Toes", description="Bones of single toes, where the surface shows them")
 
     @classmethod
     def poll(cls, context):
@@ -207,7 +209,8 @@ class SKELGEN_OT_rig(bpy.types.Operator):
             if any(modifier.type == "ARMATURE" for modifier in target.modifiers):
                 raise Refusal(f"{target.name} has an armature; remove its modifier first")
             points, polygons = world_mesh(target)
-            glb, warnings = run_skelgen(program, points, polygons, self.names)
+            options = ["--names", self.names, "--fingers", "auto" if self.fingers else "off", *(["--toes"] if self.toes else [])]
+            glb, warnings = run_skelgen(program, points, polygons, options)
             rig = Rig(glb)
             if len(rig.positions) != len(points):
                 raise Refusal(f"the character has {len(rig.positions)} vertices, the mesh has {len(points)}")

@@ -1,5 +1,5 @@
 """blender --background --factory-startup --python blender_addon.py -- ADDON PROGRAM BODY.off BODY.json: fails where the
-add-on does not give a body the armature that `skelgen extract` found in it (BODY.json), with weights that move it."""
+add-on does not give a body the armature that `skelgen extract --fingers on` found in it (BODY.json), with weights that move it."""
 
 import json
 import os
@@ -70,7 +70,7 @@ expect(rig(body) == {"FINISHED"}, "the body gets no armature")
 armature = body.parent
 expect(armature is not None and armature.type == "ARMATURE", "the body does not hang on an armature")
 bones = armature.data.bones
-expect(len(bones) == 21, f"{len(bones)} bones")
+expect(len(bones) == len(joints) == 51, f"{len(bones)} bones")
 size = float(np.ptp(before, axis=0).max())
 for joint in joints:
     bone = bones.get(joint["name"])
@@ -96,14 +96,27 @@ elbow.rotation_euler.x = 1
 bpy.context.view_layer.update()
 moved = np.linalg.norm(shape(body) - before, axis=1)
 strongest = [body.vertex_groups[max(vertex.groups, key=lambda group: group.weight).group].name for vertex in body.data.vertices]
-hand = np.array([one in ("left_hand", "left_wrist") for one in strongest])
+hand = np.array([one == "left_wrist" or one[-1].isdigit() and one.startswith("left_") for one in strongest])
 other = np.array([one.startswith("right_") or "knee" in one or "head" in one for one in strongest])
 expect(moved[hand].min() > 0.02 * size, "the hand stays where it is")
 expect(moved[other].max() < 1e-4 * size, "the elbow moves the other side")
 
+elbow.rotation_euler.x = 0
+finger = armature.pose.bones["left_index_2"]
+finger.rotation_mode = "XYZ"
+finger.rotation_euler.x = 1
+bpy.context.view_layer.update()
+moved = np.linalg.norm(shape(body) - before, axis=1)
+of_finger = np.array([one in ("left_index_2", "left_index_3") for one in strongest])
+near = np.array([any(body.vertex_groups[group.group].name in ("left_index_2", "left_index_3") for group in vertex.groups)
+                 for vertex in body.data.vertices])
+expect(moved[of_finger].max() > 0.005 * size, "the finger stays where it is")
+expect(moved[~near].max() < 1e-4 * size, "the finger moves something else")
+
 expect("has an armature" in str(rig(body)), "a second armature is not refused")
 mixamo = add_mesh("mixamo", points.tolist(), polygons.tolist(), Matrix.Diagonal((-1, 1, 1, 1)))  # mirrored
-expect(rig(mixamo, names="mixamo") == {"FINISHED"}, "a mirrored body gets no armature")
+expect(rig(mixamo, names="mixamo", fingers=False, toes=True) == {"FINISHED"}, "a mirrored body gets no armature")
+expect(len(mixamo.parent.data.bones) == 21, "bones of fingers that are not wanted, or of toes that are not there")
 arm = mixamo.parent.data.bones.get("LeftForeArm")
 theirs = placed @ Vector(next(joint["position"] for joint in joints if joint["name"] == "right_elbow"))
 mirrored = Matrix.Diagonal((-1, 1, 1, 1)) @ placed.inverted() @ theirs  # right is left in a mirror
