@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <CGAL/Complex_2_in_triangulation_3.h>
@@ -163,17 +164,32 @@ double expected_faces(const ImplicitSurface& surface, const std::vector<Point>& 
     return refinement_factor * weight * spacing * spacing / (edge * edge);
 }
 
-/// Triangles of about `edge` times the grain, angles of 25 degrees and more.
-Mesh refine(const ImplicitSurface& surface, double edge) {
+[[noreturn]] void refuse_contact() {
+    throw Error(ErrorCode::internal,
+                "the surface just touches itself, so no mesh of it ends; move what touches apart by "
+                "some millimetres, or into each other");
+}
+
+/// Triangles of about `edge` times the grain, angles of 25 degrees and more. Where surfaces just touch, no refinement
+/// makes a manifold of them: it would go on until coordinates round, so after `most` looks at the field it is an error.
+Mesh refine(const ImplicitSurface& surface, double edge, double most) {
     CGAL::get_default_random() = CGAL::Random(1);
     Triangulation triangulation;
     const std::vector<Point> start = crossing_points(surface, 3 * edge);
     triangulation.insert(start.begin(), start.end());
     Complex complex(triangulation);
-    const auto field = [&surface](const Point& p) { return surface.field(vec(p)); };
+    double looks = 0;
+    const auto field = [&](const Point& p) {
+        if (++looks > most) refuse_contact();
+        return surface.field(vec(p));
+    };
     const Point centre(surface.inside.x(), surface.inside.y(), surface.inside.z());
     const Surface zero(field, Sphere(centre, surface.radius * surface.radius), 1e-4);
-    CGAL::make_surface_mesh(complex, zero, Criteria(surface.grain, edge, 25), CGAL::Manifold_tag(), 0);
+    try {
+        CGAL::make_surface_mesh(complex, zero, Criteria(surface.grain, edge, 25), CGAL::Manifold_tag(), 0);
+    } catch (const CGAL::Failure_exception&) { // they have rounded before
+        refuse_contact();
+    }
     Mesh mesh;
     CGAL::facets_in_complex_2_to_triangle_mesh(complex, mesh);
     return mesh;
@@ -247,9 +263,13 @@ void subdivide(Mesh& mesh, const ImplicitSurface& surface) {
     project(mesh, surface);
 }
 
-bool is_one_body(const TriangleMesh<double>& mesh) {
-    const Topology topology = topology_of(mesh);
+bool is_one_body(const Topology& topology) {
     return topology.closed_manifold && topology.components == 1 && topology.euler == 2;
+}
+
+std::string described(const Topology& topology) {
+    return ": its mesh has " + std::to_string(topology.components) + " piece(s), and " +
+           std::to_string(topology.components - topology.euler / 2) + " handle(s) where parts touch";
 }
 
 } // namespace
@@ -278,6 +298,7 @@ Topology topology_of(const TriangleMesh<double>& mesh) {
 
 TriangleMesh<double> mesh_surface(const ImplicitSurface& surface, int faces, bool one_body) {
     constexpr int finest_refinement = 60000, coarsest_refinement = 9000;
+    constexpr double most_looks = 600; // at the field for each face: our sets take 210 at most, what almost touches 430
     int wanted = faces, subdivisions = 0;
     for (; wanted > finest_refinement; wanted /= 4) ++subdivisions;
 
@@ -287,14 +308,16 @@ TriangleMesh<double> mesh_surface(const ImplicitSurface& surface, int faces, boo
     double edge = spacing;
     edge *=
         std::sqrt(expected_faces(surface, samples, spacing, edge) / std::max(1.06 * wanted, 1.0 * coarsest_refinement));
+    std::string found_last;
     for (int attempt = 0; attempt < 5; ++attempt) {
-        Mesh mesh = refine(surface, edge);
+        Mesh mesh = refine(surface, edge, most_looks * expected_faces(surface, samples, spacing, edge));
         const auto found = static_cast<double>(mesh.number_of_faces());
         if (found < wanted) {
             edge *= std::sqrt(found / (1.08 * wanted));
             continue;
         }
-        if (one_body && !is_one_body(to_matrices(mesh))) {
+        if (const Topology topology = topology_of(to_matrices(mesh)); one_body && !is_one_body(topology)) {
+            found_last = described(topology);
             edge *= 0.8;
             continue;
         }
@@ -303,8 +326,8 @@ TriangleMesh<double> mesh_surface(const ImplicitSurface& surface, int faces, boo
         for (int k = 0; k < subdivisions; ++k) subdivide(mesh, surface);
         return to_matrices(mesh);
     }
-    throw Error(ErrorCode::internal, "the surface could not be meshed as one closed piece; ask for more faces or "
-                                     "another pose");
+    throw Error(ErrorCode::internal, "the surface could not be meshed as one closed piece" + found_last +
+                                         "; ask for more faces or another pose");
 }
 
 } // namespace skelgen::synth

@@ -30,7 +30,8 @@ struct Topology {
 /// to the grain. Delaunay refinement (CGAL's surface mesher), then edge collapses (fewer faces) or subdivision (more).
 /// The same surface gives the same bytes.
 /// \param one_body refine until the mesh is one closed piece without handles
-/// \throws Error internal when no such mesh comes out.
+/// \throws Error internal when no such mesh comes out, as where parts of the surface just touch: after a bounded
+/// number of looks at the field.
 [[nodiscard]] TriangleMesh<double> mesh_surface(const ImplicitSurface& surface, int faces, bool one_body);
 
 } // namespace skelgen::synth

@@ -141,6 +141,29 @@ TEST_CASE("what a hand holds is a piece of its own between its fingers") {
     CHECK(digits_on(body, Side::right).size() == 5);
 }
 
+TEST_CASE("what just touches itself is refused with the cause, and not meshed for ever", "[slow]") {
+    const auto refusal = [](const auto& shape, double reach, bool one_body) {
+        const auto two = [&](const Vec3& p) {
+            return std::min(shape(p + reach * Vec3(1, 1, 0)), shape(p - reach * Vec3(1, 1, 0)));
+        };
+        try {
+            (void)mesh_surface({two, [](const Vec3&) { return 1.0; }, -reach * Vec3(1, 1, 0), 2.5}, 1000, one_body);
+        } catch (const Error& error) {
+            CHECK(error.code() == ErrorCode::internal);
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const auto box = [](const Vec3& p) {
+        const Vec3 beyond = p.cwiseAbs() - Vec3::Constant(0.5);
+        return beyond.cwiseMax(0.0).norm() + std::min(beyond.maxCoeff(), 0.0);
+    };
+    const auto ball = [](const Vec3& p) { return p.norm() - 0.5; };
+    CHECK(refusal(box, 0.5, false).find("just touches itself") != std::string::npos); // they have an edge in common
+    CHECK(refusal(ball, 0.5, false).empty());
+    CHECK(refusal(ball, 0.5, true).find("2 piece(s), and 0 handle(s)") != std::string::npos);
+}
+
 TEST_CASE("hands out of their range are refused") {
     const auto refusal = [](const auto& change) {
         HandShape hand;

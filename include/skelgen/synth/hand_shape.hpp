@@ -21,7 +21,7 @@ struct DigitShape {
 enum class HeldThing { none, rod, staff, ball };
 
 /// What a hand looks like. Digits that are not joined should stay apart by some millimetres: where surfaces just touch,
-/// meshing takes very long.
+/// meshing takes long, and mostly ends in an error.
 struct HandShape {
     int digits = 5;                    ///< 2 to 5: a thumb and the fingers, all thicker where they are fewer
     std::array<DigitShape, 5> digit{}; ///< from the thumb on; those that there are
