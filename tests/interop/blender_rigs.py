@@ -1,5 +1,6 @@
 """blender --background --factory-startup --python blender_rigs.py -- GLB...: fails where Blender does not import a rig
-with its 21 bones, named, parented and as long as in the file, and with the file's weights."""
+with its bones, 21 and those of digits, named, parented and as long as in the file, with the file's weights, or where
+thumb and index, as far as there are some, do not bend alone."""
 
 import json
 import os
@@ -61,7 +62,7 @@ def faults_of(path):
     armature, body = armatures[0], bodies[0]
     bones = armature.data.bones
     faults = []
-    if len(bones) != 21 or {bone.name for bone in bones} != set(file.names):
+    if len(bones) < 21 or {bone.name for bone in bones} != set(file.names):
         return [f"bones are {[bone.name for bone in bones]}"]
     size = float(np.ptp(file.positions, axis=0).max())
     for bone in bones:
@@ -88,6 +89,37 @@ def faults_of(path):
         worst = max(worst, *(abs(found.get(name, 0) - wanted.get(name, 0)) for name in {*wanted, *found}))
     if worst > 1e-6:
         faults.append(f"weights differ by {worst}")
+    return faults + faults_of_digits(file, armature, body, size)
+
+
+def places_of(body):
+    """Where the vertices are, as the armature has them."""
+    mesh = body.evaluated_get(bpy.context.evaluated_depsgraph_get()).to_mesh()
+    places = np.empty(3 * len(mesh.vertices))
+    mesh.vertices.foreach_get("co", places)
+    return places.reshape(-1, 3)
+
+
+def faults_of_digits(file, armature, body, size):
+    """What is wrong when thumb and index are turned by a radian, one after the other."""
+    faults = []
+    rest = places_of(body)
+    for name in (f"{side}_{digit}_2" for side in ("left", "right") for digit in ("thumb", "index")):
+        if name not in file.names:
+            continue
+        bone = armature.pose.bones[name]
+        behind = {one for one in file.names if one == name or bone in armature.pose.bones[one].parent_recursive}
+        moves = np.array([one in behind for one in file.names])
+        follows = (moves[file.joints] & (file.weights > 0)).any(axis=1)
+        bone.rotation_mode = "XYZ"
+        bone.rotation_euler.x = 1
+        bpy.context.view_layer.update()
+        moved = np.linalg.norm(places_of(body) - rest, axis=1)
+        bone.rotation_euler.x = 0
+        if not moved[follows].max(initial=0) > 1e-3 * size:
+            faults.append(f"{name} does not bend")
+        if moved[~follows].max(initial=0) > 1e-5 * size:
+            faults.append(f"{name} moves what does not follow it")
     return faults
 
 

@@ -46,14 +46,24 @@ export class RigFile {
     }));
   }
 
-  /// The box of the body at rest: its middle, and three quarters of its diagonal.
-  extent() {
+  /// Which vertices follow a joint or those behind it: an array for each primitive.
+  followers(name) {
+    const behind = this.names.map((one, j) => {
+      for (; j >= 0; j = this.parents[j]) if (this.names[j] === name) return true;
+      return false;
+    });
+    return this.primitives.map(({ positions, joints, weights }) => Array.from({ length: positions.length / 3 }, (_, v) =>
+      [0, 1, 2, 3].some((k) => weights[4 * v + k] > 0 && behind[joints[4 * v + k]])));
+  }
+
+  /// The box of the body at rest, or of those vertices: its middle, and three quarters of its diagonal.
+  extent(of = null) {
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-    for (const { positions } of this.primitives)
-      positions.forEach((x, i) => {
-        low[i % 3] = Math.min(low[i % 3], x);
-        high[i % 3] = Math.max(high[i % 3], x);
-      });
+    this.primitives.forEach(({ positions }, part) => positions.forEach((x, i) => {
+      if (of && !of[part][Math.floor(i / 3)]) return;
+      low[i % 3] = Math.min(low[i % 3], x);
+      high[i % 3] = Math.max(high[i % 3], x);
+    }));
     const middle = low.map((x, axis) => (x + high[axis]) / 2);
     return { middle, reach: 0.75 * Math.hypot(...high.map((x, axis) => x - low[axis])) };
   }
@@ -83,9 +93,9 @@ export class RigFile {
 /// Where all pictures are taken from: in parallel, from the body's left, above and front.
 export const view_direction = [2 / 3, 1 / 3, 2 / 3];
 
-/// Which pixels of a square picture the faces cover: size x size of 0 and 1, the uppermost row first.
-export function silhouette(rig, places, size) {
-  const { middle, reach } = rig.extent();
+/// Which pixels of a square picture, as far as `reach` around `middle`, the faces cover: size x size of 0 and 1, the
+/// uppermost row first.
+export function silhouette(rig, places, size, { middle, reach }) {
   const [x, y, z] = view_direction, level = Math.hypot(x, z);
   const right = [z / level, 0, -x / level], up = [(-x * y) / level, level, (-y * z) / level];
   const dot = (d, p, at) => d[0] * (p[at] - middle[0]) + d[1] * (p[at + 1] - middle[1]) + d[2] * (p[at + 2] - middle[2]);

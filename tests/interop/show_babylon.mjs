@@ -32,17 +32,17 @@ window.engine = {
   },
 
   /// Turns a bone about its own x, at rest none. \returns where each mesh's vertices are, and the picture.
-  async show(bent, angle, { middle, reach, direction }) {
+  async show(bent, angle, { middle, reach, depth, direction }) {
     nodes.forEach((node, j) => {
       const turn = BABYLON.Quaternion.RotationAxis(BABYLON.Axis.X, node.name === bent ? angle : 0);
       node.rotationQuaternion = rests[j].multiply(turn);
     });
     const target = new BABYLON.Vector3(...middle);
-    const camera = new BABYLON.TargetCamera("camera", target.add(new BABYLON.Vector3(...direction).scale(2 * reach)), scene);
+    const camera = new BABYLON.TargetCamera("camera", target.add(new BABYLON.Vector3(...direction).scale(2 * depth)), scene);
     camera.setTarget(target);
     camera.mode = BABYLON.Camera.ORTHOGRAPHIC_CAMERA;
     [camera.orthoLeft, camera.orthoRight, camera.orthoBottom, camera.orthoTop] = [-reach, reach, -reach, reach];
-    [camera.minZ, camera.maxZ] = [0.01 * reach, 4 * reach];
+    [camera.minZ, camera.maxZ] = [0.01 * reach, 4 * depth];
     scene.activeCamera = camera;
     await scene.whenReadyAsync();
     scene.render();

@@ -33,7 +33,7 @@ window.engine = {
   },
 
   /// Turns a bone about its own x, at rest none. \returns where each mesh's vertices are, and the picture.
-  async show(bent, angle, { middle, reach, direction }) {
+  async show(bent, angle, { middle, reach, depth, direction }) {
     bones.forEach((bone, j) => {
       bone.quaternion.copy(rests[j]);
       if (bone.name === bent) bone.rotateX(angle);
@@ -46,8 +46,8 @@ window.engine = {
         mesh.getVertexPosition(i, place).applyMatrix4(mesh.matrixWorld).toArray(out, 3 * i);
       return packed(out);
     });
-    const camera = new THREE.OrthographicCamera(-reach, reach, reach, -reach, 0, 4 * reach);
-    camera.position.set(...middle).addScaledVector(new THREE.Vector3(...direction), 2 * reach);
+    const camera = new THREE.OrthographicCamera(-reach, reach, reach, -reach, 0, 4 * depth);
+    camera.position.set(...middle).addScaledVector(new THREE.Vector3(...direction), 2 * depth);
     camera.lookAt(...middle);
     renderer.render(scene, camera);
     const { width, height } = renderer.domElement;
