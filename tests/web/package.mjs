@@ -122,7 +122,9 @@ for (const { name, motion, position } of own.joints) {
 own.delete();
 const zipped = await engine.extract({ name: "body.off.gz", bytes: gzipSync(sample.bytes) });
 expect(zipped.joints.length === 21, "a file compressed by gzip is not read");
-for (const thing of [rig, again, body, zipped]) thing.delete();
+const toed = await engine.extract(sample, { fingers: "on", toes: true });
+expect(toed.skeleton.joints.length === 71, `with fingers and toes there are ${toed.skeleton.joints.length} joints`);
+for (const thing of [rig, again, body, zipped, toed]) thing.delete();
 
 const code_of = (promise) => promise.then(() => "none", (error) => error.code ?? String(error));
 expect((await code_of(engine.extract({ positions: new Float64Array(9), faces: new Uint32Array([0, 1, 7]) }))) === "bad_input", "a face without its vertex is taken");

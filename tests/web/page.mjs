@@ -121,7 +121,15 @@ expect(changed(before, await picture(canvas)) > 0.005, "the T-pose looks as the 
 await page.selectOption("#names", "mixamo");
 expect(new Glb((await downloaded(page, "glb")).bytes).rig().bones.some(({ name }) => /Hips/.test(name)), "bones have not the names that were chosen");
 await page.selectOption("#rest-pose", "as-is");
+await page.check("#toes");
 await settled(page);
+expect((await page.locator("#facts").innerText()).endsWith("51 bones, with fingers"), "toes are where none show");
+await page.selectOption("#joint", "left_index_2");
+const flat = await picture(canvas);
+await page.locator("#curl").fill("80");
+await settled(page);
+expect(changed(flat, await picture(canvas)) > 0.0002, "a hand that is curled looks as before");
+await page.click("#rest");
 await page.selectOption("#clip", "walk");
 await page.click("#play");
 const early = await picture(canvas);

@@ -236,7 +236,8 @@ void add_misfit(const LaidBones<count>& laid, bool with_middles, std::vector<dou
         out.push_back(robust(laid.beyond.row(i).minCoeff() / on_surface) * surface_weight /
                       std::sqrt(static_cast<double>(places)));
     if (!with_middles) return;
-    const auto with_middle = std::ranges::count_if(laid.bones, &ModelBone::has_middle);
+    const auto with_middle =
+        std::count_if(laid.bones.begin(), laid.bones.end(), [](const ModelBone& bone) { return bone.has_middle; });
     const double middles = static_cast<double>(with_middle) * static_cast<double>(laid.along.size());
     for (std::size_t b = 0; b < count; ++b)
         for (std::size_t k = 0; k < laid.along.size() && laid.bones[b].has_middle; ++k)

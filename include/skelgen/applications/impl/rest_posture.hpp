@@ -66,7 +66,8 @@ public:
 
     /// Whether hips and shoulders lie across it, to so many radians.
     [[nodiscard]] bool faces_ahead(Scalar most) const {
-        return std::ranges::all_of(std::array{JointRole::hip, JointRole::shoulder}, [&](JointRole role) {
+        constexpr std::array across{JointRole::hip, JointRole::shoulder};
+        return std::all_of(across.begin(), across.end(), [&](JointRole role) {
             const int left = joint(role, Side::left), right = joint(role, Side::right);
             return !is_present(left) || !is_present(right) ||
                    angle_between<Scalar>(line(right, left), Vector3<Scalar>::UnitX()) <= most;
@@ -79,7 +80,7 @@ public:
         for (const Joint<Scalar>& joint : skeleton_->joints)
             if (joint.is_present) heights.push_back((to_canonical_ * joint.position)[1]);
         for (const auto& [name, place] : skeleton_->end_points) heights.push_back((to_canonical_ * place)[1]);
-        const auto [lowest, highest] = std::ranges::minmax_element(heights);
+        const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
         return heights.empty() ? Scalar(0) : *highest - *lowest;
     }
 
