@@ -162,6 +162,7 @@ set(skelgen_core_headers
     include/skelgen/hands/find_hands.hpp
     include/skelgen/hands/hand_surface.hpp
     include/skelgen/hands/phalanges.hpp
+    include/skelgen/hands/phalanx_fit.hpp
     include/skelgen/quadruped/joint_table.hpp
     include/skelgen/quadruped/limbs.hpp
     include/skelgen/quadruped/place_joints.hpp
@@ -322,6 +323,7 @@ set(skelgen_core_definitions
     include/skelgen/hands/impl/find_hands.hpp
     include/skelgen/hands/impl/hand_surface.hpp
     include/skelgen/hands/impl/phalanges.hpp
+    include/skelgen/hands/impl/phalanx_fit.hpp
     include/skelgen/quadruped/impl/limbs.hpp
     include/skelgen/quadruped/impl/place_joints.hpp
     include/skelgen/impl/extract.hpp

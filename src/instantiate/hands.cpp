@@ -4,6 +4,7 @@
 #include <skelgen/hands/impl/find_hands.hpp>
 #include <skelgen/hands/impl/hand_surface.hpp>
 #include <skelgen/hands/impl/phalanges.hpp>
+#include <skelgen/hands/impl/phalanx_fit.hpp>
 
 namespace skelgen::hands {
 
@@ -18,6 +19,8 @@ namespace skelgen::hands {
                                                 const HandPlace<Scalar>&);                                             \
     template std::vector<DigitTube<Scalar>> find_tubes(const HandSurface<Scalar>&, const HandPlace<Scalar>&,           \
                                                        const DigitBounds&);                                            \
+    template PhalanxChain<Scalar> fit_phalanges(const DigitTube<Scalar>&, PhalanxChain<Scalar>,                        \
+                                                const ExpectedPhalanges<Scalar>&);                                     \
     template std::vector<FoundDigit<Scalar>> name_digits(const std::vector<DigitTube<Scalar>>&,                        \
                                                          const HandPlace<Scalar>&, Side);                              \
     template std::vector<FoundDigit<Scalar>> name_toes(const std::vector<DigitTube<Scalar>>&,                          \

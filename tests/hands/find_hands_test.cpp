@@ -66,7 +66,7 @@ TEMPLATE_TEST_CASE("five digits of a hand are found, named and divided", "[hands
             double off_axis = 1;
             for (std::size_t i = 1; i < axis.size(); ++i)
                 off_axis = std::min(off_axis, segment_distance(place, axis[i - 1], axis[i]));
-            CHECK(off_axis < 0.02);
+            CHECK(off_axis < 0.025);
             if (!is_thumb) CHECK((place - digits[d].places[k]).norm() < 0.06);
         }
         for (std::size_t k = 1; k < hands::phalanges; ++k)

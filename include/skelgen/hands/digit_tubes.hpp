@@ -10,12 +10,14 @@ namespace skelgen::hands {
 /// A digit as the surface shows it, before it has a name: a tube that ends.
 template <typename Scalar = double>
 struct DigitTube {
-    std::vector<Vector3<Scalar>> axis; ///< from where it joins its neighbours to its end on the surface
-    std::vector<Scalar> radii;         ///< per place on the axis: the girth there over two pi; 0 at the end
-    std::vector<int> vertices;         ///< of the hand's surface beyond where it joins them
-    Scalar joins = 0;                  ///< distance from the forearm along the surface where it joins another one
-    Scalar ends = 0;                   ///< and that of its end
-    bool is_alone = false;             ///< there is no other: the axis is that of the hand's outer half
+    std::vector<Vector3<Scalar>> axis;        ///< from where it joins its neighbours to its end on the surface
+    std::vector<Scalar> radii;                ///< per place on the axis: the girth there over two pi; 0 at the end
+    std::vector<int> vertices;                ///< of the hand's surface beyond where it joins them
+    std::vector<Vector3<Scalar>> points = {}; ///< where these are
+    std::vector<Scalar> areas = {};           ///< of the surface around each
+    Scalar joins = 0;      ///< distance from the forearm along the surface where it joins another one
+    Scalar ends = 0;       ///< and that of its end
+    bool is_alone = false; ///< there is no other: the axis is that of the hand's outer half
 };
 
 /// Which parts of a surface are digits, relative to the hand's length.

@@ -170,6 +170,7 @@ std::vector<DigitTube<Scalar>> find_tubes(const HandSurface<Scalar>& hand, const
     const detail::Peaks<Scalar> found =
         detail::PartsFromAbove<Scalar>(hand, static_cast<Scalar>(bounds.least) * length).peaks();
     const surface::LevelSets<Scalar> levels(hand.mesh, hand.adjacency, hand.distance);
+    const Eigen::VectorX<core::Accumulator> areas = core::vertex_areas(hand.mesh);
     std::vector<DigitTube<Scalar>> tubes;
     for (std::size_t i = 0; i < found.peaks.size(); ++i) {
         const detail::Peak<Scalar>& peak = found.peaks[i];
@@ -192,8 +193,12 @@ std::vector<DigitTube<Scalar>> find_tubes(const HandSurface<Scalar>& hand, const
         if ((tube.axis.front() - place.knuckles).norm() > farthest_web * length) continue;
         tube.axis.push_back(core::point(hand.mesh.vertices, peak.tip));
         tube.radii.push_back(0);
-        for (std::size_t v = 0; v < found.of_vertex.size(); ++v)
-            if (found.of_vertex[v] == static_cast<int>(i)) tube.vertices.push_back(static_cast<int>(v));
+        for (std::size_t v = 0; v < found.of_vertex.size(); ++v) {
+            if (found.of_vertex[v] != static_cast<int>(i)) continue;
+            tube.vertices.push_back(static_cast<int>(v));
+            tube.points.push_back(core::point(hand.mesh.vertices, static_cast<Eigen::Index>(v)));
+            tube.areas.push_back(static_cast<Scalar>(areas[static_cast<Eigen::Index>(v)]));
+        }
         tubes.push_back(std::move(tube));
     }
     if (tubes.size() > most) {

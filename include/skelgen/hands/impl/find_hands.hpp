@@ -133,7 +133,9 @@ private:
         TubesOfHand<Scalar> out{find_tubes(hand, place, bounds_), hand.mesh};
         for (DigitTube<Scalar>& tube : out.tubes) {
             for (Vector3<Scalar>& on_axis : tube.axis) on_axis = similarity.to_input(on_axis);
+            for (Vector3<Scalar>& point : tube.points) point = similarity.to_input(point);
             for (Scalar& radius : tube.radii) radius *= similarity.scale;
+            for (Scalar& area : tube.areas) area *= similarity.scale * similarity.scale;
             tube.joins *= similarity.scale;
             tube.ends *= similarity.scale;
         }

@@ -14,6 +14,7 @@
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/precision.hpp>
+#include <skelgen/hands/phalanx_fit.hpp>
 
 namespace skelgen::hands {
 namespace detail {
@@ -147,9 +148,35 @@ std::vector<std::size_t> widths_in_digits(const std::vector<DigitTube<Scalar>>& 
     return widths;
 }
 
-/// A digit with its joints on a tube.
+/// The digit with the joints of its phalanges where its surface bends: of the thumb those that stand out.
 template <typename Scalar>
-FoundDigit<Scalar> on_tube(const DigitTube<Scalar>& tube, Digit digit, const HandPlace<Scalar>& place) {
+FoundDigit<Scalar> with_fitted_joints(FoundDigit<Scalar> digit, const DigitTube<Scalar>& tube) {
+    constexpr Scalar of_end = Scalar(0.8); // the end's radius, of the digit's
+    const std::array<Scalar, phalanges> parts = joint_parts<Scalar>(digit.digit);
+    const std::size_t first = digit.digit == Digit::thumb ? 1 : 0;
+    PhalanxChain<Scalar> chain;
+    ExpectedPhalanges<Scalar> expected;
+    expected.length = parts[first] * axis_length(tube);
+    for (std::size_t k = first; k < phalanges; ++k) {
+        chain.places.push_back(digit.joints[k]);
+        chain.radii.push_back(outer_radius(tube));
+        const Scalar next = k + 1 < phalanges ? parts[k + 1] : Scalar(0);
+        expected.shares.push_back((parts[k] - next) / parts[first]);
+    }
+    chain.radii.push_back(of_end * outer_radius(tube));
+    chain.places.push_back(digit.tip - chain.radii.back() * direction<Scalar>(digit.tip - digit.joints.back()));
+    chain = fit_phalanges(tube, std::move(chain), expected);
+    for (std::size_t k = first; k < phalanges; ++k) {
+        digit.joints[k] = chain.places[k - first];
+        digit.radii[k] = chain.radii[k - first];
+    }
+    return digit;
+}
+
+/// A digit with its joints on a tube, that is so many digits.
+template <typename Scalar>
+FoundDigit<Scalar> on_tube(const DigitTube<Scalar>& tube, Digit digit, const HandPlace<Scalar>& place,
+                           std::size_t width) {
     constexpr Scalar clear = Scalar(0.25); // of the hand's length, that a finger of people stands out by, and more
     FoundDigit<Scalar> out;
     out.digit = digit;
@@ -165,6 +192,7 @@ FoundDigit<Scalar> on_tube(const DigitTube<Scalar>& tube, Digit digit, const Han
         out.joints[k] = at.place;
         out.radii[k] = at.radius;
     }
+    if (width == 1 && !tube.is_alone) out = with_fitted_joints(std::move(out), tube);
     // The thumb's metacarpal lies in the palm, between its second joint and the wrist.
     constexpr Scalar to_wrist = Scalar(0.4);
     if (digit == Digit::thumb) out.joints[0] = out.joints[1] + to_wrist * (place.wrist - out.joints[1]);
@@ -204,10 +232,10 @@ std::vector<FoundDigit<Scalar>> name_digits(const std::vector<DigitTube<Scalar>>
             thinnest = of_thumb;
     constexpr std::size_t fingers = 4;
     const std::vector<std::size_t> widths = detail::widths_in_digits(tubes, row, thinnest, fingers);
-    if (thumb) out.push_back(detail::on_tube(tubes[*thumb], Digit::thumb, place));
+    if (thumb) out.push_back(detail::on_tube(tubes[*thumb], Digit::thumb, place, 1));
     std::size_t next = 1;
     for (std::size_t k = 0; k < row.size() && next < all_digits.size(); ++k) {
-        FoundDigit<Scalar> digit = detail::on_tube(tubes[row[k]], all_digits[next++], place);
+        FoundDigit<Scalar> digit = detail::on_tube(tubes[row[k]], all_digits[next++], place, widths[k]);
         for (std::size_t more = 1; more < widths[k] && next < all_digits.size(); ++more)
             digit.fused.push_back(all_digits[next++]);
         out.push_back(std::move(digit));
