@@ -103,6 +103,14 @@ TEST_CASE("a finger beside the thumb alone is one, though its tube begins in the
     CHECK(hand.digits[1].fused.empty());
 }
 
+TEST_CASE("a finger that is thicker than the thumb, and round, is one", "[hands]") {
+    TubeDigit thick = finger(0, 0.5, 0);
+    thick.radius = 0.09;
+    const hands::Hand<double> hand = only_hand({thumb(), thick});
+    REQUIRE(digits_of(hand) == std::vector{Digit::thumb, Digit::index});
+    CHECK(hand.digits[1].fused.empty());
+}
+
 TEST_CASE("two fingers that have grown together are told by their width", "[hands]") {
     std::vector<TubeDigit> digits = five_digits();
     digits[3] = finger(-0.02, 0.44, 0); // ring beside middle

@@ -12,7 +12,7 @@ namespace skelgen::hands {
 /// Names the digits of a hand and divides them into phalanges. The thumb is the one that leaves the hand clearly
 /// nearest to the forearm, of two the thinner one; the others stand in a row from it on: index, middle, ring, little,
 /// and where there are fewer, the last ones are missing; without a thumb the little finger is at the end where they are
-/// shorter. One that is as wide as several are these together. Joints are first put on the digit's axis, at
+/// shorter. One that is as wide as several, and flat, is these together. Joints are first put on the digit's axis, at
 /// the parts of its length beyond the web that they have in people and in characters alike (medians of the rigs of five
 /// groups of makers), the knuckle behind the web straight on. Those of digits that are one each are then fitted to the
 /// surface (`fit_phalanges`). In the order of the digits; empty without tubes. O(points of the tubes).
