@@ -178,12 +178,13 @@ std::vector<std::size_t> widths_in_digits(const std::vector<DigitTube<Scalar>>& 
     return widths;
 }
 
-/// The digit with the joints of its phalanges where its surface bends: of the thumb those that stand out.
+/// The digit with the joints of its phalanges where its surface bends. The thumb's second one lies in its web, which
+/// hides where that is: of the thumb the last one alone.
 template <typename Scalar>
 FoundDigit<Scalar> with_fitted_joints(FoundDigit<Scalar> digit, const DigitTube<Scalar>& tube) {
     constexpr Scalar of_end = Scalar(0.8); // the end's radius, of the digit's
     const std::array<Scalar, phalanges> parts = joint_parts<Scalar>(digit.digit);
-    const std::size_t first = digit.digit == Digit::thumb ? 1 : 0;
+    const std::size_t first = digit.digit == Digit::thumb ? 1 : 0, first_fitted = 2 * first;
     PhalanxChain<Scalar> chain;
     ExpectedPhalanges<Scalar> expected;
     expected.length = parts[first] * axis_length(tube);
@@ -196,7 +197,7 @@ FoundDigit<Scalar> with_fitted_joints(FoundDigit<Scalar> digit, const DigitTube<
     chain.radii.push_back(of_end * outer_radius(tube));
     chain.places.push_back(digit.tip - chain.radii.back() * direction<Scalar>(digit.tip - digit.joints.back()));
     chain = fit_phalanges(tube, std::move(chain), expected);
-    for (std::size_t k = first; k < phalanges; ++k) {
+    for (std::size_t k = first_fitted; k < phalanges; ++k) {
         digit.joints[k] = chain.places[k - first];
         digit.radii[k] = chain.radii[k - first];
     }
