@@ -191,6 +191,7 @@ set(skelgen_core_headers
     include/skelgen/refinement/trunk_axis.hpp
     include/skelgen/refinement/trunk_joints.hpp
     include/skelgen/refinement/trunk_shape.hpp
+    include/skelgen/search/agreement.hpp
     include/skelgen/search/contacts.hpp
     include/skelgen/search/evidence.hpp
     include/skelgen/search/extract_options.hpp
@@ -353,6 +354,7 @@ set(skelgen_core_definitions
     include/skelgen/refinement/impl/trunk_axis.hpp
     include/skelgen/refinement/impl/trunk_joints.hpp
     include/skelgen/refinement/impl/trunk_shape.hpp
+    include/skelgen/search/impl/agreement.hpp
     include/skelgen/search/impl/contacts.hpp
     include/skelgen/search/impl/evidence.hpp
     include/skelgen/search/impl/extract_options.hpp

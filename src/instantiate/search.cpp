@@ -1,5 +1,6 @@
 // The search compiled for one scalar.
 
+#include <skelgen/search/impl/agreement.hpp>
 #include <skelgen/search/impl/contacts.hpp>
 #include <skelgen/search/impl/evidence.hpp>
 #include <skelgen/search/impl/extract_options.hpp>
@@ -37,7 +38,7 @@ namespace skelgen::search {
     template PlacedJoints<Scalar> place_joints(const Body<Scalar>&, const curve::CurveResult<Scalar>&,                 \
                                                const embedding::FittingTemplate&, const ExtractOptions&);              \
     template PlacedJoints<Scalar> place_joints(const Body<Scalar>&, const RestFit<Scalar>&, const ExtractOptions&);    \
-    template PlacedJoints<Scalar> place_joints(const Body<Scalar>&, const PosedFit&, const ExtractOptions&);           \
+    template PlacedJoints<Scalar> place_joints(const Body<Scalar>&, const PosedFit&, Scalar, const ExtractOptions&);   \
     template KinematicSkeleton<Scalar> skeleton_in_input(const Found<Scalar>&);                                        \
     template std::vector<std::string> warnings_of(const Found<Scalar>&, const SkeletonTemplate&);                      \
     template Climb<Scalar> climb(const TriangleMesh<Scalar>&, const SkeletonTemplate&, const ExtractOptions&,          \

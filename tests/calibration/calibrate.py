@@ -10,28 +10,23 @@ A candidate is RIGHT when each hand, foot and the head lies nearer to its own ma
 of it (head 0.2), hands, feet, elbows, knees and shoulders lie nearer to their own side's marker than to the other's, the
 median of the joints' errors is at most 0.04 of the scale and none above 0.12. What comes of no body is wrong.
 
-The log odds are linear in the evidence and in the squares of proportions, fitted with a penalty on the weights, plus small
-trees of three questions each, boosted on what that leaves unexplained (Friedman, Greedy Function Approximation, 2001; on
-random halves: Stochastic Gradient Boosting, 2002), and then scaled by what becomes of likeliest candidates on makers left
-out. Each mesh counts once, one of a named maker three times. What is printed is of folds: fitted without the makers that it
-is then judged on; how often the likeliest candidate is right, and how often those of each tenth of probability are. --ablate
-leaves out the trees, each kind of hypothesis and each witness in turn, and prints what that changes, by folds. Needs
-python3-numpy and python3-sklearn.
+The log odds are linear in the evidence and in the squares of proportions, fitted with a penalty on the weights. Each mesh
+counts once, one of a named maker three times.
+What is printed is of folds: fitted without the makers that it is then judged on; how often the likeliest candidate is right,
+and how often those of each tenth of probability are. --ablate leaves out each kind of hypothesis and each witness in turn,
+and prints what that changes, by folds. Needs python3-numpy.
 """
 import argparse
-import collections
 import copy
 import hashlib
 import json
 import os
 
 import numpy as np
-from sklearn.tree import DecisionTreeRegressor
 
 # Proportions: what is far off an adult's either way is unlikely, so that their squares are heard, too (search/trust.hpp).
-CURVED = ["head_size", "arm_length", "leg_length", "shoulder_width", "hip_width", "trunk_girth", "below_hips", "neck_height", "reach", "slack"]
+CURVED = ["arm_length", "leg_length", "hip_width", "below_hips", "neck_height", "reach"]
 MOST_CURVED = 1.5
-TREES, RATE, QUESTIONS = 100, 0.1, 3  # how many trees, how much of each is taken, how deep it is
 OF_A_MAKER = 3  # how often a mesh of a named maker counts: such meshes are the harder ones, and the fewer
 ENDS = ["left_hand", "right_hand", "left_foot", "right_foot", "head"]
 PAIRS = ["hand", "foot", "elbow", "knee", "shoulder"]
@@ -104,9 +99,8 @@ def weights_of_rows(used):
     return np.concatenate([np.full(len(m.rows), (OF_A_MAKER if kind_of(m) == "makers" else 1) / len(m.rows)) for m in used])
 
 
-def fit(meshes, penalty, trees=TREES, curved=len(CURVED), weights=None):
-    """Weights, means and offset of a logistic regression by Newton's method, and the trees that are boosted on it. The last
-    `curved` numbers of the evidence are squares, which trees need not hear of."""
+def fit(meshes, penalty, weights=None):
+    """Weights, means and offset of a logistic regression by Newton's method."""
     used = [m for m in meshes if len(m.rows)]
     x = np.concatenate([m.evidence for m in used])
     y = np.concatenate([m.right for m in used]).astype(float)
@@ -126,60 +120,19 @@ def fit(meshes, penalty, trees=TREES, curved=len(CURVED), weights=None):
         beta -= step
         if np.abs(step).max() < 1e-9:
             break
-    table = {"weights": beta[:-1] / deviation, "means": mean, "offset": beta[-1]}
-    table["trees"] = boost(x[:, : x.shape[1] - curved], y, w, z @ beta, trees)
-    return table
-
-
-def boost(x, y, w, odds, count):
-    """Trees that move log odds to what was found, each fitted to a random half. A tree: `witness` and `bound` of the questions,
-    2 i + 1 below i where the witness is at most the bound and 2 i + 2 where it is above, and `voice` of the leaves."""
-    x, random, out = x.astype(np.float32), np.random.default_rng(1), []
-    for k in range(count):
-        half = random.random(len(x)) < 0.5
-        p = logistic(odds)
-        tree = DecisionTreeRegressor(max_depth=QUESTIONS, max_features=0.4, min_samples_leaf=30, random_state=k)
-        tree.fit(x[half], (y - p)[half], sample_weight=w[half])
-        leaf = tree.apply(x)
-        error, spread = (np.bincount(leaf[half], (w * v)[half], tree.tree_.node_count) for v in (y - p, p * (1 - p)))
-        voice = np.clip(RATE * error / (spread + 1e-3), -1, 1)
-        odds = odds + voice[leaf]
-        out.append(full_tree(tree.tree_, voice))
-    return out
-
-
-def full_tree(tree, voice):
-    """With all of its questions, at its full depth: where it had none, one that is always answered alike."""
-    questions = 2**QUESTIONS - 1
-    out = {"witness": np.zeros(questions, int), "bound": np.full(questions, np.float32(1e30)), "voice": np.zeros(questions + 1)}
-
-    def fill(node, place):
-        if place >= questions:
-            out["voice"][place - questions] = voice[node]
-            return
-        is_leaf = tree.children_left[node] < 0
-        if not is_leaf:
-            out["witness"][place], out["bound"][place] = tree.feature[node], np.float32(tree.threshold[node])
-        fill(node if is_leaf else tree.children_left[node], 2 * place + 1)
-        fill(node if is_leaf else tree.children_right[node], 2 * place + 2)
-
-    fill(0, 0)
-    return out
+    return {"weights": beta[:-1] / deviation, "means": mean, "offset": beta[-1]}
 
 
 def logistic(x):
     return 1 / (1 + np.exp(-x))
 
 
+def odds_of(table, evidence):
+    return table["offset"] + (evidence - table["means"]) @ table["weights"]
+
+
 def probability(table, evidence):
-    odds = table["offset"] + (evidence - table["means"]) @ table["weights"]
-    x, rows = evidence.astype(np.float32), np.arange(len(evidence))
-    for tree in table["trees"]:
-        place = np.zeros(len(evidence), int)
-        for _ in range(QUESTIONS):
-            place = 2 * place + 1 + (x[rows, tree["witness"][place]] > tree["bound"][place])
-        odds = odds + tree["voice"][place - len(tree["witness"])]
-    return logistic(odds)
+    return logistic(odds_of(table, evidence))
 
 
 def fold_of(group, folds=5):
@@ -205,10 +158,10 @@ def report(meshes, chosen):
             print(f"  {low:.1f}: {len(tenth):4d} candidates, right {np.mean([r for r, _ in tenth]):.2f}, said {np.mean([p for _, p in tenth]):.2f}")
 
 
-def by_folds(meshes, penalty, trees=TREES):
+def by_folds(meshes, penalty):
     chosen = [None] * len(meshes)
     for fold in range(5):
-        table = fit([m for m in meshes if fold_of(m.group) != fold], penalty, trees)
+        table = fit([m for m in meshes if fold_of(m.group) != fold], penalty)
         for k, m in enumerate(meshes):
             if fold_of(m.group) == fold:
                 p = probability(table, m.evidence) if len(m.rows) else np.array([])
@@ -225,36 +178,6 @@ def log_odds(p):
 def kind_of(mesh):
     """Whether its truth names its maker; other groups are a folder and a body in it."""
     return "others" if ":" in mesh.group else "makers"
-
-
-def fit_of_chosen(meshes, chosen, fitted):
-    """What the likeliest candidate of many has of its probability on makers left out: factor, addend and addend for bodies at
-    rest, of its log odds (Platt's scaling). The likeliest is so by luck, too, and bodies at rest are tuned to the surface.
-    Meshes of named makers, which are harder, count as much together as all others do."""
-    rows = [(m, i, p) for m, (i, p) in zip(meshes, chosen) if i >= 0]
-    kinds = collections.Counter(kind_of(m) for m, _, _ in rows)
-    w = np.array([len(rows) / len(kinds) / kinds[kind_of(m)] for m, _, _ in rows])
-    x = np.array([[log_odds(p), 1.0, m.evidence[i, fitted]] for m, i, p in rows])
-    y, beta = np.array([m.right[i] for m, i, _ in rows], float), np.array([1.0, 0.0, 0.0])
-    for _ in range(50):
-        p = 1 / (1 + np.exp(-x @ beta))
-        beta -= np.linalg.solve((x * (w * p * (1 - p))[:, None]).T @ x + 1e-6 * np.eye(3), x.T @ (w * (p - y)))
-    print("log odds of the likeliest: times {:.3f}, plus {:.3f}, at rest plus {:.3f}".format(*beta))
-    return beta
-
-
-def scaled_probability(p, scaling, is_fitted):
-    return float(1 / (1 + np.exp(-(log_odds(p) * scaling[0] + scaling[1] + scaling[2] * is_fitted))))
-
-
-def with_scaling(table, scaling, fitted):
-    """The table's log odds, scaled so."""
-    out = dict(table)
-    out["offset"] = scaling[0] * table["offset"] + scaling[1] + scaling[2] * table["means"][fitted]
-    out["weights"] = scaling[0] * table["weights"]
-    out["weights"][fitted] += scaling[2]
-    out["trees"] = [{**tree, "voice": scaling[0] * tree["voice"]} for tree in table["trees"]]
-    return out
 
 
 def fit_joints(meshes, chosen, near=0.03):
@@ -277,20 +200,11 @@ def fit_joints(meshes, chosen, near=0.03):
     return beta
 
 
-def trees_text(trees):
-    """As the rows of an array of core::QuestionTree."""
-    in_row = lambda values, form: ", ".join(form.format(v) for v in values)
-    return ",\n    ".join(
-        f"{{{{{in_row(t['witness'], '{}')}}}, {{{in_row(t['bound'], '{:.9g}')}}}, {{{in_row(t['voice'], '{:.4g}')}}}}}" for t in trees
-    )
-
-
 def write_table(path, table, joint, witnesses, meshes):
     makers = len({m.group for m in meshes})
     rows = sum(len(m.rows) for m in meshes)
     straight = len(witnesses) - len(CURVED)
     numbers = lambda values: ",\n    ".join(f"{v:.5g}" for v in values)
-    trees = trees_text(table["trees"])
     with open(path, "w") as f:
         f.write(f"""// Written by `./dev calibrate`: what the probability that a skeleton is right is made of. No unit. Fitted on {rows} candidates of
 // {len(meshes)} meshes by {makers} makers; tests/calibration/calibrate.py says how, and how well on makers left out.
@@ -298,7 +212,6 @@ def write_table(path, table, joint, witnesses, meshes):
 
 #include <array>
 
-#include <skelgen/core/boosted_trees.hpp>
 #include <skelgen/search/evidence.hpp>
 
 namespace skelgen::search {{
@@ -314,8 +227,6 @@ inline constexpr std::array<double, curved_witnesses.size()> trust_square_weight
     {numbers(table["weights"][straight:])}}};
 inline constexpr std::array<double, curved_witnesses.size()> trust_square_means{{
     {numbers(table["means"][straight:])}}};
-inline constexpr std::array<core::QuestionTree, {len(table["trees"])}> trust_trees{{{{
-    {trees}}}}};
 inline constexpr double joint_trust_offset = {joint[2]:.4g}, joint_trust_of_whole = {joint[0]:.4g}, joint_trust_of_doubt = {joint[1]:.4g};
 
 }} // namespace skelgen::search
@@ -335,9 +246,9 @@ def without(mesh, keep=None, witness=None):
     return out
 
 
-def measures(meshes, penalty, trees=TREES):
+def measures(meshes, penalty):
     """Of folds: how many bodies' likeliest candidates are right, how many things' are above .5, log loss."""
-    chosen = by_folds(meshes, penalty, trees)
+    chosen = by_folds(meshes, penalty)
     right = sum(i >= 0 and m.right[i] for m, (i, _) in zip(meshes, chosen) if m.is_body)
     false = sum(p >= 0.5 for m, (i, p) in zip(meshes, chosen) if not m.is_body and i >= 0)
     loss = -np.mean([np.log(max(p if m.right[i] else 1 - p, 1e-6)) for m, (i, p) in zip(meshes, chosen) if i >= 0])
@@ -360,8 +271,6 @@ def ablate(meshes, witnesses, penalty):
     }
     right, false, loss = measures(meshes, penalty)
     print(f"left out: nothing: right {right}, things above .5: {false}, log loss {loss:.4f}")
-    r, f, l = measures(meshes, penalty, 0)
-    print(f"left out: trees: right {r - right:+d}, things above .5 {f - false:+d}, log loss {l - loss:+.4f}")
     for name, keep in kinds.items():
         r, f, l = measures([without(m, keep=keep) for m in meshes], penalty)
         print(f"left out: {name}: right {r - right:+d}, things above .5 {f - false:+d}, log loss {l - loss:+.4f}")
@@ -379,13 +288,10 @@ def main():
     a = parser.parse_args()
     meshes, witnesses = read_meshes(a.folders)
     print(len(meshes), "meshes,", sum(len(m.rows) for m in meshes), "candidates of", len({m.group for m in meshes}), "makers")
-    fitted = witnesses.index("fitted")
     chosen = by_folds(meshes, a.penalty)
-    scaling = fit_of_chosen(meshes, chosen, fitted)
-    scaled = [(i, scaled_probability(p, scaling, m.evidence[i, fitted]) if i >= 0 else 0.0) for m, (i, p) in zip(meshes, chosen)]
-    report(meshes, scaled)
-    joint = fit_joints(meshes, scaled)
-    table = with_scaling(fit(meshes, a.penalty), scaling, fitted)
+    report(meshes, chosen)
+    joint = fit_joints(meshes, chosen)
+    table = fit(meshes, a.penalty)
     spread = np.std(np.concatenate([m.evidence for m in meshes if len(m.rows)]), axis=0)
     for name, weight, deviation in sorted(zip(witnesses, table["weights"], spread), key=lambda t: -abs(t[1] * t[2])):
         print(f"  {name:16s} weight {weight:8.3f} times spread {weight * deviation:6.2f}")

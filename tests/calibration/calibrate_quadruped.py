@@ -17,6 +17,7 @@ import os
 import re
 
 import numpy as np
+from sklearn.tree import DecisionTreeRegressor
 
 import calibrate
 
@@ -67,6 +68,73 @@ def balanced(used):
     return np.concatenate([np.where(m.right, 1 / max(m.right.sum(), 1), 1 / max((~m.right).sum(), 1)) for m in used])
 
 
+RATE, QUESTIONS = 0.1, 3  # how much of each tree is taken, how deep it is
+
+
+def fit(meshes, penalty, trees):
+    """A linear table, and trees that are boosted on it."""
+    table, used = calibrate.fit(meshes, penalty, balanced), [m for m in meshes if len(m.rows)]
+    x = np.concatenate([m.evidence for m in used])
+    y = np.concatenate([m.right for m in used]).astype(float)
+    table["trees"] = boost(x, y, balanced(used), calibrate.odds_of(table, x), trees)
+    return table
+
+
+def boost(x, y, w, odds, count):
+    """Trees that move log odds to what was found, each fitted to a random half. A tree: `witness` and `bound` of the questions,
+    2 i + 1 below i where the witness is at most the bound and 2 i + 2 where it is above, and `voice` of the leaves."""
+    x, random, out = x.astype(np.float32), np.random.default_rng(1), []
+    for k in range(count):
+        half = random.random(len(x)) < 0.5
+        p = calibrate.logistic(odds)
+        tree = DecisionTreeRegressor(max_depth=QUESTIONS, max_features=0.4, min_samples_leaf=30, random_state=k)
+        tree.fit(x[half], (y - p)[half], sample_weight=w[half])
+        leaf = tree.apply(x)
+        error, spread = (np.bincount(leaf[half], (w * v)[half], tree.tree_.node_count) for v in (y - p, p * (1 - p)))
+        voice = np.clip(RATE * error / (spread + 1e-3), -1, 1)
+        odds = odds + voice[leaf]
+        out.append(full_tree(tree.tree_, voice))
+    return out
+
+
+def full_tree(tree, voice):
+    """With all of its questions, at its full depth: where it had none, one that is always answered alike."""
+    questions = 2**QUESTIONS - 1
+    out = {"witness": np.zeros(questions, int), "bound": np.full(questions, np.float32(1e30)), "voice": np.zeros(questions + 1)}
+
+    def fill(node, place):
+        if place >= questions:
+            out["voice"][place - questions] = voice[node]
+            return
+        is_leaf = tree.children_left[node] < 0
+        if not is_leaf:
+            out["witness"][place], out["bound"][place] = tree.feature[node], np.float32(tree.threshold[node])
+        fill(node if is_leaf else tree.children_left[node], 2 * place + 1)
+        fill(node if is_leaf else tree.children_right[node], 2 * place + 2)
+
+    fill(0, 0)
+    return out
+
+
+def probability(table, evidence):
+    odds = calibrate.odds_of(table, evidence)
+    x, rows = evidence.astype(np.float32), np.arange(len(evidence))
+    for tree in table["trees"]:
+        place = np.zeros(len(evidence), int)
+        for _ in range(QUESTIONS):
+            place = 2 * place + 1 + (x[rows, tree["witness"][place]] > tree["bound"][place])
+        odds = odds + tree["voice"][place - len(tree["witness"])]
+    return calibrate.logistic(odds)
+
+
+def trees_text(trees):
+    """As the rows of an array of core::QuestionTree."""
+    in_row = lambda values, form: ", ".join(form.format(v) for v in values)
+    return ",\n    ".join(
+        f"{{{{{in_row(t['witness'], '{}')}}}, {{{in_row(t['bound'], '{:.9g}')}}}, {{{in_row(t['voice'], '{:.4g}')}}}}}" for t in trees
+    )
+
+
 def folds_of(meshes):
     """The fold of each mesh: makers of animals one by one, others at random."""
     makers = sorted({m.group for m in meshes if m.is_body})
@@ -76,10 +144,10 @@ def folds_of(meshes):
 def by_folds(meshes, penalty, trees):
     folds, chosen = folds_of(meshes), [(-1, 0.0)] * len(meshes)
     for fold in set(folds):
-        table = calibrate.fit([m for m, f in zip(meshes, folds) if f != fold], penalty, trees, 0, balanced)
+        table = fit([m for m, f in zip(meshes, folds) if f != fold], penalty, trees)
         for k, m in enumerate(meshes):
             if folds[k] == fold and len(m.rows):
-                p = calibrate.probability(table, m.evidence)
+                p = probability(table, m.evidence)
                 chosen[k] = int(np.argmax(p)), float(p.max())
     return chosen
 
@@ -179,7 +247,7 @@ inline constexpr std::array<double, witness_count> trust_weights{{
 inline constexpr std::array<double, witness_count> trust_means{{
     {numbers(table["means"])}}};
 inline constexpr std::array<core::QuestionTree, {len(table["trees"])}> trust_trees{{{{
-    {calibrate.trees_text(table["trees"])}}}}};
+    {trees_text(table["trees"])}}}}};
 
 }} // namespace skelgen::quadruped
 """)
@@ -206,7 +274,7 @@ def fit_trust(meshes, a):
     scaled = [(i, float(calibrate.logistic(scaling[0] * calibrate.log_odds(p) + scaling[1])) if i >= 0 else 0.0) for i, p in chosen]
     calibrate.report(meshes, scaled)
     print("wrong:", [(m.name, round(p, 2)) for m, (i, p) in zip(meshes, scaled) if m.is_body and (i < 0 or not m.right[i])])
-    table = calibrate.fit(meshes, a.penalty, a.trees, 0, balanced)
+    table = fit(meshes, a.penalty, a.trees)
     table["offset"] = scaling[0] * table["offset"] + scaling[1]
     table["weights"] = scaling[0] * table["weights"]
     table["trees"] = [{**tree, "voice": scaling[0] * tree["voice"]} for tree in table["trees"]]

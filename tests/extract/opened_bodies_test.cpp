@@ -92,7 +92,7 @@ TEST_CASE("a body that has grown together with itself is opened there, and says 
     }
 }
 
-TEST_CASE("that a body was opened is evidence, and as it was given it is tried, too, after that") {
+TEST_CASE("a body that was opened is tried as it was given, too, after that") {
     using namespace skelgen::search;
     const FixtureBody body = load_fixture_body("standing-man");
     ExtractOptions options;
@@ -104,9 +104,7 @@ TEST_CASE("that a body was opened is evidence, and as it was given it is tried, 
     CHECK(climb.trail[1].hypothesis.opening == Opening::opened);
     CHECK(climb.trail.back().hypothesis.opening != Opening::opened);
     CHECK(climb.trail.back().hypothesis.effort == Effort::draft);
-    REQUIRE_FALSE(climb.found.empty());
-    for (const Found<double>& each : climb.found)
-        CHECK(each.candidate.evidence[Witness::opened] == (each.hypothesis.opening == Opening::as_given ? 0 : 1));
+    CHECK_FALSE(climb.found.empty());
 }
 
 TEST_CASE("a body that folds up reaches less far over its surface than one that stands, and is found") {

@@ -30,7 +30,7 @@ TEST_CASE("a skeleton that was found in a draft comes with that curve, made whol
         INFO(name);
         const FixtureBody known = load_fixture_body(name);
         const Extraction<double> found = extract(known.mesh, options);
-        REQUIRE(found.trail.size() == 1);
+        REQUIRE_FALSE(found.trail.empty());
         const Body<double> body = prepare(known.mesh);
         const auto draft = find_curve(body, search::curve_options(search::Effort::draft, {}));
         CHECK(is_same(found.curve, surface::to_input(body, finished(draft, body).curve)));

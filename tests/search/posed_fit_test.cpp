@@ -75,10 +75,10 @@ TEST_CASE("fit_posed: from joints that are off, the surface brings them nearer t
         for (int j = 0; j < static_cast<int>(off.rows()); ++j)
             off.row(j) += 0.04 * size * Eigen::RowVector3d(j % 3 - 1.0, (j + 1) % 3 - 1.0, j % 2 - 0.5);
         const auto fits = fit_posed(body, person(), {off});
-        REQUIRE(fits.size() == 3); // one for each set of radii
+        REQUIRE(fits.size() == 1);
         CHECK(std::is_sorted(fits.begin(), fits.end(),
                              [](const PosedFit& a, const PosedFit& b) { return a.cost < b.cost; }));
-        CHECK(mean_error(fits.front().joints, truth) < 0.6 * mean_error(off, truth));
+        CHECK(mean_error(fits.front().joints, truth) < 0.7 * mean_error(off, truth));
         CHECK(fit_posed(body, person(), {off}).front().joints == fits.front().joints);
     }
 }
@@ -124,7 +124,7 @@ TEST_CASE("fit_posed: what is known is met, the cheapest of several starts comes
     const int elbow = find_joint(person(), JointRole::elbow, Side::left);
     const Vec3 place = truth.row(elbow).transpose() + Vec3::Constant(0.01 * size);
     const auto fits = fit_posed(body, person(), {turned, truth}, {{elbow, place}});
-    REQUIRE(fits.size() == 6);
+    REQUIRE(fits.size() == 2);
     CHECK(fits.front().start == 1);
     CHECK((fits.front().joints.row(elbow).transpose() - place).norm() < 0.005 * size);
     CHECK(mean_error(fits.front().joints, truth) < 0.03 * size);

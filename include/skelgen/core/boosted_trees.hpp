@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -37,6 +38,11 @@ template <std::size_t Trees, std::size_t Numbers>
         out += tree.voice[place - tree.number.size()];
     }
     return out;
+}
+
+/// The logarithm of the odds of a probability, within what 1e-9 has.
+[[nodiscard]] inline double log_odds(double probability) {
+    return std::log(std::max(probability, 1e-9) / std::max(1 - probability, 1e-9));
 }
 
 /// The probability of a logarithm of odds.

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include <nanoflann.hpp>
 
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/least_squares.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/core/skeleton_template.hpp>
 #include <skelgen/embedding/proportions.hpp>
@@ -22,6 +24,11 @@
 namespace skelgen::search::detail {
 
 using Vec3d = Vector3<double>;
+
+/// What a body has to enclose at least, for unit area: a person has 0.05, a sheet nothing.
+template <typename Scalar>
+inline constexpr Scalar least_volume = Scalar(1e-3);
+
 using Places = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 /// So many places spread evenly over a surface, in order of its faces: the same for the same mesh.
@@ -139,8 +146,6 @@ struct ModelBone {
     double from_radius, to_radius;
     Vec3d from_width = Vec3d::Zero(), to_width = Vec3d::Zero(); ///< to one side; none: both zero
     bool has_middle = true;                                     ///< that its axis has to be in; feet have none
-
-    friend bool operator==(const ModelBone&, const ModelBone&) = default;
 };
 
 /// The model's half beside the mirror plane.
@@ -174,74 +179,152 @@ inline RestModel model_of(const RestNumbers& n) {
     return out;
 }
 
-/// How far a place is outside a bone; negative within it.
-inline double beyond(const ModelBone& bone, const Vec3d& place) {
-    const Vec3d along = bone.to - bone.from;
-    const double u = std::clamp((place - bone.from).dot(along) / (along.squaredNorm() + 1e-12), 0.0, 1.0);
-    Vec3d across = place - bone.from - u * along;
-    if (bone.from_width != Vec3d::Zero()) {
-        const Vec3d wide = bone.from_width + u * (bone.to_width - bone.from_width);
-        const double width = wide.norm();
-        if (width > 0) across -= std::clamp(wide.dot(across) / width, -width, width) * (wide / width);
-    }
-    return across.norm() - (bone.from_radius + u * (bone.to_radius - bone.from_radius));
-}
+/// A bone's numbers in a column: both ends, both radii, both widths.
+enum BonePart { bone_from = 0, bone_to = 3, bone_from_radius = 6, bone_to_radius, bone_from_width, bone_to_width = 11 };
+inline constexpr int bone_numbers = 14;
+using BoneNumbers = Eigen::Matrix<double, bone_numbers, 1>;
 
-/// Grows as the logarithm where a residual is large: what the body wears and holds counts no more than it is there.
-inline double robust(double residual) { return std::copysign(std::sqrt(std::log1p(residual * residual)), residual); }
-
-/// How a model's bones lie in a surface.
 template <std::size_t count>
-struct LaidBones {
-    static constexpr std::array<double, 4> along{0.1, 0.35, 0.65, 0.9}; ///< where axes have to be in the middle
+using BonesNumbers = Eigen::Matrix<double, bone_numbers* static_cast<int>(count), 1>;
 
-    std::array<ModelBone, count> bones;
-    Eigen::Matrix<double, Eigen::Dynamic, static_cast<int>(count)> beyond; ///< per place and bone, absolute
-    std::array<std::array<double, along.size()>, count> off_middle{};      ///< depth in the surface less the radius
-};
-
-/// Bones laid into a surface that has these places. `depth_of`: of a place in the surface. What a bone has in common
-/// with `known` is taken over: most numbers of a model move one or two of them.
-template <std::size_t count, typename DepthOf>
-LaidBones<count> laid(const std::array<ModelBone, count>& bones, const std::vector<Vec3d>& places,
-                      const DepthOf& depth_of, const LaidBones<count>* known) {
-    LaidBones<count> out;
-    if (known) out = *known;
-    out.bones = bones;
-    out.beyond.resize(static_cast<Eigen::Index>(places.size()), static_cast<Eigen::Index>(count));
+template <std::size_t count>
+BonesNumbers<count> numbers_of(const std::array<ModelBone, count>& bones) {
+    BonesNumbers<count> out;
     for (std::size_t b = 0; b < count; ++b) {
-        const ModelBone& bone = bones[b];
-        if (known && bone == known->bones[b]) continue;
-        for (std::size_t i = 0; i < places.size(); ++i)
-            out.beyond(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(b)) = std::abs(beyond(bone, places[i]));
-        for (std::size_t k = 0; k < out.along.size() && bone.has_middle; ++k) {
-            const double part = out.along[k];
-            out.off_middle[b][k] = depth_of(bone.from + part * (bone.to - bone.from)) -
-                                   (bone.from_radius + part * (bone.to_radius - bone.from_radius));
-        }
+        auto of_bone = out.template segment<bone_numbers>(bone_numbers * static_cast<Eigen::Index>(b));
+        of_bone << bones[b].from, bones[b].to, bones[b].from_radius, bones[b].to_radius, bones[b].from_width,
+            bones[b].to_width;
     }
     return out;
 }
+
+/// How far a place is outside a bone; negative within it. `by_bone`: gets the derivatives by the bone's numbers.
+inline double beyond(const ModelBone& bone, const Vec3d& place, BoneNumbers* by_bone = nullptr) {
+    const Vec3d along = bone.to - bone.from, off = place - bone.from;
+    const double squared = along.squaredNorm() + 1e-12;
+    const double anywhere = off.dot(along) / squared, u = std::clamp(anywhere, 0.0, 1.0);
+    Vec3d across = off - u * along;
+    double sideways = 0; // part of the width, to either side
+    if (bone.from_width != Vec3d::Zero()) {
+        const Vec3d wide = bone.from_width + u * (bone.to_width - bone.from_width);
+        const double width = wide.norm();
+        if (width > 0) sideways = std::clamp(wide.dot(across) / (width * width), -1.0, 1.0);
+        across -= sideways * wide;
+    }
+    const double distance = across.norm();
+    if (by_bone) {
+        const Vec3d away = across / std::max(distance, 1e-12);
+        *by_bone << -(1 - u) * away, -u * away, -(1 - u), -u, -(1 - u) * sideways * away, -u * sideways * away;
+        if (anywhere == u) { // the place on the axis moves along with its ends
+            const double by_u =
+                -away.dot(along + sideways * (bone.to_width - bone.from_width)) - (bone.to_radius - bone.from_radius);
+            by_bone->template segment<3>(bone_from) += by_u / squared * (2 * u * along - along - off);
+            by_bone->template segment<3>(bone_to) += by_u / squared * (off - 2 * u * along);
+        }
+    }
+    return distance - (bone.from_radius + u * (bone.to_radius - bone.from_radius));
+}
+
+/// Grows as the logarithm where a residual is large, so that what the body wears and holds counts no more than it is
+/// there; and its derivative.
+inline std::pair<double, double> robust(double residual) {
+    const double squared = residual * residual, size = std::sqrt(std::log1p(squared));
+    return {std::copysign(size, residual), size > 1e-9 ? std::abs(residual) / ((1 + squared) * size) : 1};
+}
+
+/// How deep a place is in a surface, negative outside, and the direction that leads deeper.
+struct Depth {
+    double depth = 0;
+    Vec3d inwards = Vec3d::Zero(); ///< unit
+};
+
+/// Depths in a surface, by places spread over it, in units of `unit`.
+class SurfaceDepth {
+public:
+    template <typename Scalar>
+    SurfaceDepth(const TriangleMesh<Scalar>& mesh, double unit) : normals_(many, 3) {
+        std::vector<Eigen::Index> faces;
+        cloud_ = spread_places(mesh, many, &faces) / unit;
+        for (int i = 0; i < many; ++i)
+            normals_.row(i) = core::face_area_vector(mesh, faces[static_cast<std::size_t>(i)])
+                                  .normalized()
+                                  .template cast<double>()
+                                  .transpose();
+        tree_.emplace(cloud_);
+    }
+    SurfaceDepth(const SurfaceDepth&) = delete; // the tree knows where the cloud is
+    SurfaceDepth& operator=(const SurfaceDepth&) = delete;
+
+    [[nodiscard]] Depth operator()(const Vec3d& place) const {
+        const auto [nearest, distance] = tree_->nearest(place);
+        const Vec3d off = place - cloud_.row(nearest).transpose();
+        const bool is_outside = off.dot(normals_.row(nearest).transpose()) > 0;
+        const Vec3d away = off / std::max(distance, 1e-12);
+        return is_outside ? Depth{-distance, -away} : Depth{distance, away};
+    }
+
+private:
+    static constexpr int many = 20000;
+    Places cloud_, normals_;
+    std::optional<PlaceTree> tree_;
+};
 
 inline constexpr double prior_weight = 0.5; ///< beside the weights of add_misfit
 inline constexpr double at_known = 0.005;   ///< of the height: how far from a known place counts 1
 
 /// Adds the residuals of places that lie on no bone, and with middles those of axes that are not in the middle.
-template <std::size_t count>
-void add_misfit(const LaidBones<count>& laid, bool with_middles, std::vector<double>& out) {
-    constexpr double on_surface = 0.02, in_middle = 0.03;   // of the height: as much as counts 1
-    constexpr double surface_weight = 6, middle_weight = 4; // of all residuals of the kind
-    const Eigen::Index places = laid.beyond.rows();
-    for (Eigen::Index i = 0; i < places; ++i)
-        out.push_back(robust(laid.beyond.row(i).minCoeff() / on_surface) * surface_weight /
-                      std::sqrt(static_cast<double>(places)));
-    if (!with_middles) return;
+/// `by_number`: derivatives of the bones' numbers by the model's. `depth_of`: the Depth of a place.
+template <int numbers, std::size_t count, typename DepthOf>
+void add_misfit(const std::array<ModelBone, count>& bones,
+                const Eigen::Matrix<double, bone_numbers* static_cast<int>(count), numbers>& by_number,
+                const std::vector<Vec3d>& places, bool with_middles, const DepthOf& depth_of,
+                core::NormalEquations<numbers>& out) {
+    constexpr double on_surface = 0.02, in_middle = 0.03;        // of the height: as much as counts 1
+    constexpr double surface_weight = 6, middle_weight = 4;      // of all residuals of the kind
+    constexpr std::array<double, 4> along{0.1, 0.35, 0.65, 0.9}; // where axes have to be in the middle
+    std::array<core::NormalEquations<bone_numbers>, count> of_bone;
+    const auto add = [&](std::size_t bone, double off, double unit, double weight, const BoneNumbers& by_bone) {
+        const auto [residual, slope] = robust(off / unit);
+        of_bone[bone].add(Eigen::Matrix<double, 1, 1>(weight * residual), weight * slope / unit * by_bone.transpose());
+    };
+    BoneNumbers by_bone;
+    for (const Vec3d& place : places) {
+        std::size_t nearest = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t b = 0; b < count; ++b) {
+            const double distance = std::abs(beyond(bones[b], place));
+            if (distance < least) std::tie(least, nearest) = std::pair(distance, b);
+        }
+        const double off = beyond(bones[nearest], place, &by_bone);
+        add(nearest, off, on_surface, surface_weight / std::sqrt(static_cast<double>(places.size())), by_bone);
+    }
     const auto with_middle =
-        std::count_if(laid.bones.begin(), laid.bones.end(), [](const ModelBone& bone) { return bone.has_middle; });
-    const double middles = static_cast<double>(with_middle) * static_cast<double>(laid.along.size());
-    for (std::size_t b = 0; b < count; ++b)
-        for (std::size_t k = 0; k < laid.along.size() && laid.bones[b].has_middle; ++k)
-            out.push_back(robust(laid.off_middle[b][k] / in_middle) * middle_weight / std::sqrt(middles));
+        std::count_if(bones.begin(), bones.end(), [](const ModelBone& bone) { return bone.has_middle; });
+    const double weight =
+        middle_weight / std::sqrt(static_cast<double>(with_middle) * static_cast<double>(along.size()));
+    for (std::size_t b = 0; b < count && with_middles; ++b) {
+        const ModelBone& bone = bones[b];
+        if (!bone.has_middle) continue;
+        for (const double part : along) {
+            const auto [depth, inwards] = depth_of(bone.from + part * (bone.to - bone.from));
+            by_bone << (1 - part) * inwards, part * inwards, part - 1, -part, Vec3d::Zero(), Vec3d::Zero();
+            const double radius = bone.from_radius + part * (bone.to_radius - bone.from_radius);
+            add(b, depth - radius, in_middle, weight, by_bone);
+        }
+    }
+    // A bone goes by few of the model's numbers.
+    for (std::size_t b = 0; b < count; ++b) {
+        const auto by_all = by_number.template middleRows<bone_numbers>(bone_numbers * static_cast<Eigen::Index>(b));
+        std::vector<std::pair<Eigen::Index, BoneNumbers>> moving;
+        for (Eigen::Index n = 0; n < numbers; ++n)
+            if (!by_all.col(n).isZero(0)) moving.emplace_back(n, by_all.col(n));
+        for (const auto& [n, by_n] : moving) {
+            const BoneNumbers squares = of_bone[b].square * by_n;
+            for (const auto& [m, by_m] : moving) out.square(m, n) += by_m.dot(squares);
+            out.gradient[n] += by_n.dot(of_bone[b].gradient);
+        }
+        out.cost += of_bone[b].cost;
+    }
 }
 
 /// The way from the model's coordinates to the body's.

@@ -58,9 +58,9 @@ template <typename Scalar>
                                                 const ExtractOptions& options = {});
 
 /// The joints of a body in any pose that was laid into the surface (posed_fit.hpp), as the fit has them: along it
-/// cross-sections place them worse.
+/// cross-sections place them worse. `diameter`: the largest geodesic distance on the body.
 template <typename Scalar>
-[[nodiscard]] PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const PosedFit& fit,
+[[nodiscard]] PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const PosedFit& fit, Scalar diameter,
                                                 const ExtractOptions& options = {});
 
 /// From placed joints on: sides told apart, the skeleton completed, its evidence. The curve serves as the middle that

@@ -29,10 +29,11 @@ template <typename Scalar>
 /// limbs are cones with round ends. Their ends and radii, 59 numbers, are brought to where the surface's places lie on
 /// them and their axes in its middle, both robust against what the body wears and holds. Broad priors hold both sides
 /// alike, proportions those of people and figures, knees and elbows bent as they can be. `starts`: places of the
-/// template's joints in the body's coordinates, each with the radii of an adult and of figures with large heads.
-/// `known`: joints' places there. Without these only the 96 starts that cost the least are fitted, first by few places.
-/// \returns the cheapest fits, at most six, the cheapest first; none where `wanted` is no person's template with all
-/// limbs. O(n log n) for the surface, and some milliseconds for each start that is fitted.
+/// template's joints in the body's coordinates, each with the radii of an adult or of figures with large heads, by how
+/// large its head is. `known`: joints' places there. All starts are fitted by few places, the cheapest of those that
+/// differ by more. \returns the cheapest fits that differ, at most twelve, the cheapest first; none where `wanted` is
+/// no person's template with all limbs, or the surface encloses nothing. O(n log n) for the surface, and a millisecond
+/// for each start.
 template <typename Scalar>
 [[nodiscard]] std::vector<PosedFit> fit_posed(const Body<Scalar>& body, const SkeletonTemplate& wanted,
                                               const std::vector<Points<double>>& starts,

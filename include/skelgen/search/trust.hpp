@@ -9,9 +9,9 @@
 namespace skelgen::search {
 
 /// The probability that a skeleton is right: limbs where they are, sides not exchanged, joints near their places
-/// (docs/results.md says how it was measured). Its log odds are linear in the evidence, plus small trees boosted on
-/// that; the numbers are of trust_table.hpp, fitted by `./dev calibrate`. It orders candidates, refuses what is less
-/// likely than `least_probability`, and is the confidence.
+/// (docs/results.md says how it was measured). Its log odds are linear in the evidence and in the squares of some
+/// proportions; the numbers are of trust_table.hpp, fitted by `./dev calibrate`. It orders candidates, refuses what is
+/// less likely than `least_probability`, and is the confidence.
 [[nodiscard]] double probability_right(const Evidence& evidence);
 
 /// What is left of a probability to be right beside the one that a skeleton of another plan has: one of them is right
@@ -21,16 +21,19 @@ namespace skelgen::search {
 }
 
 /// Less likely skeletons are no answer. Between this and one half an answer is a guess and says so.
-inline constexpr double least_probability = 0.05;
+inline constexpr double least_probability = 0.1;
 
 /// Where one way to lay the template into a curve is likelier, no other one is tried.
 inline constexpr double likely_enough = 0.5;
 
-/// Where no skeleton is likelier, none in another pose is looked for: one can be laid into a torus, too.
+/// Where no skeleton is likelier, no body in any pose is laid in.
 inline constexpr double hopeless = 0.01;
 
+/// So many that disagree with it are thought beside all candidates: that one other agrees says little by itself.
+inline constexpr double dissenters = 3;
+
 /// A candidate that is likelier ends the search: to go on would take longer and seldom lead to another.
-inline constexpr double sure_enough = 0.7;
+inline constexpr double sure_enough = 0.9;
 
 /// The skeleton with the confidence of its sides and joints, decided once: the probability that it is right, and of a
 /// joint the probability that it lies within 3 % of the geodesic diameter from its place, by its doubt

@@ -30,57 +30,6 @@ inline double log_ratio(double a, double b) {
     return std::clamp(std::log(a / b), -most, most);
 }
 
-/// Where what belongs to no limb hangs.
-enum class Hang { head, hands, back, legs };
-
-/// Per node of the curve where it hangs that leads off a chain there.
-template <typename Scalar>
-std::vector<Hang> hang_of_nodes(const CurveSkeleton<Scalar>& curve, const embedding::Embedding& embedding,
-                                const SkeletonTemplate& wanted) {
-    constexpr double outer = 0.6; // of a chain: what is farther out is the head's or the hand's
-    std::vector<Hang> out(static_cast<std::size_t>(curve.nodes.rows()), Hang::back);
-    for (const embedding::Chain& chain : embedding.chains) {
-        const JointRole end = wanted.joint(chain.joints.back()).role, start = wanted.joint(chain.joints.front()).role;
-        for (std::size_t i = 0; i < chain.nodes.size(); ++i) {
-            const bool is_outer = static_cast<double>(i) > outer * static_cast<double>(chain.nodes.size() - 1);
-            Hang& hang = out[static_cast<std::size_t>(chain.nodes[i])];
-            if (part_of(end) == BodyPart::leg ||
-                (end != JointRole::head && part_of(end) == BodyPart::trunk && (start == JointRole::pelvis) != is_outer))
-                hang = Hang::legs;
-            else if (is_outer)
-                hang = end == JointRole::head ? Hang::head : part_of(end) == BodyPart::arm ? Hang::hands : Hang::back;
-        }
-    }
-    return out;
-}
-
-/// Lengths of what belongs to no limb, by where it hangs, relative to the limbs' length.
-template <typename Scalar>
-std::array<double, 4> clutter(const CurveSkeleton<Scalar>& curve, const embedding::Embedding& embedding,
-                              const SkeletonTemplate& wanted) {
-    std::array<double, 4> out{};
-    const std::vector<bool> is_accounted = embedding::matched_or_hidden(curve, embedding);
-    double matched = 0;
-    core::CurveGraph<Scalar> graph = core::curve_graph(curve);
-    std::vector<std::pair<int, Scalar>> on_chains;
-    for (const embedding::Chain& chain : embedding.chains) {
-        matched += static_cast<double>(core::path_length(curve, chain.nodes));
-        for (const int node : chain.nodes) on_chains.emplace_back(node, Scalar(0));
-    }
-    if (!(matched > 0)) return out;
-    graph.neighbours.push_back(std::move(on_chains)); // a node at no distance from all of them
-    const auto paths = core::shortest_paths(graph, graph.size() - 1);
-    const std::vector<Hang> hang = hang_of_nodes(curve, embedding, wanted);
-    for (const auto& [a, b] : curve.edges) {
-        if (is_accounted[static_cast<std::size_t>(a)] && is_accounted[static_cast<std::size_t>(b)]) continue;
-        if (!std::isfinite(paths.distance[static_cast<std::size_t>(a)])) continue;
-        const std::vector<int> path = paths.path_to(a);
-        const Hang where = path.size() > 1 ? hang[static_cast<std::size_t>(path[1])] : Hang::back;
-        out[static_cast<std::size_t>(where)] += static_cast<double>(core::path_length(curve, {a, b})) / matched;
-    }
-    return out;
-}
-
 /// The joints of a skeleton by role and side.
 template <typename Scalar>
 class RolePlaces {
@@ -220,10 +169,9 @@ double unexplained_share(const Body<Scalar>& body, const KinematicSkeleton<Scala
 template <typename Scalar>
 void add_support(Evidence& out, const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
                  const SkeletonTemplate& wanted) {
-    constexpr int places = 6;            // on each bone
-    constexpr double usual_girth = 0.22; // of a limb's bone, in the mean over the research bodies
+    constexpr int places = 6; // on each bone
     std::vector<double> girth(skeleton.joints.size(), 0);
-    double inside = 0, all = 0, slack = 0, limbs = 0, pairs = 0, pair_count = 0;
+    double pairs = 0, pair_count = 0;
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
         const Joint<Scalar>& joint = skeleton.joints[j];
         if (joint.parent < 0 || !joint.is_present) continue;
@@ -231,51 +179,24 @@ void add_support(Evidence& out, const Body<Scalar>& body, const KinematicSkeleto
         for (int i = 0; i < places; ++i) {
             const Vector3<Scalar> place =
                 from + (static_cast<Scalar>(i) + Scalar(0.5)) / Scalar(places) * (joint.position - from);
-            const bool is_in = surface::is_inside(body, place);
-            inside += is_in ? 1 : 0;
-            all += 1;
-            girth[j] += is_in ? static_cast<double>(body.tree.distance(body.mesh, place)) / places : 0;
+            if (surface::is_inside(body, place))
+                girth[j] += static_cast<double>(body.tree.distance(body.mesh, place)) / places;
         }
-        const double length = static_cast<double>((joint.position - from).norm());
         const JointRole role = wanted.joints[j].role;
         if (role != JointRole::elbow && role != JointRole::wrist && role != JointRole::knee && role != JointRole::ankle)
             continue;
-        slack += log_ratio(girth[j], usual_girth * length);
-        limbs += 1;
         if (wanted.joints[j].side != Side::right) continue;
         const int other = counterpart(wanted, static_cast<int>(j));
         if (other < 0 || !skeleton.joints[static_cast<std::size_t>(other)].is_present) continue;
         pairs += std::abs(log_ratio(girth[j], girth[static_cast<std::size_t>(other)]));
         pair_count += 1;
     }
-    out[Witness::support] = all > 0 ? inside / all : 0;
     out[Witness::unexplained] = unexplained_share(body, skeleton, girth);
-    out[Witness::slack] = limbs > 0 ? slack / limbs : 0;
     out[Witness::pairs_girths] = pair_count > 0 ? pairs / pair_count : 0;
 }
 
-/// Share of some of the surface's vertices that have another part of the surface where the sagittal plane mirrors them.
 template <typename Scalar>
-double mirrored_share(const Body<Scalar>& body, const BodyFrame<Scalar>& frame) {
-    constexpr Eigen::Index samples = 256;
-    constexpr double tolerance = 0.015; // of the extent: METHOD's measure of characters at rest
-    const Points<Scalar>& vertices = body.mesh.vertices;
-    const Scalar extent = (vertices.colwise().maxCoeff() - vertices.colwise().minCoeff()).maxCoeff();
-    const Eigen::Index step = std::max<Eigen::Index>(1, vertices.rows() / samples);
-    double near = 0, all = 0;
-    for (Eigen::Index v = 0; v < vertices.rows(); v += step) {
-        const Vector3<Scalar> place = core::point(vertices, v);
-        const Vector3<Scalar> image = place - 2 * frame.left.dot(place - frame.origin) * frame.left;
-        const Scalar reach = static_cast<Scalar>(tolerance) * extent;
-        near += body.tree.distance(body.mesh, image) <= reach ? 1 : 0;
-        all += 1;
-    }
-    return all > 0 ? near / all : 0;
-}
-
-template <typename Scalar>
-void add_proportions(Evidence& out, const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
-                     const SkeletonTemplate& wanted) {
+void add_proportions(Evidence& out, const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& wanted) {
     using enum JointRole;
     const KinematicSkeleton<double> rest = at_rest(builtin_template("human21"));
     const RolePlaces<Scalar> own(skeleton, wanted);
@@ -284,17 +205,10 @@ void add_proportions(Evidence& out, const Body<Scalar>& body, const KinematicSke
     const auto ratio = [&](double length, double usual_length) {
         return length > 0 && trunk > 0 ? log_ratio(length / trunk, usual_length / usual_trunk) : 0;
     };
-    out[Witness::head_size] = ratio(own.head(), usual.head());
     const auto arm = {shoulder, elbow, wrist}, leg = {hip, knee, ankle};
     out[Witness::arm_length] = ratio(own.mean_length(arm), usual.mean_length(arm));
     out[Witness::leg_length] = ratio(own.mean_length(leg), usual.mean_length(leg));
-    out[Witness::shoulder_width] = ratio(own.width(shoulder), usual.width(shoulder));
     out[Witness::hip_width] = ratio(own.width(hip), usual.width(hip));
-    constexpr double usual_girth = 0.2; // of the trunk's length, from its middle to the skin
-    const auto waist_at = own.find(waist);
-    if (waist_at && trunk > 0)
-        out[Witness::trunk_girth] =
-            log_ratio(static_cast<double>(body.tree.distance(body.mesh, *waist_at)) / trunk, usual_girth);
 }
 
 /// Where hips and shoulders are beside the fork of the legs and the neck.
@@ -318,7 +232,8 @@ void add_girdles(Evidence& out, const Body<Scalar>& body, const KinematicSkeleto
             hit.face < 0 ? log_ratio(1, usual_fork) : log_ratio(static_cast<double>(hit.distance), usual_fork * leg);
     }
     if (left && right && places.trunk() > 0)
-        out[Witness::neck_height] = static_cast<double>(up.dot(*top - Scalar(0.5) * (*left + *right))) / places.trunk();
+        out[Witness::neck_height] =
+            std::clamp(static_cast<double>(up.dot(*top - Scalar(0.5) * (*left + *right))) / places.trunk(), -3.0, 3.0);
 }
 
 /// How the limbs are held.
@@ -329,43 +244,24 @@ void add_pose(Evidence& out, const KinematicSkeleton<Scalar>& skeleton, const Sk
     const auto root = places.find(pelvis), top = places.find(chest);
     if (!root || !top) return;
     const Vector3<Scalar> up = (*top - *root).stableNormalized();
-    double go_on = 1, four_legged = 0, sides = 0;
+    double go_on = 1;
     for (const Side side : {Side::left, Side::right}) {
-        const auto direction = [&](JointRole from, JointRole to) -> std::optional<Vector3<Scalar>> {
-            const auto a = places.find(from, side), b = places.find(to, side);
-            if (!a || !b) return std::nullopt;
-            return (*b - *a).stableNormalized();
-        };
-        auto leg = direction(hip, ankle);
-        if (!leg) leg = direction(hip, foot);
-        auto arm = direction(shoulder, wrist);
-        if (!arm) arm = direction(shoulder, hand);
-        if (leg) go_on = std::min(go_on, static_cast<double>(-up.dot(*leg)));
-        if (!leg || !arm) continue;
-        four_legged += std::max(0.0, static_cast<double>(leg->dot(*arm))) *
-                       (1 - std::abs(static_cast<double>(up.dot(*leg)))) *
-                       (1 - std::abs(static_cast<double>(up.dot(*arm))));
-        sides += 1;
+        const auto from = places.find(hip, side);
+        auto to = places.find(ankle, side);
+        if (!to) to = places.find(foot, side);
+        if (from && to) go_on = std::min(go_on, static_cast<double>(-up.dot((*to - *from).stableNormalized())));
     }
     out[Witness::legs_go_on] = go_on;
-    out[Witness::four_legged] = sides > 0 ? four_legged / sides : 0;
 }
 
 } // namespace detail
 
 SKELGEN_INLINE std::string_view to_string(Witness witness) {
     constexpr std::array<std::string_view, witness_count> names{
-        "distortion",    "unmatched",     "unmatched_reach", "clutter_head",
-        "clutter_hands", "clutter_back",  "clutter_legs",    "contacts",
-        "fitted",        "fit_cost",      "adapted",         "lacks_head",
-        "lacks_limbs",   "cut_limbs",     "reach",           "envelope",
-        "rounded",       "left_out",      "noisy",           "opened",
-        "cut",           "held",          "doubt",           "misplaced",
-        "outside",       "apart",         "unexplained",     "support",
-        "slack",         "pairs_lengths", "pairs_girths",    "mirror",
-        "head_size",     "arm_length",    "leg_length",      "shoulder_width",
-        "hip_width",     "trunk_girth",   "below_hips",      "neck_height",
-        "sides",         "legs_go_on",    "four_legged",     "posed"};
+        "unmatched_reach", "fitted",      "posed",        "fit_cost",   "adapted",     "envelope",
+        "lacks_head",      "lacks_limbs", "cut_limbs",    "reach",      "doubt",       "outside",
+        "apart",           "unexplained", "pairs_girths", "arm_length", "leg_length",  "hip_width",
+        "below_hips",      "neck_height", "sides",        "legs_go_on", "others_lack", "agreed"};
     return names[static_cast<std::size_t>(witness)];
 }
 
@@ -373,23 +269,10 @@ template <typename Scalar>
 Evidence evidence_of(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve,
                      const embedding::Embedding* embedding, const anatomy::CompletedSkeleton<Scalar>& completed,
                      const SkeletonTemplate& wanted, Scalar diameter) {
-    constexpr double well_fitted = 0.006; // per pair: registered bodies have no more
-    constexpr double least_distortion = 1e-4;
     constexpr double usual_reach = 1.5; // an adult's, for unit area
     const KinematicSkeleton<Scalar>& skeleton = completed.skeleton;
     Evidence out;
-    if (embedding) {
-        out[Witness::distortion] =
-            std::log(std::max(embedding::distortion_per_pair(*embedding), least_distortion) / well_fitted);
-        out[Witness::unmatched] = static_cast<double>(embedding::unmatched_share(curve, *embedding));
-        out[Witness::unmatched_reach] = static_cast<double>(embedding::unmatched_reach(curve, *embedding));
-        const auto hanging = detail::clutter(curve, *embedding, wanted);
-        out[Witness::clutter_head] = hanging[0];
-        out[Witness::clutter_hands] = hanging[1];
-        out[Witness::clutter_back] = hanging[2];
-        out[Witness::clutter_legs] = hanging[3];
-        out[Witness::contacts] = embedding::contact_count(curve);
-    }
+    if (embedding) out[Witness::unmatched_reach] = static_cast<double>(embedding::unmatched_reach(curve, *embedding));
     out[Witness::adapted] = wanted.is_adapted ? 1 : 0;
     for (std::size_t j = 0; j < wanted.joints.size(); ++j) {
         const TemplateJoint& joint = wanted.joints[j];
@@ -400,27 +283,17 @@ Evidence evidence_of(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curv
     }
     out[Witness::reach] = detail::log_ratio(static_cast<double>(diameter), usual_reach);
 
-    double doubt = 0, misplaced = 0, present = 0, pairs = 0, pair_count = 0;
+    double doubt = 0, present = 0;
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
         if (!skeleton.joints[j].is_present) continue;
         present += 1;
         doubt += std::log1p(completed.doubt[j]);
-        misplaced += completed.doubt[j] > anatomy::misplaced_from ? 1 : 0;
-        const int other = counterpart(wanted, static_cast<int>(j));
-        if (wanted.joints[j].side != Side::right || !skeleton.joints[static_cast<std::size_t>(other)].is_present)
-            continue;
-        pairs += std::abs(detail::log_ratio(static_cast<double>(completed.measured[j]),
-                                            static_cast<double>(completed.measured[static_cast<std::size_t>(other)])));
-        pair_count += 1;
     }
     out[Witness::doubt] = present > 0 ? doubt / present : 0;
-    out[Witness::misplaced] = present > 0 ? misplaced / present : 0;
     out[Witness::outside] = present > 0 ? static_cast<double>(completed.moved.size()) / present : 0;
-    out[Witness::pairs_lengths] = pair_count > 0 ? pairs / pair_count : 0;
     out[Witness::apart] = detail::depth_in_others(skeleton, wanted);
     detail::add_support(out, body, skeleton, wanted);
-    out[Witness::mirror] = detail::mirrored_share(body, skeleton.frame);
-    detail::add_proportions(out, body, skeleton, wanted);
+    detail::add_proportions(out, skeleton, wanted);
     out[Witness::sides] = skeleton.quality.sides_confidence;
     detail::add_girdles(out, body, skeleton, wanted);
     detail::add_pose(out, skeleton, wanted);

@@ -39,7 +39,7 @@ SKELGEN_INLINE int cost_of(Effort effort) {
         return 4;
     case Effort::finer:
         return 5;
-    case Effort::posed_fit: // is tried last, whatever curves have cost
+    case Effort::posed_fit: // needs no curve
         return 0;
     }
     return 1;

@@ -24,6 +24,7 @@
 #include <skelgen/embedding/proportions.hpp>
 #include <skelgen/quadruped/limbs.hpp>
 #include <skelgen/quadruped/place_joints.hpp>
+#include <skelgen/search/agreement.hpp>
 #include <skelgen/search/contacts.hpp>
 #include <skelgen/search/held_things.hpp>
 #include <skelgen/search/trust.hpp>
@@ -69,7 +70,6 @@ struct PreparedSurface {
     std::shared_ptr<const Body<Scalar>> closed; ///< its pockets closed; the same where it has none
     std::optional<Body<Scalar>> handles;        ///< and its handles opened; none where it has none
     double noise = 0;
-    double left_out = 0; ///< share of the input's area
 };
 
 /// When a hypothesis is tried: those of lesser rungs promise more for their time.
@@ -104,14 +104,14 @@ public:
     Climb<Scalar> run() {
         core::Stopwatch stage;
         material_ = surface::gather(mesh_, options_.prepare);
+        extent_ =
+            static_cast<double>((mesh_.vertices.colwise().maxCoeff() - mesh_.vertices.colwise().minCoeff()).maxCoeff());
         out_.timings.surface = stage.lap();
         if (material_.bodies > 1 && options_.prepare.component == 0) {
             out_.failure = surface::several_bodies(material_.bodies);
             return std::move(out_);
         }
         remedies_ = material_.remedies;
-        const Scalar unit = material_.clean.similarity.scale;
-        material_area_ = static_cast<double>(unit * unit * core::surface_area(material_.clean.mesh));
         for (std::size_t i = 0; i < remedies_.size(); ++i) {
             const bool is_later = is_envelope(remedies_[i]) && !is_envelope(remedies_.front());
             Hypothesis what{remedies_[i]};
@@ -119,7 +119,7 @@ public:
             add({what, {is_later ? 1 : 0, 0, static_cast<int>(i)}});
         }
         int spent = 0;
-        while (!is_sure() && (!leads_.empty() || add_posed())) {
+        while (!is_sure() && !leads_.empty()) {
             const Lead<Scalar> lead = next();
             const int cost = cost_of(lead.what.effort);
             if (spent + cost > options_.budget) continue; // a cheaper one may still be within it
@@ -127,38 +127,24 @@ public:
             spent += cost;
             try_lead(lead);
         }
-        if (thoroughness_ == Thoroughness::until_sure && !out_.found.empty())
-            out_.found.front().candidate.probability = likeliest_yet();
+        if (thoroughness_ == Thoroughness::until_sure && !out_.found.empty()) {
+            Found<Scalar> best = out_.found[best_placed()];
+            best.candidate.probability = likeliest_yet();
+            out_.found.clear();
+            out_.found.push_back(std::move(best));
+        }
         return std::move(out_);
     }
 
 private:
     /// Each try that is not sure leads to those on higher steps: what costs more comes later.
-    static constexpr int for_detailed = 1, for_cuts = 1, for_rest_fit_of_pieces = 5, for_more_detailed = 9,
-                         for_whole = 10, for_held = 20, for_rest_fit = 25, for_as_given = 30;
+    static constexpr int for_rest_fit = 0, for_detailed = 1, for_cuts = 1, for_more_detailed = 9, for_whole = 10,
+                         for_posed = 12, for_held = 20, for_as_given = 30;
 
     void add(Lead<Scalar> lead) {
         const auto place = std::upper_bound(leads_.begin(), leads_.end(), lead,
                                             [](const auto& a, const auto& b) { return a.rung < b.rung; });
         leads_.insert(place, std::move(lead));
-    }
-
-    /// Once all else is tried: a body in any pose, laid into the surface that shows the likeliest skeleton, if none is
-    /// likely but not all are hopeless. Not where places are known: extract_hinted lays its own bodies to these.
-    /// \returns whether it is to be tried: once at most.
-    bool add_posed() {
-        if (is_posed_tried_ || for_animal_alone() || !known_.empty() || out_.found.empty()) return false;
-        const auto less = [](const Found<Scalar>& a, const Found<Scalar>& b) {
-            return a.candidate.probability < b.candidate.probability;
-        };
-        const Found<Scalar>& best = *std::max_element(out_.found.begin(), out_.found.end(), less);
-        const double probability = best.candidate.probability;
-        if (best.plan != BodyKind::human || probability >= likely_enough || probability < hopeless) return false;
-        is_posed_tried_ = true;
-        Hypothesis what = best.hypothesis;
-        what.effort = Effort::posed_fit;
-        add({what, {}, best.body, best.curve});
-        return true;
     }
 
     Lead<Scalar> next() {
@@ -167,26 +153,54 @@ private:
         return lead;
     }
 
-    double& likeliest(BodyKind plan) { return likeliest_[static_cast<std::size_t>(plan)]; }
-
-    /// The probability of the likeliest skeleton yet, beside the likeliest one of the other plan.
-    [[nodiscard]] double likeliest_yet() {
-        if (out_.found.empty()) return 0;
-        const Found<Scalar>& first = out_.found.front();
-        const double other = first.plan == BodyKind::human ? std::max(animal_in_draft_, likeliest(BodyKind::quadruped))
-                                                           : likeliest(BodyKind::human);
-        return probability_beside(first.candidate.probability, other);
+    /// The likeliest skeleton yet, the first of equals.
+    [[nodiscard]] auto likeliest() const {
+        return std::max_element(out_.found.begin(), out_.found.end(), [](const auto& a, const auto& b) {
+            return a.candidate.probability < b.candidate.probability;
+        });
     }
 
-    [[nodiscard]] bool is_sure() { return thoroughness_ == Thoroughness::until_sure && likeliest_yet() >= sure_enough; }
+    /// Its probability, beside the likeliest one of the other plan.
+    [[nodiscard]] double likeliest_yet() const {
+        if (out_.found.empty()) return 0;
+        const Found<Scalar>& best = *likeliest();
+        double other = best.plan == BodyKind::human ? animal_in_draft_ : 0;
+        for (const Found<Scalar>& each : out_.found)
+            if (each.plan != best.plan) other = std::max(other, each.candidate.probability);
+        return probability_beside(best.candidate.probability, other);
+    }
+
+    /// Whether a curve shows a person at all, and anything is likely: a body in any pose can be laid into a torus, too.
+    [[nodiscard]] bool may_be_person() const {
+        const auto is_in_curve = [](const Found<Scalar>& each) {
+            return each.plan == BodyKind::human && each.candidate.evidence[Witness::fitted] == 0;
+        };
+        return likeliest_yet() >= hopeless && std::any_of(out_.found.begin(), out_.found.end(), is_in_curve);
+    }
+
+    /// Of the candidates that agree with the likeliest one the first that was found in a curve and is nearly as likely:
+    /// cross-sections along a curve place joints better than fits do, on FAUST's bodies to 0.005 instead of 0.015. The
+    /// likeliest itself where there is none.
+    [[nodiscard]] std::size_t best_placed() const {
+        constexpr double alike = 0.6, nearly_as_likely = 1.5; // in log odds
+        const auto log_odds = [&](std::size_t i) { return core::log_odds(out_.found[i].candidate.probability); };
+        const auto best = static_cast<std::size_t>(likeliest() - out_.found.begin());
+        for (std::size_t i = 0; i < out_.found.size() && places_[best].rows() > 0; ++i)
+            if (places_[i].rows() > 0 && out_.found[i].candidate.evidence[Witness::fitted] == 0 &&
+                log_odds(i) >= log_odds(best) - nearly_as_likely &&
+                (i == best || agreement(places_[i], places_[best], extent_) >= alike))
+                return i;
+        return best;
+    }
+
+    [[nodiscard]] bool is_sure() const {
+        return thoroughness_ == Thoroughness::until_sure && likeliest_yet() >= sure_enough;
+    }
 
     /// The surface that a remedy makes, opened; a failure where nothing is enclosed.
     const Outcome<PreparedSurface<Scalar>>& surface_by(surface::Remedy remedy) {
         if (const auto known = surfaces_.find(remedy); known != surfaces_.end()) return known->second;
         const bool is_last = surfaces_.size() + 1 == remedies_.size();
-        const auto paired = material_.paired.find(remedy);
-        const double lone_pieces = paired == material_.paired.end() ? 0 : paired->second.left_out;
-        const double input_area = material_area_;
         Outcome<Body<Scalar>> body =
             surface::make_body_by(remedy, is_last ? std::move(material_) : material_, options_.prepare);
         if (!body) return surfaces_.emplace(remedy, body.failure()).first->second;
@@ -196,12 +210,6 @@ private:
         out.closed = closed ? std::make_shared<const Body<Scalar>>(*std::move(closed)) : out.whole;
         out.handles = surface::open_handles(*out.closed);
         out.noise = smoothed_away(*out.whole, mesh_);
-        const double area =
-            static_cast<double>(out.whole->similarity.scale * out.whole->similarity.scale); // a body has 1
-        if (is_envelope(remedy))
-            out.left_out = lone_pieces;
-        else if (input_area > 0)
-            out.left_out = std::clamp(1 - area / input_area, 0.0, 1.0);
         return surfaces_.emplace(remedy, std::move(out)).first->second;
     }
 
@@ -219,6 +227,7 @@ private:
     }
 
     void try_lead(Lead<Scalar> lead) {
+        if (lead.what.effort == Effort::posed_fit && !may_be_person()) return;
         core::Stopwatch whole, stage;
         Tried entry{lead.what};
         const Outcome<PreparedSurface<Scalar>>& surface = surface_by(lead.what.surface);
@@ -312,22 +321,27 @@ private:
                    const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
         constexpr std::size_t most_skeletons = 16;
         core::Stopwatch stage;
-        std::stable_sort(whole_skeletons_.begin(), whole_skeletons_.end(),
-                         [](const auto& a, const auto& b) { return a.first > b.first; });
-        if (whole_skeletons_.size() > most_skeletons) whole_skeletons_.resize(most_skeletons);
+        std::vector<std::pair<double, std::size_t>> whole;
+        for (std::size_t i = 0; i < out_.found.size(); ++i)
+            if (places_[i].rows() > 0 && places_[i].allFinite())
+                whole.emplace_back(out_.found[i].candidate.probability, i);
+        std::stable_sort(whole.begin(), whole.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+        if (whole.size() > most_skeletons) whole.resize(most_skeletons);
         std::vector<Points<double>> starts;
-        for (const auto& [probability, joints] : whole_skeletons_) {
-            Points<double>& start = starts.emplace_back(joints.rows(), 3);
-            for (Eigen::Index j = 0; j < joints.rows(); ++j)
-                start.row(j) =
-                    lead.body->similarity.to_canonical(core::point(joints, j)).transpose().template cast<double>();
+        for (const auto& [probability, i] : whole) {
+            Points<double>& start = starts.emplace_back(places_[i]);
+            for (Eigen::Index j = 0; j < start.rows(); ++j) {
+                const Vector3<Scalar> place = core::point(start, j).template cast<Scalar>();
+                start.row(j) = lead.body->similarity.to_canonical(place).transpose().template cast<double>();
+            }
         }
         for (Points<double>& start : standing_starts(*lead.body, wanted_)) starts.push_back(std::move(start));
         const std::vector<PosedFit> fits = fit_posed(*lead.body, wanted_, starts);
+        const Scalar diameter = core::geodesic_diameter(lead.body->graph);
         out_.timings.refine += stage.lap();
         for (const PosedFit& fit : fits)
             try_placed(lead, surface, curve, entry, options_,
-                       [&](const ExtractOptions& options) { return place_joints(*lead.body, fit, options); });
+                       [&](const ExtractOptions& options) { return place_joints(*lead.body, fit, diameter, options); });
     }
 
     void try_quadruped(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
@@ -384,69 +398,79 @@ private:
         if (candidate && is_without_lone_pieces(lead.what.surface) && lacks_part(candidate->evidence))
             return 0; // what it lacks may be what was left out
         if (candidate) {
-            candidate->evidence = with_history(candidate->evidence, lead.what, surface);
-            candidate->probability = probability_right(candidate->evidence);
+            candidate->evidence[Witness::envelope] = is_envelope(lead.what.surface) ? 1 : 0;
             return keep(lead, surface, curve, *std::move(candidate), entry);
         }
         refuse(entry, candidate.failure());
         return 0;
     }
 
-    /// Keeps a candidate where it is the likeliest so far. \returns its probability.
+    /// Keeps a candidate, and says of all people how far the others agree with each. \returns its probability.
     double keep(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
                 const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Candidate<Scalar> candidate,
                 Tried& entry, BodyKind plan = BodyKind::human) {
         out_.timings = out_.timings + candidate.timings;
         ++entry.candidates;
-        const double probability = candidate.probability;
-        if (probability > entry.probability) {
-            entry.probability = probability;
-            entry.lacks_limb = lacks_part(candidate.evidence);
+        places_.push_back(plan == BodyKind::human ? joints_in_input(candidate.skeleton, *lead.body) : Points<double>());
+        out_.found.push_back({std::move(candidate), lead.body, surface.whole, curve, lead.what, surface.noise, plan});
+        if (plan == BodyKind::human) hear_the_others();
+        const Candidate<Scalar>& kept = out_.found.back().candidate;
+        if (kept.probability > entry.probability) {
+            entry.probability = kept.probability;
+            entry.lacks_limb = lacks_part(kept.evidence);
         }
-        remember(candidate.skeleton, probability, *lead.body, plan);
-        Found<Scalar> found{std::move(candidate), lead.body, surface.whole, curve, lead.what, surface.noise, plan};
-        likeliest(plan) = std::max(likeliest(plan), probability);
-        if (thoroughness_ == Thoroughness::exhaustive || out_.found.empty())
-            out_.found.push_back(std::move(found));
-        else if (probability > out_.found.front().candidate.probability)
-            out_.found.front() = std::move(found);
-        return probability;
+        return kept.probability;
     }
 
-    /// Keeps the joints of a skeleton that lacks none, in the input's coordinates.
-    void remember(const KinematicSkeleton<Scalar>& skeleton, double probability, const Body<Scalar>& body,
-                  BodyKind plan) {
-        if (plan != BodyKind::human ||
-            !std::all_of(skeleton.joints.begin(), skeleton.joints.end(), [](const auto& j) { return j.is_present; }))
-            return;
-        Points<Scalar> joints(static_cast<Eigen::Index>(skeleton.joints.size()), 3);
-        for (std::size_t j = 0; j < skeleton.joints.size(); ++j)
-            core::set_point<Scalar>(joints, static_cast<Eigen::Index>(j),
-                                    body.similarity.to_input(skeleton.joints[j].position));
-        whole_skeletons_.emplace_back(probability, std::move(joints));
+    /// Says of each candidate how far the others agree with it, the last of which is new.
+    void hear_the_others() {
+        const std::size_t last = places_.size() - 1;
+        agreed_.resize(places_.size(), 0);
+        double people = 1;
+        for (std::size_t i = 0; i < last; ++i) {
+            if (places_[i].rows() == 0) continue;
+            const double both = agreement(places_[i], places_[last], extent_);
+            agreed_[i] += both;
+            agreed_[last] += both;
+            people += 1;
+        }
+        double lacking = 0, in_curves = 0;
+        for (const Found<Scalar>& each : out_.found) {
+            if (each.plan != BodyKind::human || each.candidate.evidence[Witness::fitted] > 0) continue;
+            lacking += lacking_parts(each.candidate.evidence);
+            in_curves += 1;
+        }
+        for (std::size_t i = 0; i <= last; ++i) {
+            if (places_[i].rows() == 0) continue;
+            Candidate<Scalar>& candidate = out_.found[i].candidate;
+            const double own = lacking_parts(candidate.evidence);
+            candidate.evidence[Witness::others_lack] = in_curves > 0 ? std::max(0.0, lacking / in_curves - own) : 0;
+            candidate.evidence[Witness::agreed] = agreed_[i] / (people + dissenters);
+            candidate.probability = probability_right(candidate.evidence);
+        }
     }
 
-    static bool lacks_part(const Evidence& evidence) {
-        return evidence[Witness::lacks_head] + evidence[Witness::lacks_limbs] + evidence[Witness::cut_limbs] > 0;
+    /// Joints in the input's coordinates, not finite where they are absent.
+    static Points<double> joints_in_input(const KinematicSkeleton<Scalar>& skeleton, const Body<Scalar>& body) {
+        Points<double> out(static_cast<Eigen::Index>(skeleton.joints.size()), 3);
+        for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+            auto row = out.row(static_cast<Eigen::Index>(j));
+            if (skeleton.joints[j].is_present)
+                row = body.similarity.to_input(skeleton.joints[j].position).transpose().template cast<double>();
+            else
+                row.setConstant(std::numeric_limits<double>::quiet_NaN());
+        }
+        return out;
     }
+
+    static double lacking_parts(const Evidence& evidence) {
+        return evidence[Witness::lacks_head] + evidence[Witness::lacks_limbs] + evidence[Witness::cut_limbs];
+    }
+    static bool lacks_part(const Evidence& evidence) { return lacking_parts(evidence) > 0; }
 
     void refuse(Tried& entry, const Failure& failure) {
         if (entry.refusal == Refusal::none) entry.refusal = failure.reason;
         if (out_.failure.reason == Refusal::none) out_.failure = failure;
-    }
-
-    /// The evidence with what was done to the surface.
-    static Evidence with_history(Evidence evidence, const Hypothesis& what, const PreparedSurface<Scalar>& surface) {
-        const auto flag = [](bool is) { return is ? 1.0 : 0.0; };
-        evidence[Witness::envelope] = flag(is_envelope(what.surface));
-        evidence[Witness::rounded] = flag(what.surface == surface::Remedy::rounded);
-        evidence[Witness::left_out] = surface.left_out;
-        evidence[Witness::noisy] = flag(surface.noise > much_noise);
-        evidence[Witness::opened] =
-            flag(what.opening != Opening::as_given && (surface.handles || surface.closed != surface.whole));
-        evidence[Witness::cut] = flag(what.cuts > 0);
-        evidence[Witness::held] = flag(what.held != Held::nothing);
-        return evidence;
     }
 
     /// What else a try leads to that is not sure.
@@ -461,7 +485,9 @@ private:
             what.effort = Effort::detailed;
             if (animal_) add({what, rung(for_detailed), lead.body});
             what.effort = Effort::rest_fit;
-            add({what, rung(is_envelope(what.surface) ? for_rest_fit_of_pieces : for_rest_fit), lead.body, curve});
+            add({what, rung(for_rest_fit), lead.body, curve});
+            what.effort = Effort::posed_fit; // extract_hinted lays its own bodies to what is known
+            if (!for_animal_alone() && known_.empty()) add({what, rung(for_posed), lead.body, curve});
             what = lead.what;
         }
         if (effort == Effort::detailed) {
@@ -522,18 +548,17 @@ private:
     const SkeletonTemplate& wanted_;
     const ExtractOptions& options_;
     Thoroughness thoroughness_;
-    std::vector<KnownPlace> known_;     ///< in the mesh's coordinates
-    const SkeletonTemplate* animal_;    ///< looked for, too, or alone; none: people are looked for alone
-    std::array<double, 2> likeliest_{}; ///< probability of each plan's skeletons
-    double animal_in_draft_ = 0;        ///< probability of one there, until a finer curve tells
+    std::vector<KnownPlace> known_;  ///< in the mesh's coordinates
+    const SkeletonTemplate* animal_; ///< looked for, too, or alone; none: people are looked for alone
+    double animal_in_draft_ = 0;     ///< probability of one there, until a finer curve tells
     surface::BodyMaterial<Scalar> material_;
     std::vector<surface::Remedy> remedies_; ///< of the material, which the last of them takes
-    double material_area_ = 0;              ///< in the input's unit
     std::map<surface::Remedy, Outcome<PreparedSurface<Scalar>>> surfaces_;
-    std::vector<Lead<Scalar>> leads_;                                ///< by rung
-    double last_cut_limbs_ = 0;                                      ///< of the candidate tried last
-    std::vector<std::pair<double, Points<Scalar>>> whole_skeletons_; ///< with the probability of each
-    bool is_posed_tried_ = false;
+    std::vector<Lead<Scalar>> leads_;    ///< by rung
+    double last_cut_limbs_ = 0;          ///< of the candidate tried last
+    double extent_ = 1;                  ///< largest, of the input
+    std::vector<Points<double>> places_; ///< per candidate its joints in the input's coordinates; none of an animal
+    std::vector<double> agreed_;         ///< per candidate the sum of its agreement with the others
     Climb<Scalar> out_;
 };
 
@@ -567,7 +592,8 @@ std::vector<std::string> warnings_of(const Found<Scalar>& found, const SkeletonT
                                                                             : "a leg or part of it"));
     }
     if (evidence[Witness::adapted] > 0) out.push_back("unusual proportions: it may be none of a human body");
-    const auto contacts = static_cast<int>(evidence[Witness::contacts]) + found.hypothesis.cuts;
+    const bool is_fitted = evidence[Witness::fitted] > 0;
+    const int contacts = (is_fitted ? 0 : embedding::contact_count(found.curve->curve)) + found.hypothesis.cuts;
     if (contacts > 0)
         out.push_back("the body touches itself in " + std::to_string(contacts) +
                       (contacts == 1 ? " place" : " places") +
@@ -575,7 +601,7 @@ std::vector<std::string> warnings_of(const Found<Scalar>& found, const SkeletonT
     out.insert(out.end(), found.body->repairs.begin(), found.body->repairs.end());
     if (found.body->dropped_pieces > 0)
         out.push_back(std::to_string(found.body->dropped_pieces) + " pieces not connected to the body were left out");
-    if (evidence[Witness::noisy] > 0) out.push_back(detail::noise_smoothed(found.noise));
+    if (found.noise > detail::much_noise) out.push_back(detail::noise_smoothed(found.noise));
     if (!found.curve->converged) out.push_back("the curve skeleton's contraction did not converge");
     return out;
 }

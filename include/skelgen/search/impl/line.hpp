@@ -54,7 +54,8 @@ PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const RestFit<Scalar
 }
 
 template <typename Scalar>
-PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const PosedFit& fit, const ExtractOptions& options) {
+PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const PosedFit& fit, Scalar diameter,
+                                  const ExtractOptions& options) {
     refinement::RefinedJoints<Scalar> joints;
     joints.positions = fit.joints.template cast<Scalar>();
     joints.is_present.assign(fit.skeleton_template.joints.size(), true);
@@ -65,7 +66,7 @@ PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const PosedFit& fit,
     return {fit.skeleton_template,
             std::move(joints),
             nullptr,
-            core::geodesic_diameter(body.graph),
+            diameter,
             options.sides,
             {{Witness::fitted, 1}, {Witness::fit_cost, std::log(std::max(fit.cost, 1e-3))}, {Witness::posed, 1}}};
 }

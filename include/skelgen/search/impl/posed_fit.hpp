@@ -24,7 +24,8 @@ inline constexpr int limb_nodes = 7, posed_nodes = 3 + 2 * limb_nodes;
 enum PosedRadius { of_head, of_trunk, of_chest, of_shoulder, of_wrist, of_thigh, of_knee, of_ankle, posed_radii };
 
 /// The nodes' places and the logarithms of the radii, in units of the height.
-using PosedNumbers = Eigen::Matrix<double, 3 * posed_nodes + posed_radii, 1>;
+inline constexpr int posed_numbers = 3 * posed_nodes + posed_radii;
+using PosedNumbers = Eigen::Matrix<double, posed_numbers, 1>;
 
 inline constexpr int node_of(Node node, int side) { return node < at_shoulder ? node : node + side * limb_nodes; }
 inline Vec3d place_at(const PosedNumbers& x, Node node, int side = 0) { return x.segment<3>(3 * node_of(node, side)); }
@@ -44,7 +45,7 @@ struct NodePart {
 
 inline NodePart node_part_of(const TemplateJoint& joint) {
     using enum JointRole;
-    constexpr double hand_of_forearm = 0.79;
+    constexpr double hand_of_forearm = 0.79, shoulder_of_upper_arm = 0.08, hip_of_thigh = 0.07;
     constexpr double wrist_of_forearm = (wrist_at - elbow_at) / (1 - elbow_at);
     const int side = joint.side == Side::right ? 1 : 0;
     switch (joint.role) {
@@ -57,7 +58,7 @@ inline NodePart node_part_of(const TemplateJoint& joint) {
     case head:
         return {at_neck, at_top, 0, head_at};
     case shoulder:
-        return {at_shoulder, at_shoulder, side};
+        return {at_shoulder, at_elbow, side, shoulder_of_upper_arm};
     case elbow:
         return {at_elbow, at_elbow, side};
     case wrist:
@@ -65,7 +66,7 @@ inline NodePart node_part_of(const TemplateJoint& joint) {
     case hand:
         return {at_elbow, at_fingertip, side, hand_of_forearm};
     case hip:
-        return {at_hip, at_hip, side};
+        return {at_hip, at_knee, side, hip_of_thigh};
     case knee:
         return {at_knee, at_knee, side};
     case ankle:
@@ -85,25 +86,20 @@ inline Vec3d place_of(const PosedNumbers& x, const NodePart& part) {
 /// A body in some pose and what it is measured by, in units of its height.
 class PosedSolver {
 public:
-    /// `cloud`: places on the surface, with `normals`: what the distance to the surface is taken from.
-    PosedSolver(Places cloud, Places normals, std::vector<std::pair<NodePart, Vec3d>> known)
-        : cloud_(std::move(cloud)), normals_(std::move(normals)), known_(std::move(known)), tree_(cloud_) {}
+    PosedSolver(const SurfaceDepth& depth, std::vector<std::pair<NodePart, Vec3d>> known)
+        : depth_(depth), known_(std::move(known)) {}
 
-    /// `places` of the surface that have to lie on the bones.
-    [[nodiscard]] core::LeastSquares<PosedNumbers> solve(const std::vector<Vec3d>& places, const PosedNumbers& from,
-                                                         const PosedNumbers& start, int rounds) const {
-        return core::least_squares(
-            from, rounds,
-            [&](const PosedNumbers& x, const Laid* known) {
-                return laid(
-                    model_of(x), places, [this](const Vec3d& place) { return depth_of(place); }, known);
-            },
-            [&](const Laid& state, const PosedNumbers& x) { return residuals(state, x, start); });
+    /// `places` of the surface that have to lie on the bones; with middles, axes have to lie in its middle, too.
+    [[nodiscard]] core::LeastSquares<posed_numbers> solve(const std::vector<Vec3d>& places, bool with_middles,
+                                                          const PosedNumbers& from, const PosedNumbers& start,
+                                                          int rounds) const {
+        return core::least_squares(from, rounds,
+                                   [&](const PosedNumbers& x) { return equations(places, with_middles, x, start); });
     }
 
 private:
     static constexpr std::size_t bones = 12;
-    using Laid = LaidBones<bones>;
+    static constexpr int prior_count = 36;
 
     static std::array<ModelBone, bones> model_of(const PosedNumbers& x) {
         const auto radius = [&](PosedRadius which) { return std::exp(x[3 * posed_nodes + which]); };
@@ -133,32 +129,31 @@ private:
         return out;
     }
 
-    /// How deep a place lies in the surface; negative outside.
-    [[nodiscard]] double depth_of(const Vec3d& place) const {
-        const auto [nearest, distance] = tree_.nearest(place);
-        const bool is_outside = (place - cloud_.row(nearest).transpose()).dot(normals_.row(nearest).transpose()) > 0;
-        return is_outside ? -distance : distance;
+    [[nodiscard]] core::NormalEquations<posed_numbers> equations(const std::vector<Vec3d>& places, bool with_middles,
+                                                                 const PosedNumbers& x,
+                                                                 const PosedNumbers& start) const {
+        constexpr double near_start = 0.15; // of the height
+        core::NormalEquations<posed_numbers> out;
+        add_misfit(model_of(x), core::derivatives_of(bones_of, x), places, with_middles, depth_, out);
+        out.add(priors(x), core::derivatives_of(priors, x));
+        for (int k = 0; k < posed_numbers; ++k) {
+            const double slope = k < 3 * posed_nodes ? prior_weight / near_start : prior_weight;
+            out.add(slope * (x[k] - start[k]), k, slope);
+        }
+        for (const auto& [part, place] : known_) {
+            const auto off = [&](const PosedNumbers& at) -> Vec3d { return (place_of(at, part) - place) / at_known; };
+            out.add(off(x), core::derivatives_of(off, x));
+        }
+        return out;
     }
 
-    [[nodiscard]] Eigen::VectorXd residuals(const Laid& state, const PosedNumbers& x, const PosedNumbers& start) const {
-        constexpr double near_start = 0.15;
-        std::vector<double> out;
-        out.reserve(static_cast<std::size_t>(state.beyond.rows()) + 200);
-        add_misfit(state, true, out);
-        add_priors(x, out);
-        for (int r = 0; r < posed_radii; ++r)
-            out.push_back(prior_weight * (x[3 * posed_nodes + r] - start[3 * posed_nodes + r]));
-        for (int i = 0; i < 3 * posed_nodes; ++i) out.push_back(prior_weight * (x[i] - start[i]) / near_start);
-        for (const auto& [part, place] : known_) {
-            const Vec3d off = (place_of(x, part) - place) / at_known;
-            out.insert(out.end(), off.begin(), off.end());
-        }
-        return Eigen::Map<Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
-    }
+    static BonesNumbers<bones> bones_of(const PosedNumbers& x) { return numbers_of(model_of(x)); }
 
     /// What bodies have in common. Each divisor is a standard deviation, broader than over people.
-    static void add_priors(const PosedNumbers& x, std::vector<double>& out) {
-        const auto add = [&](double off, double deviation) { out.push_back(prior_weight * off / deviation); };
+    static Eigen::Matrix<double, prior_count, 1> priors(const PosedNumbers& x) {
+        Eigen::Matrix<double, prior_count, 1> out;
+        Eigen::Index count = 0;
+        const auto add = [&](double off, double deviation) { out[count++] = prior_weight * off / deviation; };
         const auto log_length = [](const Vec3d& way) { return std::log(way.norm() + 1e-6); };
         const auto length = [&](Node from, Node to, int side) {
             return log_length(place_at(x, to, side) - place_at(x, from, side));
@@ -220,36 +215,34 @@ private:
             add(std::max(0.0, -off_line(at(at_toe), at(at_ankle), at(at_knee)).dot(ahead) - .01), .03);
             add(std::max(0.0, off_line(at(at_elbow), at(at_shoulder), at(at_fingertip)).dot(ahead) - .02), .06);
         }
+        return out;
     }
 
-    Places cloud_, normals_;
+    const SurfaceDepth& depth_;
     std::vector<std::pair<NodePart, Vec3d>> known_;
-    PlaceTree tree_;
 };
 
 /// The nodes of a skeleton: fingertips and the head's top are where its joints show them.
 inline PosedNumbers nodes_of(const SkeletonTemplate& wanted, const Points<double>& joints) {
     using enum JointRole;
     PosedNumbers out = PosedNumbers::Zero();
-    const auto set = [&](Node node, int side, JointRole role, JointRole before) {
+    // `other`: at the end of the line that the node and the joint are on.
+    const auto set = [&](Node node, int side, JointRole role, JointRole other) {
         const Side of = node < at_shoulder ? Side::none : side == 0 ? Side::left : Side::right;
         const int j = find_joint(wanted, role, of);
-        Vec3d place = joints.row(j).transpose();
+        const Vec3d place = joints.row(j).transpose(), there = joints.row(find_joint(wanted, other, of)).transpose();
         const NodePart part = node_part_of(wanted.joint(j));
-        if (part.part > 0) { // the node is beyond the joint
-            const Vec3d from = joints.row(find_joint(wanted, before, of)).transpose();
-            place = from + (place - from) / part.part;
-        }
-        out.segment<3>(3 * node_of(node, side)) = place;
+        const double of_line = part.from == node ? 1 - part.part : part.part;
+        out.segment<3>(3 * node_of(node, side)) = there + (place - there) / of_line;
     };
     set(at_pelvis, 0, pelvis, pelvis);
     set(at_neck, 0, neck, neck);
     set(at_top, 0, head, neck);
     for (int side = 0; side < 2; ++side) {
-        set(at_shoulder, side, shoulder, shoulder);
+        set(at_shoulder, side, shoulder, elbow);
         set(at_elbow, side, elbow, elbow);
         set(at_fingertip, side, wrist, elbow);
-        set(at_hip, side, hip, hip);
+        set(at_hip, side, hip, knee);
         set(at_knee, side, knee, knee);
         set(at_ankle, side, ankle, ankle);
         set(at_toe, side, foot, foot);
@@ -287,6 +280,32 @@ inline PosedFit posed_fit_of(const PosedNumbers& x, double height, const Skeleto
                  .head = length(at_neck, at_top),
                  .arm = length(at_shoulder, at_elbow) + length(at_elbow, at_fingertip),
                  .leg = length(at_hip, at_knee) + length(at_knee, at_ankle) + 0.5 * length(at_ankle, at_toe)});
+    return out;
+}
+
+/// The nodes with the radii that a fit starts from: those of the figure whose head is as large, beside its height.
+inline PosedNumbers with_radii(PosedNumbers nodes) {
+    const double head = (place_at(nodes, at_top) - place_at(nodes, at_neck)).norm() / height_of(nodes);
+    std::size_t nearest = 0;
+    for (std::size_t k = 1; k < rest_starts.size(); ++k)
+        if (std::abs(1 - rest_starts[k].neck - head) < std::abs(1 - rest_starts[nearest].neck - head)) nearest = k;
+    for (int r = 0; r < posed_radii; ++r)
+        nodes[3 * posed_nodes + r] = std::log(posed_starts[nearest][static_cast<std::size_t>(r)]);
+    return nodes;
+}
+
+/// Do nodes lie where others do?
+inline bool are_alike(const PosedNumbers& a, const PosedNumbers& b) {
+    constexpr double near = 0.03; // of the height: the root mean square
+    return (a - b).head<3 * posed_nodes>().squaredNorm() < near * near * posed_nodes;
+}
+
+/// Places spread over a surface, in units of the height.
+template <typename Scalar>
+std::vector<Vec3d> places_of(const TriangleMesh<Scalar>& mesh, int count, double height) {
+    const Places spread = spread_places(mesh, count) / height;
+    std::vector<Vec3d> out;
+    for (const auto& place : spread.rowwise()) out.emplace_back(place.transpose());
     return out;
 }
 
@@ -345,29 +364,17 @@ template <typename Scalar>
 std::vector<PosedFit> fit_posed(const Body<Scalar>& body, const SkeletonTemplate& wanted,
                                 const std::vector<Points<double>>& starts, const std::vector<KnownPlace>& known) {
     using detail::Vec3d;
-    constexpr int few = 128, more = 400, many = 20000, first_rounds = 3, last_rounds = 25;
-    constexpr std::size_t most_firsts = 96, most_finals = 6;
+    constexpr int few = 128, more = 400;
+    constexpr std::size_t most_finals = 12;
     if (starts.empty() || !detail::has_all_of_person(wanted)) return {};
+    if (!(core::enclosed_volume(body.mesh) > detail::least_volume<Scalar>)) return {};
     const double height = detail::height_of(detail::nodes_of(wanted, starts.front()));
     if (!(height > 0)) return {};
-    std::vector<Eigen::Index> faces;
-    detail::Places cloud = detail::spread_places(body.mesh, many, &faces);
-    detail::Places normals(cloud.rows(), 3);
-    for (Eigen::Index i = 0; i < normals.rows(); ++i)
-        normals.row(i) = core::face_area_vector(body.mesh, faces[static_cast<std::size_t>(i)])
-                             .normalized()
-                             .template cast<double>()
-                             .transpose();
+    const detail::SurfaceDepth depth(body.mesh, height);
     std::vector<std::pair<detail::NodePart, Vec3d>> parts;
     for (const KnownPlace& one : known)
         parts.emplace_back(detail::node_part_of(wanted.joint(one.joint)), one.place / height);
-    const detail::PosedSolver solver(std::move(cloud) / height, std::move(normals), std::move(parts));
-    const auto places = [&](int count) {
-        const detail::Places spread = detail::spread_places(body.mesh, count) / height;
-        std::vector<Vec3d> out;
-        for (const auto& place : spread.rowwise()) out.emplace_back(place.transpose());
-        return out;
-    };
+    const detail::PosedSolver solver(depth, std::move(parts));
 
     struct Run {
         detail::PosedNumbers from, numbers;
@@ -375,34 +382,35 @@ std::vector<PosedFit> fit_posed(const Body<Scalar>& body, const SkeletonTemplate
         std::size_t start;
     };
     std::vector<Run> runs;
-    for (std::size_t s = 0; s < starts.size(); ++s)
-        for (const auto& radii : detail::posed_starts) {
-            detail::PosedNumbers from = detail::nodes_of(wanted, starts[s]) / height;
-            for (int r = 0; r < detail::posed_radii; ++r)
-                from[3 * detail::posed_nodes + r] = std::log(radii[static_cast<std::size_t>(r)]);
-            runs.push_back({from, from, 0, s});
-        }
-    const auto keep_cheapest = [&](std::size_t most, int rounds, const std::vector<Vec3d>& at) {
+    for (std::size_t s = 0; s < starts.size(); ++s) {
+        const detail::PosedNumbers from = detail::with_radii(detail::nodes_of(wanted, starts[s]) / height);
+        runs.push_back({from, from, 0, s});
+    }
+    // Brings all nearer, and keeps the cheapest of those that differ.
+    const auto fit = [&](const std::vector<Vec3d>& places, bool with_middles, int rounds, std::size_t most) {
         for (Run& run : runs) {
-            const auto [numbers, cost] = solver.solve(at, run.numbers, run.from, rounds);
+            const auto [numbers, cost] = solver.solve(places, with_middles, run.numbers, run.from, rounds);
             run.numbers = numbers;
             run.cost = cost;
         }
         std::stable_sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.cost < b.cost; });
-        if (runs.size() > most) runs.resize(most);
+        std::vector<Run> kept;
+        for (const Run& run : runs)
+            if (kept.size() < most && std::none_of(kept.begin(), kept.end(), [&](const Run& other) {
+                    return detail::are_alike(run.numbers, other.numbers);
+                }))
+                kept.push_back(run);
+        runs = std::move(kept);
     };
-    // Who gives hints waits for the better answer: of 50 characters three more come right than by the quicker way.
-    const bool is_quick = known.empty();
-    const std::vector<Vec3d> closely = places(more), roughly = is_quick ? places(few) : closely;
-    if (is_quick) keep_cheapest(most_firsts, 0, roughly);
-    keep_cheapest(most_finals, first_rounds, roughly);
-    keep_cheapest(most_finals, last_rounds, closely);
+    const std::vector<Vec3d> roughly = detail::places_of(body.mesh, few, height);
+    fit(roughly, false, 3, 60);
+    fit(roughly, true, 6, most_finals);
+    fit(detail::places_of(body.mesh, more, height), true, 25, most_finals);
     std::vector<PosedFit> out;
     for (const Run& run : runs) {
-        PosedFit fit = detail::posed_fit_of(run.numbers, height, wanted);
-        fit.cost = run.cost;
-        fit.start = run.start;
-        out.push_back(std::move(fit));
+        out.push_back(detail::posed_fit_of(run.numbers, height, wanted));
+        out.back().cost = run.cost;
+        out.back().start = run.start;
     }
     return out;
 }

@@ -21,10 +21,6 @@
 namespace skelgen::search {
 namespace detail {
 
-/// For unit area: a person has 0.05, a sheet nothing.
-template <typename Scalar>
-inline constexpr Scalar least_volume = Scalar(1e-3);
-
 inline Vec3d mirrored(const Vec3d& place, const MirrorPlane& plane) {
     return place - 2 * (plane.normal.dot(place) - plane.offset) * plane.normal;
 }
@@ -111,47 +107,51 @@ inline std::array<RestFrame, 2> frames_of(const MirrorPlane& plane, const Places
 }
 
 /// Brings the model's numbers to where it lies in the surface.
-template <typename Distance>
 class RestSolver {
 public:
-    /// `places` and what is `known` in the model's coordinates; `distance`: from a place there to the surface.
-    RestSolver(std::vector<Vec3d> places, std::vector<KnownPlace> known, const SkeletonTemplate& wanted,
-               Distance distance)
-        : places_(std::move(places)), known_(std::move(known)), wanted_(wanted), distance_(distance) {}
+    /// `depth`: of the body; `places` on its surface and what is `known` in its coordinates.
+    RestSolver(const RestFrame& frame, const Places& places, const SurfaceDepth& depth,
+               const std::vector<KnownPlace>& known, const SkeletonTemplate& wanted)
+        : frame_(frame), depth_(depth), known_(known), wanted_(wanted) {
+        for (const auto& place : places.rowwise()) places_.push_back(frame.to_model(place.transpose()));
+        for (auto& [joint, place] : known_) place = frame.to_model(place);
+    }
 
-    /// `with_middles`: whether axes have to lie in the middle, which asks for distances to the surface.
-    [[nodiscard]] core::LeastSquares<RestNumbers> solve(const RestNumbers& start, const RestNumbers& prior, int rounds,
-                                                        bool with_middles) const {
-        const auto depth_of = [&](const Vec3d& place) { return with_middles ? distance_(place) : 0; };
-        return core::least_squares(
-            start, rounds,
-            [&](const RestNumbers& x, const Laid* known) { return laid(model_of(x).bones, places_, depth_of, known); },
-            [&](const Laid& state, const RestNumbers& x) { return residuals(state, x, prior, with_middles); });
+    /// `with_middles`: whether axes have to lie in the middle, which asks for depths.
+    [[nodiscard]] core::LeastSquares<numbers> solve(const RestNumbers& start, const RestNumbers& prior, int rounds,
+                                                    bool with_middles) const {
+        return core::least_squares(start, rounds,
+                                   [&](const RestNumbers& x) { return equations(x, prior, with_middles); });
     }
 
 private:
-    using Laid = LaidBones<std::tuple_size_v<decltype(RestModel::bones)>>;
-
-    [[nodiscard]] Eigen::VectorXd residuals(const Laid& state, const RestNumbers& x, const RestNumbers& prior,
-                                            bool with_middles) const {
+    [[nodiscard]] core::NormalEquations<numbers> equations(const RestNumbers& x, const RestNumbers& prior,
+                                                           bool with_middles) const {
         static const RestNumbers deviations = prior_deviations();
-        std::vector<double> out;
-        out.reserve(places_.size() + 100);
-        add_misfit(state, with_middles, out);
-        const RestModel model = model_of(x);
-        for (const auto& [joint, place] : known_) {
-            const Vec3d off = (place_of(model, wanted_, joint) - place) / at_known;
-            out.insert(out.end(), off.begin(), off.end());
+        const auto depth_of = [&](const Vec3d& place) {
+            const auto [depth, inwards] = depth_(frame_.to_body(place, 1));
+            return Depth{depth / frame_.height,
+                         {frame_.across.dot(inwards), frame_.up.dot(inwards), frame_.ahead.dot(inwards)}};
+        };
+        core::NormalEquations<numbers> out;
+        const auto bones_of = [](const RestNumbers& at) { return numbers_of(model_of(at).bones); };
+        add_misfit(model_of(x).bones, core::derivatives_of(bones_of, x), places_, with_middles, depth_of, out);
+        for (const KnownPlace& one : known_) {
+            const auto off = [&](const RestNumbers& at) -> Vec3d {
+                return (place_of(model_of(at), wanted_, one.joint) - one.place) / at_known;
+            };
+            out.add(off(x), core::derivatives_of(off, x));
         }
-        const RestNumbers off_prior = prior_weight * (x - prior).cwiseQuotient(deviations);
-        out.insert(out.end(), off_prior.begin(), off_prior.end());
-        return Eigen::Map<Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
+        for (int k = 0; k < numbers; ++k)
+            out.add(prior_weight * (x[k] - prior[k]) / deviations[k], k, prior_weight / deviations[k]);
+        return out;
     }
 
-    std::vector<Vec3d> places_;
+    RestFrame frame_;
+    const SurfaceDepth& depth_;
     std::vector<KnownPlace> known_;
     const SkeletonTemplate& wanted_;
-    Distance distance_;
+    std::vector<Vec3d> places_;
 };
 
 /// The axes of a model that was laid into a body as a curve, and the template in it. `place`: per joint, `tip`: per end
@@ -271,17 +271,9 @@ std::optional<RestFit<Scalar>> fit_at_rest(const Body<Scalar>& body, const Skele
         double cost;
     };
     std::vector<Run> runs;
+    const detail::SurfaceDepth depth(body.mesh, 1);
     const auto solver_for = [&](const detail::RestFrame& frame, const detail::Places& at) {
-        std::vector<Vec3d> in_model;
-        for (Eigen::Index i = 0; i < at.rows(); ++i) in_model.push_back(frame.to_model(at.row(i).transpose()));
-        std::vector<KnownPlace> known_in_model = known;
-        for (auto& [joint, place] : known_in_model) place = frame.to_model(place);
-        const auto distance = [&body, frame](const Vec3d& place) {
-            const Vec3d there = frame.to_body(place, 1);
-            return static_cast<double>(body.tree.distance(body.mesh, Vector3<Scalar>(there.cast<Scalar>()))) /
-                   frame.height;
-        };
-        return detail::RestSolver(std::move(in_model), std::move(known_in_model), wanted, distance);
+        return detail::RestSolver(frame, at, depth, known, wanted);
     };
     for (const MirrorPlane& plane : planes)
         for (const detail::RestFrame& frame : detail::frames_of(plane, cloud)) {

@@ -34,14 +34,14 @@ inline std::array<double, witness_count> voices(const Evidence& evidence) {
 SKELGEN_INLINE double probability_right(const Evidence& evidence) {
     double log_odds = trust_offset;
     for (const double voice : detail::voices(evidence)) log_odds += voice;
-    return core::logistic(log_odds + core::voices_of(trust_trees, evidence.values));
+    return core::logistic(log_odds);
 }
 
 template <typename Scalar>
 KinematicSkeleton<Scalar> with_confidence(KinematicSkeleton<Scalar> skeleton, double probability,
                                           const std::vector<double>& doubt) {
     skeleton.quality.sides_confidence = probability;
-    const double log_odds = std::log(std::max(probability, 1e-9) / std::max(1 - probability, 1e-9));
+    const double log_odds = core::log_odds(probability);
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
         Joint<Scalar>& joint = skeleton.joints[j];
         joint.confidence = joint.is_present ? core::logistic(joint_trust_offset + joint_trust_of_whole * log_odds -
@@ -54,31 +54,21 @@ KinematicSkeleton<Scalar> with_confidence(KinematicSkeleton<Scalar> skeleton, do
 SKELGEN_INLINE const char* strongest_doubt(const Evidence& evidence) {
     const auto voices = detail::voices(evidence);
     switch (static_cast<Witness>(std::min_element(voices.begin(), voices.end()) - voices.begin())) {
-    case Witness::unmatched:
     case Witness::unmatched_reach:
-    case Witness::clutter_head:
-    case Witness::clutter_hands:
-    case Witness::clutter_back:
-    case Witness::clutter_legs:
+    case Witness::unexplained:
         return "much of its shape belongs to no limb; separate what is joined to it";
     case Witness::reach:
         return "its shape is too compact, or too long, for one with arms and legs; check that it is one body alone";
     case Witness::lacks_head:
     case Witness::lacks_limbs:
         return "a limb or the head is not found; check that all stand free";
-    case Witness::contacts:
-    case Witness::cut:
     case Witness::apart:
         return "limbs lie on each other; check that all stand free";
     case Witness::doubt:
-    case Witness::misplaced:
-    case Witness::pairs_lengths:
         return "its bones would have unlikely lengths; give hints (--hint)";
     case Witness::outside:
-    case Witness::support:
         return "joints would lie outside of it; close holes and turn its faces outwards";
     case Witness::legs_go_on:
-    case Witness::four_legged:
         return "it stands on four legs; for an animal take the template quadruped";
     default:
         return "its proportions are no person's; if it is one, give hints (--hint)";
