@@ -97,12 +97,12 @@ set(skelgen_core_headers
     include/skelgen/applications/surface_labels.hpp
     include/skelgen/applications/surface_laplacian.hpp
     include/skelgen/core/adjacency.hpp
-    include/skelgen/core/boosted_trees.hpp
     include/skelgen/core/builtin_templates.hpp
     include/skelgen/core/curve_graph.hpp
     include/skelgen/core/curve_skeleton.hpp
     include/skelgen/core/disjoint_sets.hpp
     include/skelgen/core/error.hpp
+    include/skelgen/core/evidence.hpp
     include/skelgen/core/geodesics.hpp
     include/skelgen/core/geometry.hpp
     include/skelgen/core/header_only.hpp
@@ -163,6 +163,7 @@ set(skelgen_core_headers
     include/skelgen/hands/hand_surface.hpp
     include/skelgen/hands/phalanges.hpp
     include/skelgen/hands/phalanx_fit.hpp
+    include/skelgen/quadruped/boosted_trees.hpp
     include/skelgen/quadruped/joint_table.hpp
     include/skelgen/quadruped/limbs.hpp
     include/skelgen/quadruped/place_joints.hpp

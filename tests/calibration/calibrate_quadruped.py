@@ -128,7 +128,7 @@ def probability(table, evidence):
 
 
 def trees_text(trees):
-    """As the rows of an array of core::QuestionTree."""
+    """As the rows of an array of QuestionTree."""
     in_row = lambda values, form: ", ".join(form.format(v) for v in values)
     return ",\n    ".join(
         f"{{{{{in_row(t['witness'], '{}')}}}, {{{in_row(t['bound'], '{:.9g}')}}}, {{{in_row(t['voice'], '{:.4g}')}}}}}" for t in trees
@@ -236,7 +236,7 @@ def write_trust(path, table, meshes):
 
 #include <array>
 
-#include <skelgen/core/boosted_trees.hpp>
+#include <skelgen/quadruped/boosted_trees.hpp>
 #include <skelgen/quadruped/limbs.hpp>
 
 namespace skelgen::quadruped {{
@@ -246,7 +246,7 @@ inline constexpr std::array<double, witness_count> trust_weights{{
     {numbers(table["weights"])}}};
 inline constexpr std::array<double, witness_count> trust_means{{
     {numbers(table["means"])}}};
-inline constexpr std::array<core::QuestionTree, {len(table["trees"])}> trust_trees{{{{
+inline constexpr std::array<QuestionTree, {len(table["trees"])}> trust_trees{{{{
     {trees_text(table["trees"])}}}}};
 
 }} // namespace skelgen::quadruped

@@ -11,6 +11,7 @@
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/template_rules.hpp>
+#include <skelgen/quadruped/boosted_trees.hpp>
 #include <skelgen/quadruped/impl/place_joints.hpp>
 #include <skelgen/quadruped/joint_table.hpp>
 #include <skelgen/quadruped/limbs.hpp>
@@ -221,4 +222,21 @@ TEST_CASE("quadruped: every joint of the template has a row of its own in the ta
         if (is_tail) CHECK(place.ordinal == static_cast<int>(tails) - 1);
     }
     CHECK(tails == 4);
+}
+
+TEST_CASE("trees answer by their questions, from one to the next, and their voices add up") {
+    const quadruped::QuestionTree tree{{0, 1, 2, 0, 0, 0, 0}, {1, 2, 3, 9, 9, 9, 9}, {1, 10, 2, 20, 3, 30, 4, 40}};
+    const std::array<quadruped::QuestionTree, 1> one{tree};
+    const std::array<quadruped::QuestionTree, 2> two{tree, tree};
+    const auto said = [&](double a, double b, double c) {
+        const std::array<double, 3> numbers{a, b, c};
+        CHECK(quadruped::voices_of(two, numbers) == 2 * quadruped::voices_of(one, numbers));
+        return quadruped::voices_of(one, numbers);
+    };
+    CHECK(said(0, 0, 0) == 1);   // no, no, no
+    CHECK(said(0, 3, 0) == 2);   // no, yes, no
+    CHECK(said(2, 0, 0) == 3);   // yes, no, no
+    CHECK(said(2, 0, 4) == 4);   // yes, yes, no
+    CHECK(said(10, 0, 4) == 40); // yes, yes, yes
+    CHECK(said(1, 2, 0) == 1);   // as far as a bound is not above it
 }

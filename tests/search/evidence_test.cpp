@@ -41,7 +41,7 @@ KinematicSkeleton<double> rest_pose() {
 }
 
 anatomy::CompletedSkeleton<double> completed(const KinematicSkeleton<double>& skeleton) {
-    return {skeleton, std::vector<double>(skeleton.joints.size(), 0), anatomy::bone_lengths(skeleton), {}};
+    return {skeleton, std::vector<double>(skeleton.joints.size(), 0), {}};
 }
 
 /// Tubes around the bones of a skeleton, as they stand.
@@ -311,8 +311,7 @@ TEST_CASE("single precision sees the same evidence") {
                       Vector3<float>::UnitY()};
     for (Joint<float>& joint : skeleton.joints) joint.radius = 0.04F;
     const auto curve = in_precision<float>(human_curve());
-    const anatomy::CompletedSkeleton<float> complete{
-        skeleton, std::vector<double>(21, 0), anatomy::bone_lengths(skeleton), {}};
+    const anatomy::CompletedSkeleton<float> complete{skeleton, std::vector<double>(21, 0), {}};
     const Evidence found = evidence_in(body_of<float>(tubes_around(rest)), curve, embedded(human_curve()), complete,
                                        human(), static_cast<float>(usual_diameter));
     const Evidence expected = evidence_of_pose(rest);

@@ -178,8 +178,10 @@ TEST_CASE("a climb that is to end where it is sure keeps the likeliest candidate
 
 TEST_CASE("of each candidate it is known how many of the others agree with it") {
     const std::vector<Found<double>>& found = thorough().found;
-    const Mesh mesh = standing_man();
-    const double extent = (mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff()).maxCoeff();
+    const Body<double>& whole = *found.front().whole;
+    const double extent =
+        whole.similarity.scale *
+        (whole.mesh.vertices.colwise().maxCoeff() - whole.mesh.vertices.colwise().minCoeff()).maxCoeff();
     std::vector<Points<double>> places;
     for (const Found<double>& each : found) {
         Points<double>& joints = places.emplace_back(21, 3);
@@ -196,6 +198,19 @@ TEST_CASE("of each candidate it is known how many of the others agree with it") 
         const double all = static_cast<double>(found.size());
         CHECK(found[i].candidate.evidence[Witness::agreed] == Approx(sum / (all + dissenters)));
     }
+}
+
+TEST_CASE("a far vertex that no face uses does not make candidates agree") {
+    Mesh mesh = standing_man();
+    mesh.vertices.conservativeResize(mesh.vertices.rows() + 1, 3);
+    mesh.vertices.row(mesh.vertices.rows() - 1) = Eigen::RowVector3d(0, 0, 1e4);
+    const auto least_agreed = [](const std::vector<Found<double>>& found) {
+        double least = 1;
+        for (const Found<double>& each : found) least = std::min(least, each.candidate.evidence[Witness::agreed]);
+        return least;
+    };
+    REQUIRE(least_agreed(thorough().found) < 0.05); // one of them lies head down
+    CHECK(least_agreed(climbed(mesh, 11, Thoroughness::exhaustive).found) < 0.05);
 }
 
 TEST_CASE("skeletons agree that lie on each other, little where joints are far off, nothing where most are lacking") {
@@ -353,7 +368,7 @@ TEST_CASE("where a body lies, and how large it is, does not change what is tried
         CHECK(found.trail[i].candidates == expected.trail[i].candidates);
         const Effort effort = expected.trail[i].hypothesis.effort; // fits are as far as they converge
         is_after_fit = is_after_fit || effort == Effort::rest_fit || effort == Effort::posed_fit;
-        CHECK(found.trail[i].probability == Approx(expected.trail[i].probability).margin(is_after_fit ? 0.05 : 1e-6));
+        CHECK(found.trail[i].probability == Approx(expected.trail[i].probability).margin(is_after_fit ? 0.03 : 1e-6));
     }
 }
 

@@ -14,9 +14,7 @@ template <typename Scalar = double>
 struct CompletedSkeleton {
     KinematicSkeleton<Scalar> skeleton;
     std::vector<double> doubt; ///< per joint, as joint_doubts has it
-    std::vector<Scalar>
-        measured;           ///< per joint the length of the bone from its parent before both sides were made alike
-    std::vector<int> moved; ///< joints that were outside and have been moved inside, ascending
+    std::vector<int> moved;    ///< joints that were outside and have been moved inside, ascending
 };
 
 /// Completes a skeleton whose sides are told and whose joints lie in the middle of their sections: joints to their

@@ -83,10 +83,7 @@ template <typename Scalar>
 Failure failure_of(const search::Climb<Scalar>& climb, const SkeletonTemplate& wanted, const ExtractOptions& options) {
     constexpr std::string_view no_person = "no human body: ", no_animal = "no four-legged animal: ",
                                neither = "neither a human body nor a four-legged animal: ";
-    // A body can be laid into anything: where no curve shows one, why it does not is the better answer.
-    const bool is_laid_in = !climb.found.empty() && climb.found.front().plan == BodyKind::human &&
-                            climb.found.front().candidate.evidence[search::Witness::fitted] > 0;
-    if (climb.found.empty() || (is_laid_in && climb.failure.reason != Refusal::none)) {
+    if (climb.found.empty()) {
         Failure failure = climb.failure;
         for (const std::string_view one : {no_person, no_animal})
             if (options.or_quadruped && failure.what.starts_with(one)) failure.what.replace(0, one.size(), neither);

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include <skelgen/core/boosted_trees.hpp>
 #include <skelgen/core/curve_skeleton.hpp>
+#include <skelgen/core/evidence.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
 
 /// Four-legged animals: another plan than people's, found in the same curves.

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include <skelgen/core/boosted_trees.hpp>
+#include <skelgen/quadruped/boosted_trees.hpp>
 #include <skelgen/quadruped/limbs.hpp>
 
 namespace skelgen::quadruped {
@@ -20,7 +20,7 @@ inline constexpr std::array<double, witness_count> trust_means{
     0.11438, 8.1269,  0.24737,     0.24689,   0.29226,   -0.046628, -0.24285,  -2.3127,   -1.2752,   -0.61094, 0.47969,
     0.41422, 0.31329, 0.48556,     0.53106,   0.077325,  0.81428,   0.95531,   0.59188,   -0.017429, 0.11055,  -0.10443,
     0.2688,  0.29187, -0.00020393, 0.0040097, 0.0037024, -0.020023, -0.038014, -0.017061, 0.044273};
-inline constexpr std::array<core::QuestionTree, 100> trust_trees{
+inline constexpr std::array<QuestionTree, 100> trust_trees{
     {{{25, 14, 28, 13, 25, 20, 6},
       {0.718911409, 0.000258072803, 0.997663856, 0.00620529149, 0.516664267, -1.03191137, 0.972815096},
       {0.1768, -0.1145, -0.1177, -0.1155, -0.1985, 0.0677, -0.07234, -0.1793}},

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include <skelgen/anatomy/complete.hpp>
-#include <skelgen/core/boosted_trees.hpp>
 #include <skelgen/core/curve_skeleton.hpp>
+#include <skelgen/core/evidence.hpp>
 #include <skelgen/core/skeleton_template.hpp>
 #include <skelgen/embedding/embed.hpp>
 #include <skelgen/surface/body.hpp>

@@ -38,7 +38,7 @@ template <typename Scalar>
 template <typename Scalar = double>
 struct Climb {
     std::vector<Found<Scalar>>
-        found;       ///< the likeliest one; all of them, in the order of the trail, for an exhaustive one
+        found;       ///< the best placed of those that agree with the likeliest; all, in order, for an exhaustive one
     Failure failure; ///< where none was found: of what came nearest
     Trail trail;
     StageTimings timings;
@@ -52,7 +52,8 @@ enum class Thoroughness {
 
 /// The one loop of the search: tries what may be true of a mesh (hypothesis.hpp), in the order of what that promises,
 /// until a candidate is sure enough or the budget of curves is used up. What a try shows leads to further hypotheses:
-/// loops of a curve to cuts, forks at its ends to things held, doubtful skeletons to finer curves. Each surface, curve
+/// loops of a curve to cuts, forks at its ends to things held, doubtful skeletons to finer curves. Bodies are laid into
+/// each surface, too, and how far all of these agree is part of their evidence. Each surface, curve
 /// and embedding is found once. `known`: joints' places in the mesh's coordinates, which bodies at rest are laid to.
 /// Where the options ask for a four-legged animal, too, both are looked for in the same curves, each is unlikely where
 /// the other is likely, and the likelier one is found. \throws Error bad_input when `mesh` is no usable surface; usage

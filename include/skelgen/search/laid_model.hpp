@@ -180,12 +180,13 @@ inline RestModel model_of(const RestNumbers& n) {
 }
 
 /// A bone's numbers in a column: both ends, both radii, both widths.
-enum BonePart { bone_from = 0, bone_to = 3, bone_from_radius = 6, bone_to_radius, bone_from_width, bone_to_width = 11 };
 inline constexpr int bone_numbers = 14;
 using BoneNumbers = Eigen::Matrix<double, bone_numbers, 1>;
 
 template <std::size_t count>
-using BonesNumbers = Eigen::Matrix<double, bone_numbers* static_cast<int>(count), 1>;
+inline constexpr int numbers_of_all = bone_numbers* static_cast<int>(count);
+template <std::size_t count>
+using BonesNumbers = Eigen::Matrix<double, numbers_of_all<count>, 1>;
 
 template <std::size_t count>
 BonesNumbers<count> numbers_of(const std::array<ModelBone, count>& bones) {
@@ -218,8 +219,8 @@ inline double beyond(const ModelBone& bone, const Vec3d& place, BoneNumbers* by_
         if (anywhere == u) { // the place on the axis moves along with its ends
             const double by_u =
                 -away.dot(along + sideways * (bone.to_width - bone.from_width)) - (bone.to_radius - bone.from_radius);
-            by_bone->template segment<3>(bone_from) += by_u / squared * (2 * u * along - along - off);
-            by_bone->template segment<3>(bone_to) += by_u / squared * (off - 2 * u * along);
+            by_bone->head<3>() += by_u / squared * (2 * u * along - along - off);
+            by_bone->segment<3>(3) += by_u / squared * (off - 2 * u * along);
         }
     }
     return distance - (bone.from_radius + u * (bone.to_radius - bone.from_radius));
@@ -276,7 +277,7 @@ inline constexpr double at_known = 0.005;   ///< of the height: how far from a k
 /// `by_number`: derivatives of the bones' numbers by the model's. `depth_of`: the Depth of a place.
 template <int numbers, std::size_t count, typename DepthOf>
 void add_misfit(const std::array<ModelBone, count>& bones,
-                const Eigen::Matrix<double, bone_numbers* static_cast<int>(count), numbers>& by_number,
+                const Eigen::Matrix<double, numbers_of_all<count>, numbers>& by_number,
                 const std::vector<Vec3d>& places, bool with_middles, const DepthOf& depth_of,
                 core::NormalEquations<numbers>& out) {
     constexpr double on_surface = 0.02, in_middle = 0.03;        // of the height: as much as counts 1

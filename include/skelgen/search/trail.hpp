@@ -13,7 +13,7 @@ struct Tried {
     Hypothesis hypothesis;
     Refusal refusal = Refusal::none; ///< why it has led to no skeleton; none where it has
     int candidates = 0;              ///< skeletons that it has led to
-    double probability = 0;          ///< of the likeliest of them
+    double probability = 0;          ///< of the likeliest of them, beside what was found until then
     bool lacks_limb = false;         ///< whether that one is without a limb
     double seconds = 0;
 };

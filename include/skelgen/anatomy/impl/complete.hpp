@@ -23,7 +23,7 @@ CompletedSkeleton<Scalar> complete_skeleton(KinematicSkeleton<Scalar> sided, con
     skeleton = measure_radii(std::move(inside.skeleton), body);
     skeleton.frame.origin = skeleton.joints.front().position;
     std::vector<double> doubt = joint_doubts(skeleton, skeleton_template, equal.measured);
-    return {std::move(skeleton), std::move(doubt), std::move(equal.measured), std::move(inside.moved)};
+    return {std::move(skeleton), std::move(doubt), std::move(inside.moved)};
 }
 
 } // namespace skelgen::anatomy

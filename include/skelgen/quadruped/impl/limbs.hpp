@@ -357,7 +357,7 @@ SKELGEN_INLINE double probability_right(const Evidence& evidence) {
     double log_odds = trust_offset;
     for (std::size_t w = 0; w < witness_count; ++w)
         log_odds += trust_weights[w] * (evidence.values[w] - trust_means[w]);
-    return core::logistic(log_odds + core::voices_of(trust_trees, evidence.values));
+    return core::logistic(log_odds + voices_of(trust_trees, evidence.values));
 }
 
 template <typename Scalar>

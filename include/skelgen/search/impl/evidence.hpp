@@ -9,19 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include <skelgen/anatomy/confidence.hpp>
 #include <skelgen/core/builtin_templates.hpp>
-#include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
-#include <skelgen/embedding/loop_cuts.hpp>
-#include <skelgen/embedding/missing_limbs.hpp>
-#include <skelgen/embedding/proportions.hpp>
 
 namespace skelgen::search {
 namespace detail {
-
-using core::Accumulator;
 
 /// Logarithm of a ratio, within what any body has: where a length is nothing, its logarithm says no more than that.
 inline double log_ratio(double a, double b) {
@@ -75,14 +68,6 @@ public:
         if (!top) top = find(chest);
         const auto root = find(pelvis);
         return top && root ? static_cast<double>((*top - *root).norm()) : 0;
-    }
-
-    /// From the neck to the end of the head.
-    [[nodiscard]] double head() const {
-        const auto from = find(JointRole::neck);
-        for (const auto& [name, place] : skeleton_.end_points)
-            if (name == "head_top" && from) return static_cast<double>((place - *from).norm());
-        return 0;
     }
 
 private:
@@ -167,8 +152,8 @@ double unexplained_share(const Body<Scalar>& body, const KinematicSkeleton<Scala
 
 /// What the surface around the bones shows.
 template <typename Scalar>
-void add_support(Evidence& out, const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
-                 const SkeletonTemplate& wanted) {
+void add_girths(Evidence& out, const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
+                const SkeletonTemplate& wanted) {
     constexpr int places = 6; // on each bone
     std::vector<double> girth(skeleton.joints.size(), 0);
     double pairs = 0, pair_count = 0;
@@ -292,7 +277,7 @@ Evidence evidence_of(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curv
     out[Witness::doubt] = present > 0 ? doubt / present : 0;
     out[Witness::outside] = present > 0 ? static_cast<double>(completed.moved.size()) / present : 0;
     out[Witness::apart] = detail::depth_in_others(skeleton, wanted);
-    detail::add_support(out, body, skeleton, wanted);
+    detail::add_girths(out, body, skeleton, wanted);
     detail::add_proportions(out, skeleton, wanted);
     out[Witness::sides] = skeleton.quality.sides_confidence;
     detail::add_girdles(out, body, skeleton, wanted);

@@ -3,7 +3,6 @@
 #include <skelgen/search/ladder.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <compare>
 #include <cstddef>
@@ -75,7 +74,7 @@ struct PreparedSurface {
 /// When a hypothesis is tried: those of lesser rungs promise more for their time.
 struct Rung {
     int round = 0; ///< 0 where a body seems to be one piece, 1 for envelopes then, which take longer; 2 more if finer
-    int step = 0;  ///< 0 for the drafts of all surfaces
+    int step = 0;  ///< 0 for the draft of each surface, and a body at rest laid into it
     int surface = 0;
 
     friend auto operator<=>(const Rung&, const Rung&) = default;
@@ -104,8 +103,6 @@ public:
     Climb<Scalar> run() {
         core::Stopwatch stage;
         material_ = surface::gather(mesh_, options_.prepare);
-        extent_ =
-            static_cast<double>((mesh_.vertices.colwise().maxCoeff() - mesh_.vertices.colwise().minCoeff()).maxCoeff());
         out_.timings.surface = stage.lap();
         if (material_.bodies > 1 && options_.prepare.component == 0) {
             out_.failure = surface::several_bodies(material_.bodies);
@@ -130,8 +127,11 @@ public:
         if (thoroughness_ == Thoroughness::until_sure && !out_.found.empty()) {
             Found<Scalar> best = out_.found[best_placed()];
             best.candidate.probability = likeliest_yet();
+            // A body can be laid into anything: where no curve shows one, why it does not is the answer.
+            const bool is_answer = best.candidate.probability >= least_probability ||
+                                   best.plan == BodyKind::quadruped || is_any_in_curve();
             out_.found.clear();
-            out_.found.push_back(std::move(best));
+            if (is_answer) out_.found.push_back(std::move(best));
         }
         return std::move(out_);
     }
@@ -170,25 +170,30 @@ private:
         return probability_beside(best.candidate.probability, other);
     }
 
-    /// Whether a curve shows a person at all, and anything is likely: a body in any pose can be laid into a torus, too.
-    [[nodiscard]] bool may_be_person() const {
-        const auto is_in_curve = [](const Found<Scalar>& each) {
-            return each.plan == BodyKind::human && each.candidate.evidence[Witness::fitted] == 0;
-        };
-        return likeliest_yet() >= hopeless && std::any_of(out_.found.begin(), out_.found.end(), is_in_curve);
+    /// Whether a template for a person was laid into a curve to find it.
+    static bool is_in_curve(const Found<Scalar>& found) {
+        return found.plan == BodyKind::human && found.candidate.evidence[Witness::fitted] == 0;
     }
 
-    /// Of the candidates that agree with the likeliest one the first that was found in a curve and is nearly as likely:
-    /// cross-sections along a curve place joints better than fits do, on FAUST's bodies to 0.005 instead of 0.015. The
-    /// likeliest itself where there is none.
+    [[nodiscard]] bool is_any_in_curve() const {
+        return std::any_of(out_.found.begin(), out_.found.end(), is_in_curve);
+    }
+
+    /// Whether a curve shows a person at all, and anything is likely: a body in any pose can be laid into a torus, too.
+    [[nodiscard]] bool may_be_person() const { return likeliest_yet() >= hopeless && is_any_in_curve(); }
+
+    /// Of the candidates that agree with the likeliest one the first that is nearly as likely and was found in a curve,
+    /// with the template's own proportions: of a person cross-sections along a curve place joints better than fits do,
+    /// on FAUST's bodies to 0.005 instead of 0.015. The likeliest itself where there is none.
     [[nodiscard]] std::size_t best_placed() const {
-        constexpr double alike = 0.6, nearly_as_likely = 1.5; // in log odds
+        constexpr double alike = 0.6, nearly_as_likely = 2; // in log odds
         const auto log_odds = [&](std::size_t i) { return core::log_odds(out_.found[i].candidate.probability); };
         const auto best = static_cast<std::size_t>(likeliest() - out_.found.begin());
-        for (std::size_t i = 0; i < out_.found.size() && places_[best].rows() > 0; ++i)
-            if (places_[i].rows() > 0 && out_.found[i].candidate.evidence[Witness::fitted] == 0 &&
+        if (out_.found[best].plan != BodyKind::human) return best;
+        for (std::size_t i = 0; i < out_.found.size(); ++i)
+            if (is_in_curve(out_.found[i]) && out_.found[i].candidate.evidence[Witness::adapted] == 0 &&
                 log_odds(i) >= log_odds(best) - nearly_as_likely &&
-                (i == best || agreement(places_[i], places_[best], extent_) >= alike))
+                agreement(places_[i], places_[best], extent_) >= alike)
                 return i;
         return best;
     }
@@ -411,6 +416,7 @@ private:
                 Tried& entry, BodyKind plan = BodyKind::human) {
         out_.timings = out_.timings + candidate.timings;
         ++entry.candidates;
+        if (out_.found.empty()) extent_ = extent_of(*surface.whole);
         places_.push_back(plan == BodyKind::human ? joints_in_input(candidate.skeleton, *lead.body) : Points<double>());
         out_.found.push_back({std::move(candidate), lead.body, surface.whole, curve, lead.what, surface.noise, plan});
         if (plan == BodyKind::human) hear_the_others();
@@ -436,7 +442,7 @@ private:
         }
         double lacking = 0, in_curves = 0;
         for (const Found<Scalar>& each : out_.found) {
-            if (each.plan != BodyKind::human || each.candidate.evidence[Witness::fitted] > 0) continue;
+            if (!is_in_curve(each)) continue;
             lacking += lacking_parts(each.candidate.evidence);
             in_curves += 1;
         }
@@ -448,6 +454,13 @@ private:
             candidate.evidence[Witness::agreed] = agreed_[i] / (people + dissenters);
             candidate.probability = probability_right(candidate.evidence);
         }
+    }
+
+    /// The largest extent along a principal axis, in the input's unit; canonical form: these are the coordinates'.
+    static double extent_of(const Body<Scalar>& body) {
+        const Points<Scalar>& vertices = body.mesh.vertices;
+        return static_cast<double>(body.similarity.scale *
+                                   (vertices.colwise().maxCoeff() - vertices.colwise().minCoeff()).maxCoeff());
     }
 
     /// Joints in the input's coordinates, not finite where they are absent.
@@ -556,7 +569,7 @@ private:
     std::map<surface::Remedy, Outcome<PreparedSurface<Scalar>>> surfaces_;
     std::vector<Lead<Scalar>> leads_;    ///< by rung
     double last_cut_limbs_ = 0;          ///< of the candidate tried last
-    double extent_ = 1;                  ///< largest, of the input
+    double extent_ = 1;                  ///< of the first surface that shows a skeleton
     std::vector<Points<double>> places_; ///< per candidate its joints in the input's coordinates; none of an animal
     std::vector<double> agreed_;         ///< per candidate the sum of its agreement with the others
     Climb<Scalar> out_;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include <skelgen/core/boosted_trees.hpp>
+#include <skelgen/core/evidence.hpp>
 #include <skelgen/search/trust_table.hpp>
 
 namespace skelgen::search {

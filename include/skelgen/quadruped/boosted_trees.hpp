@@ -1,20 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
-namespace skelgen::core {
-
-/// Numbers, each known by its witness: an enumeration that ends in `count`.
-template <typename Witness>
-struct EvidenceOf {
-    std::array<double, static_cast<std::size_t>(Witness::count)> values{};
-
-    [[nodiscard]] double& operator[](Witness witness) { return values[static_cast<std::size_t>(witness)]; }
-    [[nodiscard]] double operator[](Witness witness) const { return values[static_cast<std::size_t>(witness)]; }
-};
+namespace skelgen::quadruped {
 
 /// A tree of questions: is a number (its place among all) above a bound? From question i on to 2 i + 1 where it is not,
 /// to 2 i + 2 where it is. The last answers add their voice to a logarithm of odds.
@@ -40,12 +29,4 @@ template <std::size_t Trees, std::size_t Numbers>
     return out;
 }
 
-/// The logarithm of the odds of a probability, within what 1e-9 has.
-[[nodiscard]] inline double log_odds(double probability) {
-    return std::log(std::max(probability, 1e-9) / std::max(1 - probability, 1e-9));
-}
-
-/// The probability of a logarithm of odds.
-[[nodiscard]] inline double logistic(double log_odds) { return 1 / (1 + std::exp(-log_odds)); }
-
-} // namespace skelgen::core
+} // namespace skelgen::quadruped
