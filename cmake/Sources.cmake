@@ -196,7 +196,6 @@ set(skelgen_core_headers
     include/skelgen/search/contacts.hpp
     include/skelgen/search/evidence.hpp
     include/skelgen/search/extract_options.hpp
-    include/skelgen/search/held_things.hpp
     include/skelgen/search/hypothesis.hpp
     include/skelgen/search/ladder.hpp
     include/skelgen/search/laid_model.hpp
@@ -359,7 +358,6 @@ set(skelgen_core_definitions
     include/skelgen/search/impl/contacts.hpp
     include/skelgen/search/impl/evidence.hpp
     include/skelgen/search/impl/extract_options.hpp
-    include/skelgen/search/impl/held_things.hpp
     include/skelgen/search/impl/hypothesis.hpp
     include/skelgen/search/impl/ladder.hpp
     include/skelgen/search/impl/line.hpp

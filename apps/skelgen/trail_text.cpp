@@ -18,7 +18,6 @@ std::string hypothesis_text(const search::Hypothesis& what) {
     std::string text =
         std::string(search::to_string(what.surface)) + ", " + std::string(search::to_string(what.opening));
     if (what.cuts > 0) text += ", cut " + std::to_string(what.cuts) + (what.cuts == 1 ? " time" : " times");
-    if (what.held != search::Held::nothing) text += ", without " + std::string(search::to_string(what.held)) + " held";
     return text + ", " + std::string(search::to_string(what.effort)) + " curve";
 }
 

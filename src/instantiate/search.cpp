@@ -4,7 +4,6 @@
 #include <skelgen/search/impl/contacts.hpp>
 #include <skelgen/search/impl/evidence.hpp>
 #include <skelgen/search/impl/extract_options.hpp>
-#include <skelgen/search/impl/held_things.hpp>
 #include <skelgen/search/impl/hypothesis.hpp>
 #include <skelgen/search/impl/ladder.hpp>
 #include <skelgen/search/impl/line.hpp>
@@ -17,9 +16,6 @@ namespace skelgen::search {
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
     template std::vector<Body<Scalar>> cut_at_contacts(const Body<Scalar>&, const CurveSkeleton<Scalar>&,              \
                                                        const SkeletonTemplate&, const embedding::MatchingOptions&);    \
-    template std::vector<Body<Scalar>> without_held_things(const Body<Scalar>&, const CurveSkeleton<Scalar>&,          \
-                                                           const SkeletonTemplate&,                                    \
-                                                           const embedding::MatchingOptions&);                         \
     template Evidence evidence_of(const Body<Scalar>&, const CurveSkeleton<Scalar>&, const embedding::Embedding*,      \
                                   const anatomy::CompletedSkeleton<Scalar>&, const SkeletonTemplate&, Scalar);         \
     template KinematicSkeleton<Scalar> with_confidence(KinematicSkeleton<Scalar>, double, const std::vector<double>&); \
@@ -36,7 +32,8 @@ namespace skelgen::search {
     template Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>&, const curve::CurveResult<Scalar>&,            \
                                                     const PlacedJoints<Scalar>&);                                      \
     template PlacedJoints<Scalar> place_joints(const Body<Scalar>&, const curve::CurveResult<Scalar>&,                 \
-                                               const embedding::FittingTemplate&, const ExtractOptions&);              \
+                                               const embedding::FittingTemplate&,                                       \
+                                               const std::vector<refinement::EndPoint<Scalar>>&, const ExtractOptions&); \
     template PlacedJoints<Scalar> place_joints(const Body<Scalar>&, const RestFit<Scalar>&, const ExtractOptions&);    \
     template PlacedJoints<Scalar> place_joints(const Body<Scalar>&, const PosedFit&, Scalar, const ExtractOptions&);   \
     template KinematicSkeleton<Scalar> skeleton_in_input(const Found<Scalar>&);                                        \

@@ -14,7 +14,7 @@ std::string trail_to_json(const search::Trail& trail) {
         tried.push_back({{"surface", search::to_string(what.surface)},
                          {"opened", search::to_string(what.opening)},
                          {"cuts", what.cuts},
-                         {"held", search::to_string(what.held)},
+                         {"held", "nothing"}, // what hands hold is not taken off; the format has the key
                          {"lacking", each.lacks_limb},
                          {"curve", search::to_string(what.effort)},
                          {"outcome", each.candidates > 0 ? "found" : to_string(each.refusal)},

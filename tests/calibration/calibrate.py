@@ -11,7 +11,8 @@ of it (head 0.2), hands, feet, elbows, knees and shoulders lie nearer to their o
 median of the joints' errors is at most 0.04 of the scale and none above 0.12. What comes of no body is wrong.
 
 The log odds are linear in the evidence and in the squares of proportions, fitted with a penalty on the weights. Each mesh
-counts once, one of a named maker three times.
+counts once, one of a named maker three times: as what was found after the first try, after the fourth and after all of them,
+since what the candidates say of each other changes with each.
 What is printed is of folds: fitted without the makers that it is then judged on; how often the likeliest candidate is right,
 and how often those of each tenth of probability are. --ablate leaves out each kind of hypothesis and each witness in turn,
 and prints what that changes, by folds. Needs python3-numpy.
@@ -27,8 +28,11 @@ import numpy as np
 # Proportions: what is far off an adult's either way is unlikely, so that their squares are heard, too (search/trust.hpp).
 CURVED = ["arm_length", "leg_length", "hip_width", "below_hips", "neck_height", "reach"]
 MOST_CURVED = 1.5
+TRIES = (1, 4, None)  # after which the evidence of what was found until then is fitted; None: after all
+NEAR, FARTHEST, DISSENTERS = 0.05, 0.3, 3  # as search/agreement.hpp and search/trust.hpp have them
 OF_A_MAKER = 3  # how often a mesh of a named maker counts: such meshes are the harder ones, and the fewer
 ENDS = ["left_hand", "right_hand", "left_foot", "right_foot", "head"]
+JOINTS = 21  # of human21
 PAIRS = ["hand", "foot", "elbow", "knee", "shoulder"]
 
 
@@ -77,6 +81,36 @@ class Mesh:
         self.right = np.array([bool(right) for right, _ in judged])
         self.errors = [errors for _, errors in judged]
         self.evidence = np.array([list(row["evidence"].values()) + [np.clip(row["evidence"][w], -MOST_CURVED, MOST_CURVED) ** 2 for w in CURVED] for row in self.rows])
+        self.states = states_of(self)
+
+
+def agreement(a, b, extent):
+    """As search::agreement."""
+    distances = [min(float(np.linalg.norm(np.subtract(a[joint], b[joint]))) / extent, FARTHEST) for joint in a if joint in b]
+    return np.exp(-((np.mean(distances) / NEAR) ** 2)) if 2 * len(distances) >= JOINTS else 0.0
+
+
+def states_of(mesh):
+    """(candidates, their evidence) after some of the tries. Checks that what the search has said after all of them is what is found here."""
+    rows, out = mesh.rows, []
+    if not rows:
+        return out
+    names = list(rows[0]["evidence"])
+    column = {name: names.index(name) for name in ("agreed", "heard", "others_lack", "fitted")}
+    lacking = mesh.evidence[:, [names.index(name) for name in ("lacks_head", "lacks_limbs", "cut_limbs")]].sum(axis=1)
+    agreements = np.array([[agreement(a["joints"], b["joints"], a["extent"]) if a is not b else 0 for b in rows] for a in rows])
+    tries = sorted({row["try"] for row in rows})
+    for count in dict.fromkeys(len(tries) if most is None else min(most, len(tries)) for most in TRIES):
+        which = [i for i, row in enumerate(rows) if row["try"] <= tries[count - 1]]
+        evidence, others = mesh.evidence[which].copy(), len(which) - 1
+        in_curves = lacking[which][evidence[:, column["fitted"]] == 0]
+        evidence[:, column["agreed"]] = agreements[np.ix_(which, which)].sum(axis=1) / (others + DISSENTERS)
+        evidence[:, column["heard"]] = others / (others + DISSENTERS)
+        evidence[:, column["others_lack"]] = np.maximum(0, in_curves.mean() - lacking[which]) if len(in_curves) else 0
+        out.append((which, evidence))
+    if np.abs(out[-1][1] - mesh.evidence).max() > 1e-3:
+        raise SystemExit(f"{mesh.name}: the candidates' evidence is not what they say of each other")
+    return out
 
 
 def read_meshes(folders):
@@ -95,16 +129,17 @@ def read_meshes(folders):
 
 
 def weights_of_rows(used):
-    """What each candidate counts: each mesh once, or OF_A_MAKER times."""
-    return np.concatenate([np.full(len(m.rows), (OF_A_MAKER if kind_of(m) == "makers" else 1) / len(m.rows)) for m in used])
+    """What each candidate of each state counts: each mesh once, or OF_A_MAKER times."""
+    of = lambda m: (OF_A_MAKER if kind_of(m) == "makers" else 1) / len(m.states)
+    return np.concatenate([np.full(len(which), of(m) / len(which)) for m in used for which, _ in m.states])
 
 
-def fit(meshes, penalty, weights=None):
+def fit(meshes, penalty):
     """Weights, means and offset of a logistic regression by Newton's method."""
     used = [m for m in meshes if len(m.rows)]
-    x = np.concatenate([m.evidence for m in used])
-    y = np.concatenate([m.right for m in used]).astype(float)
-    w = (weights or weights_of_rows)(used)
+    x = np.concatenate([evidence for m in used for _, evidence in m.states])
+    y = np.concatenate([m.right[which] for m in used for which, _ in m.states]).astype(float)
+    w = weights_of_rows(used)
     mean = np.average(x, axis=0, weights=w)
     deviation = np.sqrt(np.average((x - mean) ** 2, axis=0, weights=w))
     deviation[deviation < 1e-9] = 1
@@ -240,9 +275,13 @@ def without(mesh, keep=None, witness=None):
         kept = [i for i, row in enumerate(mesh.rows) if keep(row)]
         out.rows, out.errors = [mesh.rows[i] for i in kept], [mesh.errors[i] for i in kept]
         out.right, out.evidence = mesh.right[kept], mesh.evidence[kept] if kept else np.array([])
+        place = {i: k for k, i in enumerate(kept)}
+        parts = [([k for k, i in enumerate(which) if i in place], which, evidence) for which, evidence in mesh.states]
+        out.states = [([place[which[k]] for k in part], evidence[part]) for part, which, evidence in parts if part]
     elif len(mesh.rows):
         out.evidence = mesh.evidence.copy()
         out.evidence[:, witness] = 0
+        out.states = [(which, np.where(np.arange(evidence.shape[1]) == witness, 0, evidence)) for which, evidence in mesh.states]
     return out
 
 
@@ -257,12 +296,11 @@ def measures(meshes, penalty):
 
 def ablate(meshes, witnesses, penalty):
     kinds = {
-        "bodies at rest": lambda row: row["hypothesis"][4] != "rest_fit",
-        "bodies in any pose": lambda row: row["hypothesis"][4] != "posed_fit",
-        "whole curves": lambda row: row["hypothesis"][4] in ("draft", "quick", "rest_fit", "posed_fit"),
-        "finer curves": lambda row: row["hypothesis"][4] != "finer",
+        "bodies at rest": lambda row: row["hypothesis"][3] != "rest_fit",
+        "bodies in any pose": lambda row: row["hypothesis"][3] != "posed_fit",
+        "whole curves": lambda row: row["hypothesis"][3] in ("draft", "quick", "rest_fit", "posed_fit"),
+        "finer curves": lambda row: row["hypothesis"][3] != "finer",
         "cuts at contacts": lambda row: row["hypothesis"][2] == 0,
-        "things held": lambda row: row["hypothesis"][3] == "nothing",
         "surfaces as given": lambda row: row["hypothesis"][1] != "as_given",
         "envelopes": lambda row: row["hypothesis"][0] != "envelope",
         "rounded surfaces": lambda row: row["hypothesis"][0] != "rounded",

@@ -30,8 +30,7 @@ Json described(const search::Found<double>& found, const SkeletonTemplate& wante
     Json out;
     const search::Hypothesis& what = found.hypothesis;
     out["hypothesis"] = {std::string(search::to_string(what.surface)), std::string(search::to_string(what.opening)),
-                         what.cuts, std::string(search::to_string(what.held)),
-                         std::string(search::to_string(what.effort))};
+                         what.cuts, std::string(search::to_string(what.effort))};
     for (std::size_t w = 0; w < search::witness_count; ++w)
         out["evidence"][std::string(to_string(static_cast<search::Witness>(w)))] = candidate.evidence.values[w];
     out["probability"] = candidate.probability;
@@ -113,11 +112,31 @@ int main(int argc, char** argv) try {
     const search::Climb<double> climb =
         search::climb(mesh, wanted, search_options,
                       is_exhaustive ? search::Thoroughness::exhaustive : search::Thoroughness::until_sure);
-    for (const search::Found<double>& found : climb.found)
-        if (wanted.plan == BodyKind::quadruped)
+    double extent = 0; // as the ladder takes it
+    if (!climb.found.empty()) {
+        const Body<double>& body = *climb.found.front().whole;
+        extent = body.similarity.scale *
+                 (body.mesh.vertices.colwise().maxCoeff() - body.mesh.vertices.colwise().minCoeff()).maxCoeff();
+    }
+    std::size_t tries = 0;
+    int of_this_try = 0;
+    double seconds = 0; // until a candidate's try ended
+    for (const search::Found<double>& found : climb.found) {
+        for (; is_exhaustive && of_this_try == 0; ++tries) {
+            of_this_try = climb.trail[tries].candidates;
+            seconds += climb.trail[tries].seconds;
+        }
+        --of_this_try;
+        if (wanted.plan == BodyKind::quadruped) {
             describe_animals(found, wanted);
-        else
-            std::cout << described(found, wanted).dump() << '\n';
+        } else {
+            Json line = described(found, wanted);
+            line["try"] = tries;
+            line["seconds"] = seconds;
+            line["extent"] = extent;
+            std::cout << line.dump() << '\n';
+        }
+    }
     return 0;
 } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';

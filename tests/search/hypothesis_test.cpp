@@ -103,17 +103,14 @@ TEST_CASE("every part of a hypothesis has a name of its own, as trails spell it"
     CHECK(spellings(std::array{Remedy::largest_piece, Remedy::envelope, Remedy::rounded, Remedy::alike_pieces,
                                Remedy::mirrored_pieces}) == 5);
     CHECK(spellings(std::array{Opening::opened, Opening::as_given}) == 2);
-    CHECK(spellings(std::array{Held::nothing, Held::all, Held::all_but_fist}) == 3);
     CHECK(to_string(Remedy::largest_piece) == "largest_piece");
     CHECK(to_string(Opening::as_given) == "as_given");
-    CHECK(to_string(Held::all_but_fist) == "all_but_fist");
 }
 
-TEST_CASE("what is assumed first is the gentlest: a draft of the largest piece, nothing cut, nothing held") {
+TEST_CASE("what is assumed first is the gentlest: a draft of the largest piece, nothing cut") {
     constexpr Hypothesis first;
     CHECK(first.surface == surface::Remedy::largest_piece);
     CHECK(first.opening == Opening::opened);
     CHECK(first.cuts == 0);
-    CHECK(first.held == Held::nothing);
     CHECK(first.effort == Effort::draft);
 }

@@ -9,6 +9,7 @@
 #include <skelgen/surface/distance_band.hpp>
 #include <skelgen/surface/envelope.hpp>
 #include <skelgen/surface/face_tree.hpp>
+#include <skelgen/surface/impl/envelope.hpp>
 #include <skelgen/surface/impl/winding_tree.hpp>
 #include <skelgen/surface/lattice_surface.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
@@ -79,6 +80,7 @@ TEMPLATE_TEST_CASE("the tree's winding number is that of the sum over all faces"
     for (int i = 0; i < 200; ++i) {
         const Vector3<TestType> p(place(random), place(random), place(random));
         REQUIRE(std::abs(tree.winding_number(mesh, p) - winding_number(mesh, p)) < TestType(0.08));
+        REQUIRE(std::abs(tree.winding_number(mesh, p, TestType(1.5)) - winding_number(mesh, p)) < TestType(0.15));
     }
     CHECK(WindingTree<TestType>(TriangleMesh<TestType>{}).winding_number({}, Vector3<TestType>::Zero()) == 0);
 }
@@ -189,6 +191,41 @@ TEST_CASE("overlapping boxes become one with the volume of their union", "[slow]
     CHECK(is_closed_manifold(envelope));
     CHECK(manifold_parts(envelope).size() == 1);
     CHECK(enclosed_volume(envelope) == Approx(expected).epsilon(0.02));
+}
+
+TEST_CASE("winding numbers that nodes take over from neighbours are on the same side, and hardly off") {
+    const Mesh ball = sphere(1, 4);
+    const Mesh open = without_top(ball, 0.6), inside_out = [&] {
+        Mesh out = ball;
+        out.faces.col(1).swap(out.faces.col(2));
+        return out;
+    }();
+    const Mesh two = side_by_side(open, moved(ball, {Eigen::Matrix3d::Identity(), 0.8, {0.7, 0.2, 0}}));
+    for (const Mesh& mesh : {ball, open, two, inside_out}) {
+        const Lattice<double> lattice = lattice_around(mesh, 0.05, 3);
+        const SparseGrid<double> distance = distance_band(mesh, lattice, lattice.cell);
+        const WindingTree<double> tree(mesh);
+        surface::detail::WindingField<double> field(mesh, mesh, tree, lattice, distance);
+        int asked = 0, taken_over = 0;
+        distance.for_each([&](const LatticeNode& node, double d) {
+            if (d > lattice.cell || !lattice.has(node)) return;
+            const double exact = tree.winding_number(mesh, lattice.place(node)) - 0.5, depth = field.depth(node);
+            ++asked;
+            taken_over += depth != exact ? 1 : 0;
+            CHECK((depth > 0) == (exact > 0));
+            CHECK(std::abs(depth - exact) < 0.2);
+        });
+        CHECK(asked > 1000);
+        CHECK(2 * taken_over > asked);
+    }
+}
+
+TEST_CASE("rims are the edges that faces do not pass both ways alike") {
+    CHECK(surface::detail::rims_of(cube()).faces.rows() == 0);
+    CHECK(surface::detail::rims_of(without_faces(cube(), 10, 2)).faces.rows() == 4);
+    Mesh turned = cube();
+    turned.faces.row(0).reverseInPlace();
+    CHECK(surface::detail::rims_of(turned).faces.rows() == 3);
 }
 
 TEST_CASE("an envelope closes holes", "[slow]") {

@@ -26,20 +26,12 @@ enum class Effort {
     posed_fit      ///< none: a body in any pose is laid into the surface (posed_fit.hpp)
 };
 
-/// What of the things that hands may hold is taken off.
-enum class Held {
-    nothing,
-    all,          ///< everything beyond the hand's ball
-    all_but_fist, ///< but for what is as long as the other hand's fingers
-};
-
-/// What may be true of a mesh: which surface stands for the body, where it was opened, what it holds, how finely its
-/// curve has to be looked for. A value: the ladder (ladder.hpp) tries one after the other.
+/// What may be true of a mesh: which surface stands for the body, where it was opened, how finely its curve has to be
+/// looked for. A value: the ladder (ladder.hpp) tries one after the other.
 struct Hypothesis {
     surface::Remedy surface = surface::Remedy::largest_piece;
     Opening opening = Opening::opened;
     int cuts = 0; ///< how often it was cut open at loops of its curve
-    Held held = Held::nothing;
     Effort effort = Effort::draft;
 };
 
@@ -55,7 +47,6 @@ struct Hypothesis {
 [[nodiscard]] std::string_view to_string(surface::Remedy remedy);
 [[nodiscard]] std::string_view to_string(Opening opening);
 [[nodiscard]] std::string_view to_string(Effort effort);
-[[nodiscard]] std::string_view to_string(Held held);
 
 } // namespace skelgen::search
 

@@ -21,7 +21,7 @@ namespace skelgen::search {
 }
 
 /// Less likely skeletons are no answer. Between this and one half an answer is a guess and says so.
-inline constexpr double least_probability = 0.1;
+inline constexpr double least_probability = 0.05;
 
 /// Where one way to lay the template into a curve is likelier, no other one is tried.
 inline constexpr double likely_enough = 0.5;
@@ -33,7 +33,7 @@ inline constexpr double hopeless = 0.01;
 inline constexpr double dissenters = 3;
 
 /// A candidate that is likelier ends the search: to go on would take longer and seldom lead to another.
-inline constexpr double sure_enough = 0.9;
+inline constexpr double sure_enough = 0.95;
 
 /// The skeleton with the confidence of its sides and joints, decided once: the probability that it is right, and of a
 /// joint the probability that it lies within 3 % of the geodesic diameter from its place, by its doubt

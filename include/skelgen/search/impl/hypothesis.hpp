@@ -93,16 +93,4 @@ SKELGEN_INLINE std::string_view to_string(Effort effort) {
     return "";
 }
 
-SKELGEN_INLINE std::string_view to_string(Held held) {
-    switch (held) {
-    case Held::nothing:
-        return "nothing";
-    case Held::all:
-        return "all";
-    case Held::all_but_fist:
-        return "all_but_fist";
-    }
-    return "";
-}
-
 } // namespace skelgen::search

@@ -25,7 +25,6 @@
 #include <skelgen/quadruped/place_joints.hpp>
 #include <skelgen/search/agreement.hpp>
 #include <skelgen/search/contacts.hpp>
-#include <skelgen/search/held_things.hpp>
 #include <skelgen/search/trust.hpp>
 #include <skelgen/surface/open_handles.hpp>
 #include <skelgen/surface/pockets.hpp>
@@ -139,7 +138,7 @@ public:
 private:
     /// Each try that is not sure leads to those on higher steps: what costs more comes later.
     static constexpr int for_rest_fit = 0, for_detailed = 1, for_cuts = 1, for_more_detailed = 9, for_whole = 10,
-                         for_posed = 12, for_held = 20, for_as_given = 30;
+                         for_posed = 12, for_as_given = 30;
 
     void add(Lead<Scalar> lead) {
         const auto place = std::upper_bound(leads_.begin(), leads_.end(), lead,
@@ -181,6 +180,12 @@ private:
 
     /// Whether a curve shows a person at all, and anything is likely: a body in any pose can be laid into a torus, too.
     [[nodiscard]] bool may_be_person() const { return likeliest_yet() >= hopeless && is_any_in_curve(); }
+
+    /// Bodies in any pose that are laid into a second surface have shown nothing more.
+    [[nodiscard]] bool is_posed_fit_tried() const {
+        return std::any_of(out_.trail.begin(), out_.trail.end(),
+                           [](const Tried& each) { return each.hypothesis.effort == Effort::posed_fit; });
+    }
 
     /// Of the candidates that agree with the likeliest one the first that is nearly as likely and was found in a curve,
     /// with the template's own proportions: of a person cross-sections along a curve place joints better than fits do,
@@ -232,7 +237,7 @@ private:
     }
 
     void try_lead(Lead<Scalar> lead) {
-        if (lead.what.effort == Effort::posed_fit && !may_be_person()) return;
+        if (lead.what.effort == Effort::posed_fit && (is_posed_fit_tried() || !may_be_person())) return;
         core::Stopwatch whole, stage;
         Tried entry{lead.what};
         const Outcome<PreparedSurface<Scalar>>& surface = surface_by(lead.what.surface);
@@ -264,7 +269,7 @@ private:
 
     /// Whether an animal is looked for where that is true.
     [[nodiscard]] bool may_show_animal(const Hypothesis& what) const {
-        return animal_ && what.opening == Opening::opened && what.cuts == 0 && what.held == Held::nothing &&
+        return animal_ && what.opening == Opening::opened && what.cuts == 0 &&
                (what.effort == Effort::draft || is_detailed(what.effort));
     }
 
@@ -379,8 +384,10 @@ private:
             refuse(entry, too_compact());
             return 0;
         }
+        const auto ends =
+            refinement::find_end_points(*lead.body, curve->curve, laid.embedding, laid.skeleton_template);
         const auto placed = [&](const ExtractOptions& options) {
-            return place_joints(*lead.body, *curve, laid, options);
+            return place_joints(*lead.body, *curve, laid, ends, options);
         };
         const double likeliest = try_placed(lead, surface, curve, entry, options_, placed);
         const bool is_cut = last_cut_limbs_ > 0;
@@ -432,14 +439,15 @@ private:
     void hear_the_others() {
         const std::size_t last = places_.size() - 1;
         agreed_.resize(places_.size(), 0);
-        double people = 1;
+        double others = 0;
         for (std::size_t i = 0; i < last; ++i) {
             if (places_[i].rows() == 0) continue;
             const double both = agreement(places_[i], places_[last], extent_);
             agreed_[i] += both;
             agreed_[last] += both;
-            people += 1;
+            others += 1;
         }
+        const double heard = others / (others + dissenters);
         double lacking = 0, in_curves = 0;
         for (const Found<Scalar>& each : out_.found) {
             if (!is_in_curve(each)) continue;
@@ -451,7 +459,8 @@ private:
             Candidate<Scalar>& candidate = out_.found[i].candidate;
             const double own = lacking_parts(candidate.evidence);
             candidate.evidence[Witness::others_lack] = in_curves > 0 ? std::max(0.0, lacking / in_curves - own) : 0;
-            candidate.evidence[Witness::agreed] = agreed_[i] / (people + dissenters);
+            candidate.evidence[Witness::agreed] = agreed_[i] / (others + dissenters);
+            candidate.evidence[Witness::heard] = heard;
             candidate.probability = probability_right(candidate.evidence);
         }
     }
@@ -514,8 +523,7 @@ private:
         }
         follow_contacts(lead, curve);
         if (effort != Effort::whole) return;
-        if (lead.what.held == Held::nothing && lead.what.cuts == 0) {
-            follow_held(lead, curve, rung(for_held));
+        if (lead.what.cuts == 0) {
             if (lead.what.opening == Opening::opened && (surface.handles || surface.closed != surface.whole)) {
                 what = lead.what;
                 what.effort = Effort::draft;
@@ -545,16 +553,6 @@ private:
         for (Body<Scalar>& cut : cut_at_contacts(*lead.body, with_regions->curve, wanted_, options_.matching))
             add({what, rung, std::make_shared<const Body<Scalar>>(std::move(cut)), nullptr, contacts});
         out_.timings.curve += stage.lap();
-    }
-
-    void follow_held(const Lead<Scalar>& lead, const std::shared_ptr<const curve::CurveResult<Scalar>>& curve,
-                     Rung rung) {
-        Hypothesis what = lead.what;
-        what.held = Held::all;
-        for (Body<Scalar>& bare : without_held_things(*lead.body, curve->curve, wanted_, options_.matching)) {
-            add({what, rung, std::make_shared<const Body<Scalar>>(std::move(bare))});
-            what.held = Held::all_but_fist;
-        }
     }
 
     const TriangleMesh<Scalar>& mesh_;

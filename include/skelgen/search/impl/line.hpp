@@ -20,9 +20,10 @@ namespace skelgen::search {
 
 template <typename Scalar>
 PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found,
-                                  const embedding::FittingTemplate& laid, const ExtractOptions& options) {
+                                  const embedding::FittingTemplate& laid,
+                                  const std::vector<refinement::EndPoint<Scalar>>& ends,
+                                  const ExtractOptions& options) {
     const auto& [wanted, embedding, is_odd, fits_badly] = laid;
-    const auto ends = refinement::find_end_points(body, found.curve, embedding, wanted);
     return {wanted,
             refinement::refine(body, ends, found.curve, embedding, wanted, options.refinement),
             &embedding,
@@ -101,7 +102,8 @@ Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>& body, const curve::Cu
                                        const embedding::FittingTemplate& laid, const ExtractOptions& options) {
     if (found.is_point) return too_compact();
     core::Stopwatch stage;
-    const auto placed = place_joints(body, found, laid, options);
+    const auto ends = refinement::find_end_points(body, found.curve, laid.embedding, laid.skeleton_template);
+    const auto placed = place_joints(body, found, laid, ends, options);
     const double refine_time = stage.lap();
     auto out = skeleton_of(body, found, placed);
     if (out) out->timings.refine = refine_time;
