@@ -31,9 +31,9 @@ namespace skelgen::search {
                                              const std::vector<Points<double>>&, const std::vector<KnownPlace>&);      \
     template Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>&, const curve::CurveResult<Scalar>&,            \
                                                     const PlacedJoints<Scalar>&);                                      \
-    template PlacedJoints<Scalar> place_joints(const Body<Scalar>&, const curve::CurveResult<Scalar>&,                 \
-                                               const embedding::FittingTemplate&,                                       \
-                                               const std::vector<refinement::EndPoint<Scalar>>&, const ExtractOptions&); \
+    template PlacedJoints<Scalar> place_joints(                                                                        \
+        const Body<Scalar>&, const curve::CurveResult<Scalar>&, const embedding::FittingTemplate&,                     \
+        const std::vector<refinement::EndPoint<Scalar>>&, const ExtractOptions&);                                      \
     template PlacedJoints<Scalar> place_joints(const Body<Scalar>&, const RestFit<Scalar>&, const ExtractOptions&);    \
     template PlacedJoints<Scalar> place_joints(const Body<Scalar>&, const PosedFit&, Scalar, const ExtractOptions&);   \
     template KinematicSkeleton<Scalar> skeleton_in_input(const Found<Scalar>&);                                        \

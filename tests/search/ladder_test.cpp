@@ -53,9 +53,9 @@ Mesh two_balls() {
 
 bool is_same(const Tried& a, const Tried& b) {
     return a.hypothesis.surface == b.hypothesis.surface && a.hypothesis.opening == b.hypothesis.opening &&
-           a.hypothesis.cuts == b.hypothesis.cuts &&
-           a.hypothesis.effort == b.hypothesis.effort && a.refusal == b.refusal && a.candidates == b.candidates &&
-           a.probability == b.probability && a.lacks_limb == b.lacks_limb;
+           a.hypothesis.cuts == b.hypothesis.cuts && a.hypothesis.effort == b.hypothesis.effort &&
+           a.refusal == b.refusal && a.candidates == b.candidates && a.probability == b.probability &&
+           a.lacks_limb == b.lacks_limb;
 }
 
 } // namespace
@@ -96,8 +96,7 @@ TEST_CASE("no hypothesis is tried twice") {
     for (std::size_t i = 0; i < trail.size(); ++i)
         for (std::size_t k = 0; k < i; ++k) {
             const Hypothesis &a = trail[i].hypothesis, &b = trail[k].hypothesis;
-            CHECK((a.surface != b.surface || a.opening != b.opening || a.cuts != b.cuts ||
-                   a.effort != b.effort));
+            CHECK((a.surface != b.surface || a.opening != b.opening || a.cuts != b.cuts || a.effort != b.effort));
         }
 }
 

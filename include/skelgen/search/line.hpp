@@ -47,10 +47,9 @@ struct PlacedJoints {
 /// The joints of a template that is laid into a curve, by cross-sections and anatomy. `laid` has to outlive the result.
 /// `ends`: as find_end_points() finds them for it.
 template <typename Scalar>
-[[nodiscard]] PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const curve::CurveResult<Scalar>& curve,
-                                                const embedding::FittingTemplate& laid,
-                                                const std::vector<refinement::EndPoint<Scalar>>& ends,
-                                                const ExtractOptions& options = {});
+[[nodiscard]] PlacedJoints<Scalar>
+place_joints(const Body<Scalar>& body, const curve::CurveResult<Scalar>& curve, const embedding::FittingTemplate& laid,
+             const std::vector<refinement::EndPoint<Scalar>>& ends, const ExtractOptions& options = {});
 
 /// The joints of a body at rest that was laid into the surface (rest_fit.hpp): those at the ends of the limbs by
 /// cross-sections and anatomy along what the fit shows, the others, where figures show no cross-section, as the fit has

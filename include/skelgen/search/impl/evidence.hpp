@@ -243,11 +243,10 @@ void add_pose(Evidence& out, const KinematicSkeleton<Scalar>& skeleton, const Sk
 
 SKELGEN_INLINE std::string_view to_string(Witness witness) {
     constexpr std::array<std::string_view, witness_count> names{
-        "unmatched_reach", "fitted",      "posed",        "fit_cost",   "adapted",     "envelope",
-        "lacks_head",      "lacks_limbs", "cut_limbs",    "reach",      "doubt",       "outside",
-        "apart",           "unexplained", "pairs_girths", "arm_length", "leg_length",  "hip_width",
-        "below_hips",      "neck_height", "sides",        "legs_go_on", "others_lack", "agreed",
-        "heard"};
+        "unmatched_reach", "fitted",      "posed",      "fit_cost",  "adapted",    "envelope",    "lacks_head",
+        "lacks_limbs",     "cut_limbs",   "reach",      "doubt",     "outside",    "apart",       "unexplained",
+        "pairs_girths",    "arm_length",  "leg_length", "hip_width", "below_hips", "neck_height", "sides",
+        "legs_go_on",      "others_lack", "agreed",     "heard"};
     return names[static_cast<std::size_t>(witness)];
 }
 

@@ -384,8 +384,7 @@ private:
             refuse(entry, too_compact());
             return 0;
         }
-        const auto ends =
-            refinement::find_end_points(*lead.body, curve->curve, laid.embedding, laid.skeleton_template);
+        const auto ends = refinement::find_end_points(*lead.body, curve->curve, laid.embedding, laid.skeleton_template);
         const auto placed = [&](const ExtractOptions& options) {
             return place_joints(*lead.body, *curve, laid, ends, options);
         };

@@ -19,10 +19,9 @@
 namespace skelgen::search {
 
 template <typename Scalar>
-PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found,
-                                  const embedding::FittingTemplate& laid,
-                                  const std::vector<refinement::EndPoint<Scalar>>& ends,
-                                  const ExtractOptions& options) {
+PlacedJoints<Scalar>
+place_joints(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found, const embedding::FittingTemplate& laid,
+             const std::vector<refinement::EndPoint<Scalar>>& ends, const ExtractOptions& options) {
     const auto& [wanted, embedding, is_odd, fits_badly] = laid;
     return {wanted,
             refinement::refine(body, ends, found.curve, embedding, wanted, options.refinement),
