@@ -234,6 +234,7 @@ set(skelgen_core_headers
     include/skelgen/surface/vertex_clusters.hpp
     include/skelgen/surface/visibility.hpp
     include/skelgen/surface/weld.hpp
+    include/skelgen/surface/winding_field.hpp
     include/skelgen/surface/winding_tree.hpp
     include/skelgen/surface/without_faces.hpp
     include/skelgen/symmetry/exact_mirror.hpp

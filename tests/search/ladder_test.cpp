@@ -60,16 +60,17 @@ bool is_same(const Tried& a, const Tried& b) {
 
 } // namespace
 
-TEST_CASE("a body that stands free is sure when other ways to find it agree", "[search]") {
+TEST_CASE("a body that stands free is sure by its draft, or when other ways to find it agree", "[search]") {
     const Climb<double> climb = climbed(standing_man(), 24);
-    REQUIRE(climb.trail.size() >= 2);
+    REQUIRE(!climb.trail.empty());
     REQUIRE(climb.trail.size() <= 4);
     CHECK(climb.trail.front().hypothesis.effort == Effort::draft);
     CHECK(climb.trail.front().refusal == Refusal::none);
     CHECK(climb.trail.front().candidates == 1);
-    CHECK(climb.trail[1].hypothesis.effort == Effort::rest_fit);
     REQUIRE(climb.found.size() == 1);
-    CHECK(climb.found.front().candidate.evidence[Witness::agreed] > 0.1);
+    const Evidence& evidence = climb.found.front().candidate.evidence;
+    CHECK((climb.trail.size() == 1) == (evidence[Witness::heard] == 0));
+    CHECK((climb.trail.size() == 1 || evidence[Witness::agreed] > 0.1));
     CHECK(climb.found.front().candidate.probability >= sure_enough);
     CHECK(climb.failure.reason == Refusal::none);
 }
@@ -173,7 +174,7 @@ TEST_CASE("a climb that is to end where it is sure keeps the likeliest candidate
     }
 }
 
-TEST_CASE("of each candidate it is known how many of the others agree with it") {
+TEST_CASE("of each candidate it is known how many of the others agree with it, and how many were heard") {
     const std::vector<Found<double>>& found = thorough().found;
     const Body<double>& whole = *found.front().whole;
     const double extent =
@@ -192,8 +193,9 @@ TEST_CASE("of each candidate it is known how many of the others agree with it") 
         double sum = 0;
         for (std::size_t k = 0; k < found.size(); ++k)
             if (k != i) sum += agreement(places[i], places[k], extent);
-        const double all = static_cast<double>(found.size());
-        CHECK(found[i].candidate.evidence[Witness::agreed] == Approx(sum / (all + dissenters)));
+        const double others = static_cast<double>(found.size() - 1);
+        CHECK(found[i].candidate.evidence[Witness::agreed] == Approx(sum / (others + dissenters)));
+        CHECK(found[i].candidate.evidence[Witness::heard] == Approx(others / (others + dissenters)));
     }
 }
 
@@ -279,7 +281,7 @@ TEST_CASE("limbs that have grown together lead to cuts at the curve's loops") {
     CHECK(cut->body != cut->whole);
 }
 
-TEST_CASE("bodies in any pose are laid into each surface, whatever the budget") {
+TEST_CASE("bodies in any pose are laid into one surface, once, whatever the budget") {
     const Climb<double> climb = climbed(standing_man(), 1, Thoroughness::exhaustive);
     REQUIRE(climb.trail.size() == 2);
     CHECK(spent_on(climb.trail) == 1);
@@ -289,6 +291,9 @@ TEST_CASE("bodies in any pose are laid into each surface, whatever the budget") 
     CHECK(climb.found.front().candidate.evidence[Witness::posed] == 0);
     CHECK(climb.found.back().candidate.evidence[Witness::posed] == 1);
     CHECK(climb.found.back().candidate.evidence[Witness::fitted] == 1);
+    const Trail& more = thorough().trail;
+    CHECK(std::count_if(more.begin(), more.end(),
+                        [](const Tried& each) { return each.hypothesis.effort == Effort::posed_fit; }) == 1);
 }
 
 TEST_CASE("a curve with too few ends is no body's: the failure says so, and so does the trail") {

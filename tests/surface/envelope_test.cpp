@@ -9,11 +9,11 @@
 #include <skelgen/surface/distance_band.hpp>
 #include <skelgen/surface/envelope.hpp>
 #include <skelgen/surface/face_tree.hpp>
-#include <skelgen/surface/impl/envelope.hpp>
 #include <skelgen/surface/impl/winding_tree.hpp>
 #include <skelgen/surface/lattice_surface.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
 #include <skelgen/surface/small_parts.hpp>
+#include <skelgen/surface/winding_field.hpp>
 #include <skelgen/surface/winding_tree.hpp>
 
 #include "catch.hpp"
