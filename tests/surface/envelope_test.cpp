@@ -193,7 +193,7 @@ TEST_CASE("overlapping boxes become one with the volume of their union", "[slow]
     CHECK(enclosed_volume(envelope) == Approx(expected).epsilon(0.02));
 }
 
-TEST_CASE("winding numbers that nodes take over from neighbours are on the same side, and hardly off") {
+TEST_CASE("winding numbers that nodes take over from neighbours are hardly off, and on the same side but across holes") {
     const Mesh ball = sphere(1, 4);
     const Mesh open = without_top(ball, 0.6), inside_out = [&] {
         Mesh out = ball;
@@ -212,7 +212,7 @@ TEST_CASE("winding numbers that nodes take over from neighbours are on the same 
             const double exact = tree.winding_number(mesh, lattice.place(node)) - 0.5, depth = field.depth(node);
             ++asked;
             taken_over += depth != exact ? 1 : 0;
-            CHECK((depth > 0) == (exact > 0));
+            CHECK(((depth > 0) == (exact > 0) || std::abs(exact) < 0.15)); // across a hole there is no face
             CHECK(std::abs(depth - exact) < 0.2);
         });
         CHECK(asked > 1000);
