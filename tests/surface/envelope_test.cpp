@@ -193,7 +193,8 @@ TEST_CASE("overlapping boxes become one with the volume of their union", "[slow]
     CHECK(enclosed_volume(envelope) == Approx(expected).epsilon(0.02));
 }
 
-TEST_CASE("winding numbers that nodes take over from neighbours are hardly off, and on the same side but across holes") {
+TEST_CASE(
+    "winding numbers that nodes take over from neighbours are hardly off, and on the same side but across holes") {
     const Mesh ball = sphere(1, 4);
     const Mesh open = without_top(ball, 0.6), inside_out = [&] {
         Mesh out = ball;
