@@ -14,6 +14,7 @@
 #include <skelgen/io/read_mesh.hpp>
 #include <skelgen/quadruped/impl/place_joints.hpp>
 #include <skelgen/quadruped/limbs.hpp>
+#include <skelgen/search/agreement.hpp>
 #include <skelgen/search/ladder.hpp>
 #include <skelgen/surface/body.hpp>
 
@@ -112,12 +113,7 @@ int main(int argc, char** argv) try {
     const search::Climb<double> climb =
         search::climb(mesh, wanted, search_options,
                       is_exhaustive ? search::Thoroughness::exhaustive : search::Thoroughness::until_sure);
-    double extent = 0; // as the ladder takes it
-    if (!climb.found.empty()) {
-        const Body<double>& body = *climb.found.front().whole;
-        extent = body.similarity.scale *
-                 (body.mesh.vertices.colwise().maxCoeff() - body.mesh.vertices.colwise().minCoeff()).maxCoeff();
-    }
+    const double extent = climb.found.empty() ? 0 : search::extent_of(*climb.found.front().whole);
     std::size_t tries = 0;
     int of_this_try = 0;
     double seconds = 0; // until a candidate's try ended

@@ -176,10 +176,8 @@ TEST_CASE("a climb that is to end where it is sure keeps the likeliest candidate
 
 TEST_CASE("of each candidate it is known how many of the others agree with it, and how many were heard") {
     const std::vector<Found<double>>& found = thorough().found;
-    const Body<double>& whole = *found.front().whole;
-    const double extent =
-        whole.similarity.scale *
-        (whole.mesh.vertices.colwise().maxCoeff() - whole.mesh.vertices.colwise().minCoeff()).maxCoeff();
+    const double extent = extent_of(*found.front().whole);
+    CHECK(extent == Approx(core::bounding_diagonal(standing_man().vertices)).epsilon(0.5)); // in the input's unit
     std::vector<Points<double>> places;
     for (const Found<double>& each : found) {
         Points<double>& joints = places.emplace_back(21, 3);

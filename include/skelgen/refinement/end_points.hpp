@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -19,7 +18,6 @@ struct EndPoint {
     int vertex = -1;                 ///< mesh vertex
     Eigen::VectorX<Scalar> distance; ///< per mesh vertex the geodesic distance to it; infinite where no path leads
     std::vector<int> rim = {};       ///< vertices around the closed hole (Body::rims) nearest to it; empty without any
-    Scalar from_cut = std::numeric_limits<Scalar>::infinity(); ///< distance of the nearest of what was cut (Body::cuts)
 };
 
 /// The ends of all limbs, in the order of the embedding's chains: near the curve's leaves, the vertices farthest over

@@ -34,9 +34,8 @@ match_thickness_profiles(std::vector<Limb<Scalar>> limbs, const SkeletonTemplate
                          const BoneLineOptions& bone_line = {});
 
 /// The limbs with those that end at wrist or ankle, a hand or a foot being cut off, drawn as such: their thickness goes
-/// on as a forearm's or a calf's to the end, and less like a whole limb's. What lies beyond counts as `missing`, or,
-/// where it went with something that was taken off there (`EndPoint::from_cut`), is at the end; wrist or ankle are just
-/// before that. `ends` are the limbs' in the same order. O(sections (n + m)) for each of these.
+/// on as a forearm's or a calf's to the end, and less like a whole limb's. What lies beyond counts as `missing`.
+/// `ends` are the limbs' in the same order. O(sections (n + m)) for each of these.
 template <typename Scalar>
 [[nodiscard]] std::vector<Limb<Scalar>>
 shorten_cut_limbs(std::vector<Limb<Scalar>> limbs, const Slicer<Scalar>& slicer,

@@ -45,7 +45,7 @@ enum class Witness {
     // beside the other candidates
     others_lack, ///< how many limbs more than it those lack, in the mean, that were found in curves
     agreed,      ///< how far they agree with it: mean of agreement(), as if `dissenters` more did not
-    heard,       ///< how many of these are others: of none 0, of many near 1
+    heard,       ///< share of the others in these: n / (n + dissenters) for n others
     count
 };
 

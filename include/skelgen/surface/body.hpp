@@ -35,8 +35,6 @@ struct Body {
     int dropped_pieces = 0;           ///< connected pieces smaller than this one, left out
     std::vector<std::string> repairs; ///< what was done to the input and how much, one sentence each
     std::vector<std::vector<int>> rims = {}; ///< per hole of the input that was closed the vertices around it, in order
-    std::vector<std::vector<int>> cuts = {}; ///< the same per place at which something was taken off that is no part
-                                             ///< of the body
 };
 
 namespace surface {

@@ -37,8 +37,8 @@ TriangleMesh<Scalar> rims_of(const TriangleMesh<Scalar>& mesh) {
     return out;
 }
 
-/// Winding numbers at a lattice's nodes. Between two nodes of which no face lies, and far from the rims of holes, they
-/// hardly differ: most nodes take theirs over from a neighbour.
+/// Winding numbers at a lattice's nodes. Two neighbours with no face between them, far from the rims of holes, hardly
+/// differ: most nodes take theirs over.
 template <typename Scalar>
 class WindingField {
 public:
@@ -63,7 +63,7 @@ public:
                     known_.at(node) = {there.depth, there.steps + 1};
                     return there.depth;
                 }
-        const Scalar depth = tree_.winding_number(fine_, lattice_.place(node), far) - Scalar(0.5);
+        const Scalar depth = tree_.winding_number(fine_, lattice_.place(node)) - Scalar(0.5);
         known_.at(node) = {depth, 0};
         return depth;
     }
@@ -71,7 +71,7 @@ public:
 private:
     /// Beside a rim a winding number changes by 1 / (2 pi distance): over these steps, so far from it, by 0.16.
     static constexpr int most_steps = 2, near_rim = 2; // cells
-    static constexpr Scalar clear = Scalar(0.3), far = Scalar(1.5);
+    static constexpr Scalar clear = Scalar(0.3);
     struct Known {
         Scalar depth; ///< not a number where it is not known
         int steps;    ///< from the node where it was found

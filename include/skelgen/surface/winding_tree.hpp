@@ -15,11 +15,9 @@ public:
     /// O(faces log faces).
     explicit WindingTree(const TriangleMesh<Scalar>& mesh);
 
-    /// The generalized winding number around a place: nodes seen from farther than `far` of their radii are expanded to
-    /// first order, which twice the radius makes right to a few hundredths (BDSLJ18), 1.5 times to a tenth in half of
-    /// the time. 0 without faces. About O(log faces).
-    [[nodiscard]] Scalar winding_number(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place,
-                                        Scalar far = 2) const;
+    /// The generalized winding number around a place, to a few hundredths: nodes seen from farther than twice their
+    /// radius are expanded to first order. 0 without faces. About O(log faces).
+    [[nodiscard]] Scalar winding_number(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place) const;
 
 private:
     struct Node {

@@ -94,10 +94,7 @@ std::vector<EndPoint<Scalar>> find_end_points(const Body<Scalar>& body, const Cu
     });
     place(legs, first);
     place(upper, legs);
-    for (EndPoint<Scalar>& end : ends) {
-        end.rim = detail::nearest_rim(body.rims, end.distance);
-        for (const auto& cut : body.cuts) end.from_cut = std::min(end.from_cut, detail::distance_to(cut, end.distance));
-    }
+    for (EndPoint<Scalar>& end : ends) end.rim = detail::nearest_rim(body.rims, end.distance);
     return ends;
 }
 

@@ -339,7 +339,6 @@ shorten_cut_limbs(std::vector<Limb<Scalar>> limbs, const Slicer<Scalar>& slicer,
                     open_end(slicer.mesh(), limbs[i], ends[i], beyond)};
         };
         if (!detail::is_cut(whole_cost, cut_cost, end_shape)) return;
-        if (ends[i].from_cut < limbs[i].from_tip[profiled->outer]) cut.missing = 0; // the rest went with what it held
         limbs[i] = draw_limb(std::move(cut), slicer, ends[i], centreline);
     });
     return limbs;

@@ -464,13 +464,6 @@ private:
         }
     }
 
-    /// The largest extent along a principal axis, in the input's unit; canonical form: these are the coordinates'.
-    static double extent_of(const Body<Scalar>& body) {
-        const Points<Scalar>& vertices = body.mesh.vertices;
-        return static_cast<double>(body.similarity.scale *
-                                   (vertices.colwise().maxCoeff() - vertices.colwise().minCoeff()).maxCoeff());
-    }
-
     /// Joints in the input's coordinates, not finite where they are absent.
     static Points<double> joints_in_input(const KinematicSkeleton<Scalar>& skeleton, const Body<Scalar>& body) {
         Points<double> out(static_cast<Eigen::Index>(skeleton.joints.size()), 3);

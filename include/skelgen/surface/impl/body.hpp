@@ -57,13 +57,12 @@ bool is_inside(const Body<Scalar>& body, const Vector3<Scalar>& place) {
 template <typename Scalar>
 Body<Scalar> resurfaced(Body<Scalar> body, TriangleMesh<Scalar> mesh, std::vector<int> source) {
     std::vector<int> nearest = carried_over(std::move(body.nearest), source);
-    std::vector<std::vector<int>> rims = carried_rims(body.rims, source), cuts = carried_rims(body.cuts, source);
+    std::vector<std::vector<int>> rims = carried_rims(body.rims, source);
     Body<Scalar> out =
         make_body(std::move(mesh), body.similarity, composed(std::move(source), body.source), body.dropped_pieces);
     out.nearest = std::move(nearest);
     out.repairs = std::move(body.repairs);
     out.rims = std::move(rims);
-    out.cuts = std::move(cuts);
     return out;
 }
 

@@ -128,8 +128,8 @@ int WindingTree<Scalar>::build(const TriangleMesh<Scalar>& mesh, const std::vect
 }
 
 template <typename Scalar>
-Scalar WindingTree<Scalar>::winding_number(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place,
-                                           Scalar far) const {
+Scalar WindingTree<Scalar>::winding_number(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& place) const {
+    constexpr Scalar far = 2; // radii (BDSLJ18)
     if (nodes_.empty()) return 0;
     Scalar far_angle = 0; // half of what the expansions give
     detail::AngleSum<Scalar> near_angle;

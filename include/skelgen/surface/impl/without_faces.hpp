@@ -26,9 +26,7 @@ Body<Scalar> without_faces(const Body<Scalar>& body, const std::vector<bool>& is
     for (std::size_t v = 0; v < at_rim.size(); ++v) at_rim[v] = at_left_out[static_cast<std::size_t>(part.source[v])];
     FilledSurface<Scalar> closed = fill_holes(part.mesh, 1.0, at_rim);
     part.source.resize(static_cast<std::size_t>(closed.mesh.vertices.rows()), -1);
-    Body<Scalar> out = resurfaced(body, std::move(closed.mesh), std::move(part.source));
-    out.cuts.insert(out.cuts.end(), closed.rims.begin(), closed.rims.end());
-    return out;
+    return resurfaced(body, std::move(closed.mesh), std::move(part.source));
 }
 
 } // namespace skelgen::surface
