@@ -191,7 +191,6 @@ set(skelgen_core_headers
     include/skelgen/refinement/thickness_profile.hpp
     include/skelgen/refinement/trunk_axis.hpp
     include/skelgen/refinement/trunk_joints.hpp
-    include/skelgen/refinement/trunk_shape.hpp
     include/skelgen/search/agreement.hpp
     include/skelgen/search/contacts.hpp
     include/skelgen/search/evidence.hpp
@@ -238,7 +237,10 @@ set(skelgen_core_headers
     include/skelgen/surface/winding_tree.hpp
     include/skelgen/surface/without_faces.hpp
     include/skelgen/symmetry/exact_mirror.hpp
+    include/skelgen/symmetry/front_of_surface.hpp
+    include/skelgen/symmetry/joints_by_role.hpp
     include/skelgen/symmetry/sides.hpp
+    include/skelgen/symmetry/sides_table.hpp
     include/skelgen/symmetry/standing_pose.hpp
     include/skelgen/version.hpp
 )
@@ -354,7 +356,6 @@ set(skelgen_core_definitions
     include/skelgen/refinement/impl/thickness_profile.hpp
     include/skelgen/refinement/impl/trunk_axis.hpp
     include/skelgen/refinement/impl/trunk_joints.hpp
-    include/skelgen/refinement/impl/trunk_shape.hpp
     include/skelgen/search/impl/agreement.hpp
     include/skelgen/search/impl/contacts.hpp
     include/skelgen/search/impl/evidence.hpp
@@ -394,6 +395,7 @@ set(skelgen_core_definitions
     include/skelgen/surface/impl/winding_tree.hpp
     include/skelgen/surface/impl/without_faces.hpp
     include/skelgen/symmetry/impl/exact_mirror.hpp
+    include/skelgen/symmetry/impl/front_of_surface.hpp
     include/skelgen/symmetry/impl/sides.hpp
     include/skelgen/symmetry/impl/standing_pose.hpp
 )

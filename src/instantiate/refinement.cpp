@@ -23,7 +23,6 @@
 #include <skelgen/refinement/impl/thickness_profile.hpp>
 #include <skelgen/refinement/impl/trunk_axis.hpp>
 #include <skelgen/refinement/impl/trunk_joints.hpp>
-#include <skelgen/refinement/impl/trunk_shape.hpp>
 
 namespace skelgen::refinement {
 
@@ -79,8 +78,6 @@ namespace skelgen::refinement {
     template std::optional<Heel<Scalar>> find_heel(const Limb<Scalar>&, const Stretch<Scalar>&, const BendOptions&);   \
     template bool is_hem(const Slicer<Scalar>&, const std::array<LegToEnd<Scalar>, 2>&, const TrunkAxis<Scalar>&,      \
                          Scalar);                                                                                      \
-    template std::optional<TrunkShape<Scalar>> measure_trunk(const Slicer<Scalar>&, const Vector3<Scalar>&,            \
-                                                             const Vector3<Scalar>&, const Vector3<Scalar>&);          \
     template std::optional<Scalar> value_at(const Profile&, Scalar);                                                   \
     template ProfileFit<Scalar> fit_profile(const std::vector<Sample<Scalar>>&, const Profile&,                        \
                                             const Stretch<Scalar>&, Scalar);                                           \

@@ -35,7 +35,7 @@ namespace skelgen::search {
         const Body<Scalar>&, const curve::CurveResult<Scalar>&, const embedding::FittingTemplate&,                     \
         const std::vector<refinement::EndPoint<Scalar>>&, const ExtractOptions&);                                      \
     template PlacedJoints<Scalar> place_joints(const Body<Scalar>&, const RestFit<Scalar>&, const ExtractOptions&);    \
-    template PlacedJoints<Scalar> place_joints(const Body<Scalar>&, const PosedFit&, Scalar, const ExtractOptions&);   \
+    template PlacedJoints<Scalar> place_joints(const Body<Scalar>&, const PosedFit&, Scalar);                          \
     template KinematicSkeleton<Scalar> skeleton_in_input(const Found<Scalar>&);                                        \
     template std::vector<std::string> warnings_of(const Found<Scalar>&, const SkeletonTemplate&);                      \
     template Climb<Scalar> climb(const TriangleMesh<Scalar>&, const SkeletonTemplate&, const ExtractOptions&,          \

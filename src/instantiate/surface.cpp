@@ -95,6 +95,7 @@ namespace skelgen::surface {
     template BodyFaces faces_of_body(const TriangleMesh<Scalar>&, int, bool);                                          \
     template UsedPart<Scalar> used_part(const TriangleMesh<Scalar>&);                                                  \
     template BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>&, const PrepareOptions&);                          \
+    template Points<Scalar> input_vertices(const BodyMaterial<Scalar>&);                                               \
     template Outcome<Body<Scalar>> make_body_by(Remedy, BodyMaterial<Scalar>, const PrepareOptions&);                  \
     template Body<Scalar> prepare(const TriangleMesh<Scalar>&, const PrepareOptions&);
 

@@ -1,6 +1,7 @@
 // The symmetry compiled once, for float and double.
 
 #include <skelgen/symmetry/impl/exact_mirror.hpp>
+#include <skelgen/symmetry/impl/front_of_surface.hpp>
 #include <skelgen/symmetry/impl/sides.hpp>
 #include <skelgen/symmetry/impl/standing_pose.hpp>
 
@@ -10,7 +11,9 @@ namespace skelgen::symmetry {
     template Vector3<Scalar> standing_foot_direction(LegBones<Scalar>, const Vector3<Scalar>&, const Vector3<Scalar>&, \
                                                      Scalar);                                                          \
     template Outcome<SidesDecision<Scalar>> decide_sides(const refinement::RefinedJoints<Scalar>&,                     \
-                                                         const SkeletonTemplate&, const SidesOptions&);                \
+                                                         const SkeletonTemplate&, const SurfaceFront<Scalar>&);        \
+    template SurfaceFront<Scalar> front_of_surface(const Body<Scalar>&, const refinement::RefinedJoints<Scalar>&,      \
+                                                   const SkeletonTemplate&, const Points<Scalar>*);                    \
     template KinematicSkeleton<Scalar> assemble(const refinement::RefinedJoints<Scalar>&, const SkeletonTemplate&,     \
                                                 const SidesDecision<Scalar>&);                                         \
     template std::optional<ExactMirror<Scalar>> exact_mirror(const TriangleMesh<Scalar>&);                             \

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Fit the trust in a skeleton: the weights of search/trust_table.hpp.
+"""Fit the trust in a skeleton, and in its sides: the weights of search/trust_table.hpp and symmetry/sides_table.hpp.
 
-usage: calibrate.py FOLDER... [--table FILE] [--ablate]
+usage: calibrate.py FOLDER... [--include INCLUDE/SKELGEN] [--ablate]
 
 Each FOLDER holds truth/NAME.json and candidates/NAME.jsonl, as find_candidates.py writes the latter. A truth has `expect` (body, refuse, either; a body where it says nothing) and, of a body whose joints
 are known, `scale`, `joints` and `markers`, and `missing`, the joints of what was cut off; `group` is its maker.
@@ -13,6 +13,9 @@ median of the joints' errors is at most 0.04 of the scale and none above 0.12. W
 The log odds are linear in the evidence and in the squares of proportions, fitted with a penalty on the weights. Each mesh
 counts once, one of a named maker three times: as what was found after the first try, after the fourth and after all of them,
 since what the candidates say of each other changes with each.
+Before that, the sides: of candidates whose limbs are right, as they are or with left and right exchanged, the log odds that they are right
+as they are, are linear in what tells left from right, each bounded. Other sides and another confidence in them go into the fit of the trust.
+
 What is printed is of folds: fitted without the makers that it is then judged on; how often the likeliest candidate is right,
 and how often those of each tenth of probability are. --ablate leaves out each kind of hypothesis and each witness in turn,
 and prints what that changes, by folds. Needs python3-numpy.
@@ -33,6 +36,8 @@ NEAR, FARTHEST, DISSENTERS = 0.05, 0.3, 3  # as search/agreement.hpp and search/
 OF_A_MAKER = 3  # how often a mesh of a named maker counts: such meshes are the harder ones, and the fewer
 ENDS = ["left_hand", "right_hand", "left_foot", "right_foot", "head"]
 JOINTS = 21  # of human21
+LIMBS_ARE_RIGHT = 0.08  # median error of joints, of the scale, below which a candidate tells what witnesses of the sides are worth
+BOUND = 3  # root mean squares of a witness of the sides that count at most
 PAIRS = ["hand", "foot", "elbow", "knee", "shoulder"]
 
 
@@ -69,19 +74,106 @@ def judge(truth, joints):
     return right and float(np.median(values)) <= 0.04 and max(values) <= 0.12, errors
 
 
+def mirrored(joints):
+    """The joints with left and right exchanged."""
+    other = lambda name: "right" + name[4:] if name.startswith("left_") else "left" + name[5:] if name.startswith("right_") else name
+    return {other(name): place for name, place in joints.items()}
+
+
 class Mesh:
     """One mesh's candidates: names, evidence (candidates x witnesses), whether each is right."""
 
     def __init__(self, folder, name, truth):
-        self.name, self.group = name, str(truth.get("group") or os.path.basename(folder) + ":" + name)
+        self.name, self.group, self.truth = name, str(truth.get("group") or os.path.basename(folder) + ":" + name), truth
         self.is_body = truth.get("expect", "body") not in ("refuse", "quadruped")
         self.rows = [json.loads(line) for line in open(f"{folder}/candidates/{name}.jsonl")]
-        judged = [judge(truth, row.get("joints", {})) for row in self.rows]
-        self.is_known = all(right is not None for right, _ in judged) and truth.get("expect") != "either" and ("joints" in truth or not self.is_body)
+        self.judge_all()
+        if self.rows and np.abs(self.states[-1][1] - self.evidence).max() > 1e-3:
+            raise SystemExit(f"{name}: the candidates' evidence is not what they say of each other")
+
+    def judge_all(self):
+        judged = [judge(self.truth, row.get("joints", {})) for row in self.rows]
+        self.is_known = all(right is not None for right, _ in judged) and self.truth.get("expect") != "either" and ("joints" in self.truth or not self.is_body)
         self.right = np.array([bool(right) for right, _ in judged])
         self.errors = [errors for _, errors in judged]
         self.evidence = np.array([list(row["evidence"].values()) + [np.clip(row["evidence"][w], -MOST_CURVED, MOST_CURVED) ** 2 for w in CURVED] for row in self.rows])
         self.states = states_of(self)
+        if self.rows:
+            self.evidence = self.states[-1][1]
+
+    def sides(self):
+        """(candidates, what tells their left from right, positive where it is for what is right) of those with right limbs."""
+        rows, values = [], []
+        if self.is_body and "joints" in self.truth:
+            for row in self.rows:
+                if not row.get("joints"):
+                    continue
+                as_is, exchanged = (np.median(list(judge(self.truth, joints)[1].values()) or [1]) for joints in (row["joints"], mirrored(row["joints"])))
+                if min(as_is, exchanged) < LIMBS_ARE_RIGHT:
+                    rows.append(row)
+                    values.append(np.array(list(row["sides"].values())) * (1 if as_is < exchanged else -1))
+        return rows, np.array(values)
+
+    def take_sides(self, table):
+        """Decides left and right anew, by a table."""
+        for row in self.rows:
+            if "joints" not in row or "sides" not in row:
+                continue
+            odds = side_odds(table, np.array(list(row["sides"].values())))
+            row["evidence"]["sides"] = float(np.tanh(abs(odds) / 2))
+            if odds < 0:
+                row["joints"], row["doubt"] = mirrored(row["joints"]), mirrored(row["doubt"])
+                row["sides"] = {name: -value for name, value in row["sides"].items()}
+        self.judge_all()
+
+
+def side_odds(table, values):
+    return np.clip(values, -table["limits"], table["limits"]) @ table["weights"]
+
+
+def fit_sides(meshes, without=None, penalty=2.0):
+    """Weights and limits of what tells left from right, by a logistic regression without offset; a witness left out."""
+    values = np.concatenate([m.side_values for m in meshes])
+    w = np.concatenate([np.full(len(m.side_values), (OF_A_MAKER if kind_of(m) == "makers" else 1) / len(m.side_values)) for m in meshes])
+    if without is not None:
+        values[:, without] = 0
+    spread = np.sqrt(np.average(values**2, axis=0, weights=w)) + 1e-12
+    z = np.clip(values / spread, -BOUND, BOUND)
+    beta = np.zeros(z.shape[1])
+    for _ in range(60):
+        p = logistic(z @ beta)
+        step = np.linalg.solve((z * (w * p * (1 - p))[:, None]).T @ z + penalty * np.eye(len(beta)), z.T @ (w * (p - 1)) + penalty * beta)
+        beta -= step
+        if np.abs(step).max() < 1e-9:
+            break
+    return {"weights": beta / spread, "limits": BOUND * spread, "penalty": penalty}
+
+
+def fit_sides_by_folds(meshes):
+    """Per fold the table of the others; prints how often they decide right. The meshes take sides by them."""
+    told = []
+    for m in meshes:
+        rows, m.side_values = m.sides()
+        if rows:
+            told.append(m)
+            m.side_names = list(rows[0]["sides"])
+    names = told[0].side_names
+
+    def measure(without=None):
+        tables = [fit_sides([m for m in told if fold_of(m.group) != fold], without) for fold in range(5)]
+        odds = {m.name + m.group: side_odds(tables[fold_of(m.group)], np.where(np.arange(len(names)) == without, 0, m.side_values)) for m in told}
+        of = lambda kind, value: np.mean([np.mean(value(odds[m.name + m.group])) for m in told if kind_of(m) == kind])
+        return tables, "; ".join(
+            f"{kind}: right {of(kind, lambda x: x > 0):.3f}, log loss {of(kind, lambda x: np.log1p(np.exp(-x))):.3f}, wrong above .95 {of(kind, lambda x: x < -np.log(19)):.3f}" for kind in ("makers", "others") if any(kind_of(m) == kind for m in told)
+        )
+
+    tables, text = measure()
+    print(f"sides of {sum(len(m.side_values) for m in told)} candidates of {len(told)} meshes: {text}")
+    for k, name in enumerate(names):
+        print(f"  without {name:6s} {measure(k)[1]}")
+    for m in meshes:
+        m.take_sides(tables[fold_of(m.group)])
+    return fit_sides(told), names, told
 
 
 def agreement(a, b, extent):
@@ -91,7 +183,7 @@ def agreement(a, b, extent):
 
 
 def states_of(mesh):
-    """(candidates, their evidence) after some of the tries. Checks that what the search has said after all of them is what is found here."""
+    """(candidates, their evidence) after some of the tries: what they say of each other changes with each."""
     rows, out = mesh.rows, []
     if not rows:
         return out
@@ -108,8 +200,6 @@ def states_of(mesh):
         evidence[:, column["heard"]] = others / (others + DISSENTERS)
         evidence[:, column["others_lack"]] = np.maximum(0, in_curves.mean() - lacking[which]) if len(in_curves) else 0
         out.append((which, evidence))
-    if np.abs(out[-1][1] - mesh.evidence).max() > 1e-3:
-        raise SystemExit(f"{mesh.name}: the candidates' evidence is not what they say of each other")
     return out
 
 
@@ -268,6 +358,27 @@ inline constexpr double joint_trust_offset = {joint[2]:.4g}, joint_trust_of_whol
 """)
 
 
+def write_sides_table(path, table, names, meshes):
+    numbers = lambda values: ", ".join(f"{v:.4g}" for v in values)
+    with open(path, "w") as f:
+        f.write(f"""// Written by `./dev calibrate`: what the probability that left and right are told apart rightly is made of. Fitted on
+// {sum(len(m.side_values) for m in meshes)} candidates of {len(meshes)} meshes by {len({m.group for m in meshes})} makers whose limbs are right; tests/calibration/calibrate.py says how, and how well on
+// makers left out.
+#pragma once
+
+#include <array>
+
+namespace skelgen::symmetry {{
+
+/// What a unit of each SideWitness (sides.hpp) adds to the log odds: of {", ".join(names)}.
+inline constexpr std::array<double, {len(names)}> side_weights{{{numbers(table["weights"])}}};
+/// What counts of it at most: three root mean squares.
+inline constexpr std::array<double, {len(names)}> side_limits{{{numbers(table["limits"])}}};
+
+}} // namespace skelgen::symmetry
+""")
+
+
 def without(mesh, keep=None, witness=None):
     """The mesh with the candidates that `keep` wants alone, or with a witness that says nothing."""
     out = copy.copy(mesh)
@@ -320,12 +431,13 @@ def ablate(meshes, witnesses, penalty):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folders", nargs="+")
-    parser.add_argument("--table", help="trust_table.hpp to write")
+    parser.add_argument("--include", help="folder include/skelgen, whose tables are to be written")
     parser.add_argument("--penalty", type=float, default=2.0)
     parser.add_argument("--ablate", action="store_true")
     a = parser.parse_args()
     meshes, witnesses = read_meshes(a.folders)
     print(len(meshes), "meshes,", sum(len(m.rows) for m in meshes), "candidates of", len({m.group for m in meshes}), "makers")
+    sides, side_names, told = fit_sides_by_folds(meshes)
     chosen = by_folds(meshes, a.penalty)
     report(meshes, chosen)
     joint = fit_joints(meshes, chosen)
@@ -335,8 +447,9 @@ def main():
         print(f"  {name:16s} weight {weight:8.3f} times spread {weight * deviation:6.2f}")
     if a.ablate:
         ablate(meshes, witnesses, a.penalty)
-    if a.table:
-        write_table(a.table, table, joint, witnesses, meshes)
+    if a.include:
+        write_sides_table(a.include + "/symmetry/sides_table.hpp", sides, side_names, told)
+        write_table(a.include + "/search/trust_table.hpp", table, joint, witnesses, meshes)
 
 
 if __name__ == "__main__":

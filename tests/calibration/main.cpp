@@ -34,6 +34,8 @@ Json described(const search::Found<double>& found, const SkeletonTemplate& wante
                          what.cuts, std::string(search::to_string(what.effort))};
     for (std::size_t w = 0; w < search::witness_count; ++w)
         out["evidence"][std::string(to_string(static_cast<search::Witness>(w)))] = candidate.evidence.values[w];
+    for (std::size_t w = 0; w < symmetry::side_witness_count; ++w)
+        out["sides"][std::string(to_string(static_cast<symmetry::SideWitness>(w)))] = candidate.sides.values[w];
     out["probability"] = candidate.probability;
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
         const Joint<double>& joint = skeleton.joints[j];

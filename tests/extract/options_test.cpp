@@ -42,7 +42,6 @@ TEST_CASE("options out of their range are refused, with the range") {
     CHECK_FALSE(refusal([](auto& o) { o.refinement.centreline.step = 0; }).empty());
     CHECK_FALSE(refusal([](auto& o) { o.refinement.head.slice = 0; }).empty());
     CHECK_FALSE(refusal([](auto& o) { o.prepare.denoise.most_passes = -1; }).empty());
-    CHECK_FALSE(refusal([](auto& o) { o.sides.foot = -1; }).empty());
 }
 
 TEST_CASE("a budget is a number of drafts from 1 to 1000, threads are from 1 to 1024") {

@@ -32,7 +32,7 @@ struct BodyFrame {
 /// One witness to which side is the left one.
 struct SideVote {
     std::string witness;
-    double strength = 0; ///< positive: for the sides as they are labelled; at most its weight
+    double strength = 0; ///< added to the log odds; positive: for the sides as they are labelled
 };
 
 /// How far the result may be trusted.
@@ -40,7 +40,7 @@ struct Quality {
     double sides_confidence = 0;       ///< 0 (a coin toss) to 1 (every witness agrees)
     int matched_nodes = 0;             ///< nodes of the reduced template found in the curve skeleton
     std::vector<std::string> warnings; ///< one sentence each
-    std::vector<SideVote> side_votes;  ///< what each kind of witness says: foot, knee, elbow, head, trunk
+    std::vector<SideVote> side_votes;  ///< what each kind of witness says: symmetry::SideWitness
 };
 
 /// The result: joints in template order (parents before children), end points on the surface, frame and quality.

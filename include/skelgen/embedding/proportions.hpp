@@ -40,8 +40,6 @@ struct FittingTemplate {
     SkeletonTemplate skeleton_template;
     Embedding embedding; ///< of that template in the curve
     bool is_odd = false; ///< its proportions are other than those that were given
-    bool fits_badly =
-        false; ///< it can be laid into the curve, but much distorted: more than any by a curve well centred
 };
 
 /// Of the template and its like with the proportions of children and of drawn figures the one that is least distorted

@@ -16,7 +16,6 @@
 #include <skelgen/refinement/pelvis.hpp>
 #include <skelgen/refinement/thickness_profile.hpp>
 #include <skelgen/refinement/trunk_joints.hpp>
-#include <skelgen/refinement/trunk_shape.hpp>
 #include <skelgen/surface/body.hpp>
 
 namespace skelgen::refinement {
@@ -62,7 +61,6 @@ struct RefinedJoints {
     std::vector<bool> is_present; ///< per template joint; empty: all are
     std::vector<std::pair<int, Vector3<Scalar>>> tips; ///< end joint and the end of its limb, where that is whole
     std::optional<HeadShape<Scalar>> head;             ///< none when the template has no neck, or no head is seen
-    std::optional<TrunkShape<Scalar>> trunk;           ///< none when the template has no two hips or no neck
 };
 
 /// Places all joints of an embedded template by cross-sections of the body's surface and prior knowledge. `ends` as

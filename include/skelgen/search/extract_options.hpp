@@ -7,7 +7,6 @@
 #include <skelgen/embedding/spectral_matching.hpp>
 #include <skelgen/refinement/refine.hpp>
 #include <skelgen/surface/prepare.hpp>
-#include <skelgen/symmetry/sides.hpp>
 
 namespace skelgen::search {
 
@@ -19,7 +18,6 @@ struct ExtractOptions {
     curve::CurveOptions curve;
     embedding::MatchingOptions matching;
     refinement::RefinementOptions refinement;
-    symmetry::SidesOptions sides;
     int budget = 20;        ///< curves that are looked for at most, counted in drafts (hypothesis.hpp); 1 to 1000
     bool with_curve = true; ///< whether the curve comes out, too: without it, joints are the same, in less time
     int threads = 1;        ///< that work on it, 1 to 1024; what comes out does not depend on it

@@ -24,6 +24,7 @@ struct Candidate {
     double probability = 0;
     Scalar geodesic_diameter = 0; ///< largest geodesic distance on the body, estimated
     std::vector<double> doubt;    ///< per joint: anatomy::joint_doubts
+    symmetry::SideEvidence sides; ///< what tells left from right
     StageTimings timings;         ///< of embed, refine and sides
 };
 
@@ -40,8 +41,8 @@ struct PlacedJoints {
     refinement::RefinedJoints<Scalar> joints;
     const embedding::Embedding* embedding = nullptr; ///< in the curve; none for a body at rest
     Scalar geodesic_diameter = 0;
-    symmetry::SidesOptions witnesses;                 ///< of the sides
     std::vector<std::pair<Witness, double>> evidence; ///< that the joints themselves do not show
+    const Points<Scalar>* vertices = nullptr;         ///< of the input: as symmetry::front_of_surface() takes them
 };
 
 /// The joints of a template that is laid into a curve, by cross-sections and anatomy. `laid` has to outlive the result.
@@ -61,8 +62,7 @@ template <typename Scalar>
 /// The joints of a body in any pose that was laid into the surface (posed_fit.hpp), as the fit has them: along it
 /// cross-sections place them worse. `diameter`: the largest geodesic distance on the body.
 template <typename Scalar>
-[[nodiscard]] PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const PosedFit& fit, Scalar diameter,
-                                                const ExtractOptions& options = {});
+[[nodiscard]] PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const PosedFit& fit, Scalar diameter);
 
 /// From placed joints on: sides told apart, the skeleton completed, its evidence. The curve serves as the middle that
 /// joints come inside towards. \returns failure flat_trunk where trunk or hips have no extent.

@@ -21,7 +21,7 @@ namespace skelgen::search {
 }
 
 /// Less likely skeletons are no answer. Between this and one half an answer is a guess and says so.
-inline constexpr double least_probability = 0.05;
+inline constexpr double least_probability = 0.1;
 
 /// Where one way to lay the template into a curve is likelier, no other one is tried.
 inline constexpr double likely_enough = 0.5;

@@ -1,5 +1,5 @@
-// Written by `./dev calibrate`: what the probability that a skeleton is right is made of. No unit. Fitted on 14823
-// candidates of 644 meshes by 310 makers; tests/calibration/calibrate.py says how, and how well on makers left out.
+// Written by `./dev calibrate`: what the probability that a skeleton is right is made of. No unit. Fitted on 14956
+// candidates of 644 meshes by 334 makers; tests/calibration/calibrate.py says how, and how well on makers left out.
 #pragma once
 
 #include <array>
@@ -8,21 +8,21 @@
 
 namespace skelgen::search {
 
-inline constexpr double trust_offset = -5.273;
+inline constexpr double trust_offset = -4.8268;
 inline constexpr std::array<double, witness_count> trust_weights{
     // unmatched_reach, fitted, posed, fit_cost, adapted, envelope, ... in the order of Witness
-    -23.532,  0.27071, -0.44907, -0.15157, 0.61756, 0.89313, -3.0561,  -1.249,   -0.77002,
-    2.3977,   -1.9267, -3.6356,  -4.2627,  -3.1521, -1.5081, -0.96271, -0.61222, -0.13751,
-    -0.25139, -1.6732, 1.9328,   0.36125,  -2.6449, 2.9783,  -0.81754};
+    -23.057, 0.39687, -0.22995, -0.21034, 0.6758,  0.95042, -2.9618,  -1.0405,  -0.96404,
+    2.0391,  -1.9314, -3.6889,  -4.1325,  -3.9578, -1.1678, -0.83345, -0.53967, -0.0029671,
+    -0.3236, -2.1477, 1.7782,   0.19317,  -2.6497, 2.8092,  -0.78638};
 inline constexpr std::array<double, witness_count> trust_means{
-    0.050954,  0.33208, 0.18646,  1.0764,  0.39792, 0.3112,  0.046374,  0.071141,  0.19881,
-    -0.051526, 0.89094, 0.090398, 0.28867, 0.18156, 0.40366, 0.0028885, -0.074699, 0.11338,
-    0.45837,   0.2,     0.7037,   0.53558, 0.25049, 0.12595, 0.53187};
+    0.050609,  0.32962, 0.18804,  1.0652,  0.40011, 0.31012, 0.046719,  0.075597,  0.1913,
+    -0.052544, 0.89173, 0.090914, 0.29468, 0.18243, 0.40193, 0.0031802, -0.076356, 0.10838,
+    0.46704,   0.20658, 0.75646,  0.54145, 0.2509,  0.12063, 0.53444};
 /// Of the squares of those that `curved_witnesses` names, in its order.
-inline constexpr std::array<double, curved_witnesses.size()> trust_square_weights{-2.8099,  -1.18,   -0.71373,
-                                                                                  -0.14262, -1.6774, -0.17911};
-inline constexpr std::array<double, curved_witnesses.size()> trust_square_means{0.22204, 0.26262, 0.32504,
-                                                                                0.95751, 0.12443, 0.041503};
-inline constexpr double joint_trust_offset = 1.313, joint_trust_of_whole = 0.5461, joint_trust_of_doubt = 0.7008;
+inline constexpr std::array<double, curved_witnesses.size()> trust_square_weights{-2.3781,  -1.0281, 0.075862,
+                                                                                  -0.22062, -1.513,  -1.7691};
+inline constexpr std::array<double, curved_witnesses.size()> trust_square_means{0.2165,  0.26327, 0.31292,
+                                                                                0.98071, 0.12121, 0.04483};
+inline constexpr double joint_trust_offset = 1.366, joint_trust_of_whole = 0.4693, joint_trust_of_doubt = 0.7367;
 
 } // namespace skelgen::search

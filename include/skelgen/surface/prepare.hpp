@@ -69,6 +69,10 @@ struct BodyMaterial {
 template <typename Scalar>
 [[nodiscard]] BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptions& options = {});
 
+/// Where the vertices are that the faces of a material use, in the input's coordinates, each place once. O(n).
+template <typename Scalar>
+[[nodiscard]] Points<Scalar> input_vertices(const BodyMaterial<Scalar>& material);
+
 /// The body that a remedy makes: noise smoothed away where there is any, in canonical form. \returns a failure where
 /// nothing is enclosed. \throws Error bad_input when the surface has no area.
 template <typename Scalar>

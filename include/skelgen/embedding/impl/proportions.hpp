@@ -159,7 +159,7 @@ with_curves_proportions(const CurveSkeleton<Scalar>& curve, const SkeletonTempla
         const double hips = proportions.hips;
         proportions = proportions_of(curve, *found, skeleton_template);
         proportions.hips = hips;
-        best = FittingTemplate{std::move(other), *std::move(found), true, false};
+        best = FittingTemplate{std::move(other), *std::move(found), true};
     }
     return best;
 }
@@ -188,7 +188,7 @@ Outcome<FittingTemplate> fitting_proportions(const CurveSkeleton<Scalar>& curve,
                                              const MatchingOptions& options) {
     auto whole = embed(curve, skeleton_template, options);
     if (!whole) return whole.failure();
-    FittingTemplate out{skeleton_template, *std::move(whole), false, false};
+    FittingTemplate out{skeleton_template, *std::move(whole), false};
     const bool is_partial = std::any_of(skeleton_template.joints.begin(), skeleton_template.joints.end(),
                                         [](const TemplateJoint& joint) { return joint.is_absent; });
     const double distortion = distortion_per_pair(out.embedding);
@@ -200,7 +200,7 @@ Outcome<FittingTemplate> fitting_proportions(const CurveSkeleton<Scalar>& curve,
         if (!found || !(distortion_per_pair(*found) < least)) continue;
         if (detail::is_more_than_left_over(curve, *found)) continue;
         least = distortion_per_pair(*found);
-        out = {std::move(other), *std::move(found), true, false};
+        out = {std::move(other), *std::move(found), true};
     }
     if (!out.is_odd && distortion > detail::fitted_figure) {
         least = detail::fitted_figure;
@@ -211,7 +211,6 @@ Outcome<FittingTemplate> fitting_proportions(const CurveSkeleton<Scalar>& curve,
             out = *std::move(fitted);
         }
     }
-    out.fits_badly = !out.is_odd || least > detail::well_fitted_figure;
     return out;
 }
 
@@ -233,14 +232,14 @@ std::vector<FittingTemplate> other_fitting_templates(const CurveSkeleton<Scalar>
                                         [](const TemplateJoint& joint) { return joint.is_absent; });
     if (is_partial) return {};
     if (auto whole = embed(curve, skeleton_template, options)) {
-        add({skeleton_template, *std::move(whole), false, false});
+        add({skeleton_template, *std::move(whole), false});
         for (const Proportions& start : detail::other_proportions)
             if (auto other = detail::with_curves_proportions(curve, skeleton_template, start, false, options))
                 add(*std::move(other));
     }
     for (PartialTemplate& part : partial_templates(skeleton_template))
         if (auto other = embed(curve, part.skeleton_template, options))
-            add({std::move(part.skeleton_template), *std::move(other), false, false});
+            add({std::move(part.skeleton_template), *std::move(other), false});
     std::stable_sort(found.begin(), found.end(), [](const FittingTemplate& a, const FittingTemplate& b) {
         return distortion_per_pair(a.embedding) < distortion_per_pair(b.embedding);
     });

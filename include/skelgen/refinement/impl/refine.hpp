@@ -228,15 +228,6 @@ ScaledLimbs<Scalar> find_limbs(const Slicer<Scalar>& slicer, const std::vector<E
     return {std::move(limbs), ratio * scale, axis};
 }
 
-template <typename Scalar>
-std::optional<TrunkShape<Scalar>> trunk_of(const Placement<Scalar>& placement, const Slicer<Scalar>& slicer) {
-    const std::vector<int> hips = placement.all(JointRole::hip);
-    const int neck = placement.find(JointRole::neck);
-    if (hips.size() != 2 || neck < 0) return std::nullopt;
-    return measure_trunk(slicer, *placement.middle(JointRole::hip), placement.at(neck),
-                         Vector3<Scalar>(placement.at(hips[0]) - placement.at(hips[1])));
-}
-
 /// Shoulders by their height, as far on the way there as they are inside of the body.
 template <typename Scalar>
 Placement<Scalar> place_shoulders_by_height(Placement<Scalar> placement, const std::vector<Limb<Scalar>>& limbs,
@@ -311,7 +302,6 @@ RefinedJoints<Scalar> refine(const Body<Scalar>& body, const std::vector<EndPoin
     }
 
     out.positions = placement.positions();
-    out.trunk = detail::trunk_of(placement, slicer);
     for (const TemplateJoint& joint : skeleton_template.joints) out.is_present.push_back(!joint.is_absent);
     for (std::size_t j = 0; j < out.is_present.size(); ++j)
         if (!out.is_present[j])

@@ -15,7 +15,6 @@ SKELGEN_INLINE void validate(const ExtractOptions& options) {
     curve::validate(options.curve);
     embedding::validate(options.matching);
     refinement::validate(options.refinement);
-    symmetry::validate(options.sides);
     core::require_in_range("budget", options.budget, 1, 1000);
     core::require_in_range("threads", options.threads, 1, 1024);
 }

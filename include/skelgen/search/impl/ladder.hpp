@@ -108,6 +108,7 @@ public:
             return std::move(out_);
         }
         remedies_ = material_.remedies;
+        vertices_ = surface::input_vertices(material_);
         for (std::size_t i = 0; i < remedies_.size(); ++i) {
             const bool is_later = is_envelope(remedies_[i]) && !is_envelope(remedies_.front());
             Hypothesis what{remedies_[i]};
@@ -351,7 +352,7 @@ private:
         out_.timings.refine += stage.lap();
         for (const PosedFit& fit : fits)
             try_placed(lead, surface, curve, entry, options_,
-                       [&](const ExtractOptions& options) { return place_joints(*lead.body, fit, diameter, options); });
+                       [&](const ExtractOptions&) { return place_joints(*lead.body, fit, diameter); });
     }
 
     void try_quadruped(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
@@ -402,7 +403,8 @@ private:
                       const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry,
                       const ExtractOptions& options, Place place) {
         core::Stopwatch stage;
-        const PlacedJoints<Scalar> placed = place(options);
+        PlacedJoints<Scalar> placed = place(options);
+        placed.vertices = &vertices_;
         out_.timings.refine += stage.lap();
         Outcome<Candidate<Scalar>> candidate = skeleton_of(*lead.body, *curve, placed);
         last_cut_limbs_ = candidate ? candidate->evidence[Witness::cut_limbs] : 0;
@@ -556,6 +558,7 @@ private:
     double animal_in_draft_ = 0;     ///< probability of one there, until a finer curve tells
     surface::BodyMaterial<Scalar> material_;
     std::vector<surface::Remedy> remedies_; ///< of the material, which the last of them takes
+    Points<Scalar> vertices_;               ///< of the input
     std::map<surface::Remedy, Outcome<PreparedSurface<Scalar>>> surfaces_;
     std::vector<Lead<Scalar>> leads_;    ///< by rung
     double last_cut_limbs_ = 0;          ///< of the candidate tried last

@@ -22,12 +22,11 @@ template <typename Scalar>
 PlacedJoints<Scalar>
 place_joints(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found, const embedding::FittingTemplate& laid,
              const std::vector<refinement::EndPoint<Scalar>>& ends, const ExtractOptions& options) {
-    const auto& [wanted, embedding, is_odd, fits_badly] = laid;
+    const SkeletonTemplate& wanted = laid.skeleton_template;
     return {wanted,
-            refinement::refine(body, ends, found.curve, embedding, wanted, options.refinement),
-            &embedding,
+            refinement::refine(body, ends, found.curve, laid.embedding, wanted, options.refinement),
+            &laid.embedding,
             refinement::geodesic_diameter(ends),
-            is_odd ? symmetry::sides_of_figures(options.sides) : options.sides,
             {}};
 }
 
@@ -45,17 +44,16 @@ PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const RestFit<Scalar
             continue;
         joints.positions.row(static_cast<Eigen::Index>(j)) = fit.joints.positions.row(static_cast<Eigen::Index>(j));
     }
-    joints.head = std::nullopt; // head and trunk are not measured: they tell less than limbs which way a figure faces
-    joints.trunk = std::nullopt;
     const double cost = std::log(std::max(fit.cost, 1e-3));
-    return {wanted,        std::move(joints),
-            nullptr,       core::geodesic_diameter(body.graph),
-            options.sides, {{Witness::fitted, 1}, {Witness::fit_cost, cost}}};
+    return {wanted,
+            std::move(joints),
+            nullptr,
+            core::geodesic_diameter(body.graph),
+            {{Witness::fitted, 1}, {Witness::fit_cost, cost}}};
 }
 
 template <typename Scalar>
-PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const PosedFit& fit, Scalar diameter,
-                                  const ExtractOptions& options) {
+PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const PosedFit& fit, Scalar diameter) {
     refinement::RefinedJoints<Scalar> joints;
     joints.positions = fit.joints.template cast<Scalar>();
     joints.is_present.assign(fit.skeleton_template.joints.size(), true);
@@ -67,7 +65,6 @@ PlacedJoints<Scalar> place_joints(const Body<Scalar>& body, const PosedFit& fit,
             std::move(joints),
             nullptr,
             diameter,
-            options.sides,
             {{Witness::fitted, 1}, {Witness::fit_cost, std::log(std::max(fit.cost, 1e-3))}, {Witness::posed, 1}}};
 }
 
@@ -76,7 +73,8 @@ Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>& body, const curve::Cu
                                        const PlacedJoints<Scalar>& placed) {
     core::Stopwatch stage;
     const SkeletonTemplate& wanted = placed.skeleton_template;
-    const auto sides = symmetry::decide_sides(placed.joints, wanted, placed.witnesses);
+    const auto sides = symmetry::decide_sides(placed.joints, wanted,
+                                              symmetry::front_of_surface(body, placed.joints, wanted, placed.vertices));
     if (!sides) return sides.failure();
     auto completed =
         anatomy::complete_skeleton(symmetry::assemble(placed.joints, wanted, *sides), body, found.curve, wanted);
@@ -87,6 +85,7 @@ Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>& body, const curve::Cu
     out.probability = probability_right(out.evidence);
     out.skeleton = std::move(completed.skeleton);
     out.doubt = std::move(completed.doubt);
+    out.sides = sides->evidence;
     out.timings.sides = stage.lap();
     if (!placed.embedding) return out;
     out.skeleton.quality.matched_nodes = placed.embedding->matched_nodes;

@@ -471,6 +471,21 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
 }
 
 template <typename Scalar>
+Points<Scalar> input_vertices(const BodyMaterial<Scalar>& material) {
+    const TriangleMesh<Scalar>& mesh = material.clean.mesh;
+    std::vector<bool> is_used(static_cast<std::size_t>(mesh.vertices.rows()), false);
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
+        for (int k = 0; k < 3; ++k) is_used[static_cast<std::size_t>(mesh.faces(f, k))] = true;
+    Points<Scalar> out(std::count(is_used.begin(), is_used.end(), true), 3);
+    Eigen::Index row = 0;
+    for (std::size_t v = 0; v < is_used.size(); ++v)
+        if (is_used[v])
+            out.row(row++) =
+                material.clean.similarity.to_input(core::point(mesh.vertices, static_cast<Eigen::Index>(v)));
+    return out;
+}
+
+template <typename Scalar>
 Outcome<Body<Scalar>> make_body_by(Remedy remedy, BodyMaterial<Scalar> material, const PrepareOptions& options) {
     const Similarity<Scalar> cleaned = material.clean.similarity;
     if (const auto paired = material.paired.find(remedy); paired != material.paired.end()) {

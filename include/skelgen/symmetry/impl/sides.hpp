@@ -3,50 +3,19 @@
 #include <skelgen/symmetry/sides.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/core/options.hpp>
+#include <skelgen/symmetry/joints_by_role.hpp>
+#include <skelgen/symmetry/sides_table.hpp>
 #include <skelgen/symmetry/standing_pose.hpp>
 
 namespace skelgen::symmetry {
 namespace detail {
-
-template <typename Scalar>
-bool is_present(const refinement::RefinedJoints<Scalar>& joints, int j) {
-    return joints.is_present.empty() || joints.is_present[static_cast<std::size_t>(j)];
-}
-
-/// Refined joints, looked up by role and side. What is cut off is not found.
-template <typename Scalar>
-class JointsByRole {
-public:
-    JointsByRole(const refinement::RefinedJoints<Scalar>& joints, const SkeletonTemplate& skeleton_template)
-        : joints_(joints), template_(skeleton_template) {}
-
-    [[nodiscard]] std::optional<Vector3<Scalar>> find(JointRole role, Side side = Side::none) const {
-        const int j = find_joint(template_, role, side);
-        if (j < 0 || !is_present(joints_, j)) return std::nullopt;
-        return core::point(joints_.positions, j);
-    }
-
-    /// Of a joint that every template has and no body lacks.
-    [[nodiscard]] Vector3<Scalar> get(JointRole role, Side side = Side::none) const { return find(role, side).value(); }
-
-    /// The end of the limb of which this is the last joint.
-    [[nodiscard]] std::optional<Vector3<Scalar>> tip(JointRole role, Side side) const {
-        const int j = find_joint(template_, role, side);
-        for (const auto& [end, point] : joints_.tips)
-            if (end == j) return point;
-        return std::nullopt;
-    }
-
-private:
-    const refinement::RefinedJoints<Scalar>& joints_;
-    const SkeletonTemplate& template_;
-};
 
 template <typename Scalar>
 std::optional<LegBones<Scalar>> leg_bones(const JointsByRole<Scalar>& joints, Side side) {
@@ -82,21 +51,6 @@ Vector3<Scalar> between_arms(const JointsByRole<Scalar>& joints) {
     return joints.get(hand, Side::left) - joints.get(hand, Side::right);
 }
 
-inline double sum_of(const std::vector<SideVote>& votes) {
-    double total = 0;
-    for (const SideVote& vote : votes) total += vote.strength;
-    return total;
-}
-
-/// 1 when all witnesses agree and at least one of them is strong, 0 when they cancel out or none says anything.
-inline double confidence_of(const std::vector<SideVote>& votes) {
-    constexpr double strong = 0.5; // one foot turned out by 60 degrees
-    double magnitude = 0;
-    for (const SideVote& vote : votes) magnitude += std::abs(vote.strength);
-    if (!(magnitude > 0)) return 0;
-    return std::abs(sum_of(votes)) / magnitude * std::min(1.0, magnitude / strong);
-}
-
 /// The joint that ends up under the name of template joint `j`.
 template <typename Scalar>
 int source_of(int j, const SkeletonTemplate& skeleton_template, const SidesDecision<Scalar>& sides) {
@@ -106,49 +60,37 @@ int source_of(int j, const SkeletonTemplate& skeleton_template, const SidesDecis
     return other >= 0 ? other : j;
 }
 
-/// Votes of one kind added up, positive for the sides as decided.
-template <typename Scalar>
-std::vector<SideVote> votes_by_witness(const SidesDecision<Scalar>& sides) {
-    std::vector<SideVote> out;
-    for (const SideVote& vote : sides.votes) {
-        auto same = std::find_if(out.begin(), out.end(), [&](const SideVote& v) { return v.witness == vote.witness; });
-        if (same == out.end()) same = out.insert(out.end(), {vote.witness, 0});
-        same->strength += sides.swap_legs ? -vote.strength : vote.strength;
-    }
-    return out;
-}
-
 inline std::string doubt_of_sides(const std::vector<SideVote>& votes) {
     std::string against;
     for (const SideVote& vote : votes)
         if (vote.strength < 0) against += (against.empty() ? "" : ", ") + vote.witness;
     return "left and right may be exchanged: " + (against.empty()
-                                                      ? "feet, knees, elbows, head and trunk hardly tell them"
+                                                      ? "feet, knees, elbows and head hardly tell them"
                                                       : "the witnesses disagree (against: " + against + ")");
 }
 
 } // namespace detail
 
-SKELGEN_INLINE SidesOptions sides_of_figures(SidesOptions options) {
-    options.head /= 2;
-    options.trunk /= 2;
-    return options;
+SKELGEN_INLINE std::string_view to_string(SideWitness witness) {
+    constexpr std::array<std::string_view, side_witness_count> names{"foot", "knee", "elbow", "head", "sole", "face"};
+    return names[static_cast<std::size_t>(witness)];
 }
 
-SKELGEN_INLINE void validate(const SidesOptions& options) {
-    constexpr double most = 1000;
-    core::require_in_range("sides.foot", options.foot, 0.0, most);
-    core::require_in_range("sides.knee", options.knee, 0.0, most);
-    core::require_in_range("sides.elbow", options.elbow, 0.0, most);
-    core::require_in_range("sides.head", options.head, 0.0, most);
-    core::require_in_range("sides.trunk", options.trunk, 0.0, most);
+SKELGEN_INLINE std::vector<SideVote> votes_of(const SideEvidence& evidence) {
+    static_assert(side_weights.size() == side_witness_count && side_limits.size() == side_witness_count);
+    std::vector<SideVote> out;
+    for (std::size_t w = 0; w < side_witness_count; ++w)
+        if (evidence.values[w] != 0)
+            out.push_back({std::string(to_string(static_cast<SideWitness>(w))),
+                           side_weights[w] * std::clamp(evidence.values[w], -side_limits[w], side_limits[w])});
+    return out;
 }
 
 template <typename Scalar>
 Outcome<SidesDecision<Scalar>> decide_sides(const refinement::RefinedJoints<Scalar>& joints,
-                                            const SkeletonTemplate& skeleton_template, const SidesOptions& options) {
+                                            const SkeletonTemplate& skeleton_template,
+                                            const SurfaceFront<Scalar>& surface) {
     using enum JointRole;
-    validate(options);
     const detail::JointsByRole<Scalar> by_role(joints, skeleton_template);
     const Vector3<Scalar> left_hip = by_role.get(hip, Side::left), right_hip = by_role.get(hip, Side::right);
     const Vector3<Scalar> hips_middle = Scalar(0.5) * (left_hip + right_hip), hips = left_hip - right_hip;
@@ -161,8 +103,8 @@ Outcome<SidesDecision<Scalar>> decide_sides(const refinement::RefinedJoints<Scal
 
     SidesDecision<Scalar> out;
     // Does a direction that ought to be the left one say that `across` points left?
-    const auto vote = [&](const char* witness, double weight, const Vector3<Scalar>& left) {
-        out.votes.push_back({witness, weight * static_cast<double>(left.dot(across))});
+    const auto hear = [&](SideWitness witness, const Vector3<Scalar>& left) {
+        out.evidence[witness] += static_cast<double>(left.dot(across));
     };
     Vector3<Scalar> forward = Vector3<Scalar>::Zero();
     for (const Side side : {Side::left, Side::right}) {
@@ -170,21 +112,21 @@ Outcome<SidesDecision<Scalar>> decide_sides(const refinement::RefinedJoints<Scal
         if (leg && by_role.find(foot, side)) {
             const Vector3<Scalar> standing = detail::without_component(standing_foot_direction(*leg, up, across), up);
             forward += standing;
-            vote("foot", options.foot, up.cross(standing)); // up x forward is left
+            hear(SideWitness::foot, up.cross(standing)); // up x forward is left
         }
         // The calf folds backwards: thigh x calf points left.
-        if (leg) vote("knee", options.knee, leg->thigh.normalized().cross(leg->calf.normalized()));
-        if (const auto axis = detail::elbow_axis(by_role, side)) vote("elbow", options.elbow, *axis);
+        if (leg) hear(SideWitness::knee, leg->thigh.normalized().cross(leg->calf.normalized()));
+        if (const auto axis = detail::elbow_axis(by_role, side)) hear(SideWitness::elbow, *axis);
     }
-    constexpr double clear_head = 0.08, clear_trunk = 0.012; // median frontness over 96 real bodies
-    if (joints.head)
-        vote("head", options.head * std::min(1.0, static_cast<double>(joints.head->frontness) / clear_head),
-             up.cross(joints.head->forward));
-    if (joints.trunk)
-        vote("trunk", options.trunk * std::min(1.0, static_cast<double>(joints.trunk->frontness) / clear_trunk),
-             up.cross(joints.trunk->forward));
-    out.swap_legs = detail::sum_of(out.votes) < 0;
-    out.confidence = detail::confidence_of(out.votes);
+    if (joints.head) hear(SideWitness::head, up.cross(joints.head->forward) * joints.head->frontness);
+    hear(SideWitness::sole, up.cross(surface.sole));
+    hear(SideWitness::face, up.cross(surface.face));
+    double log_odds = 0;
+    for (const SideVote& vote : votes_of(out.evidence)) log_odds += vote.strength;
+    out.swap_legs = log_odds < 0;
+    if (out.swap_legs)
+        for (double& value : out.evidence.values) value = -value;
+    out.confidence = 2 * core::logistic(std::abs(log_odds)) - 1;
 
     // Where the feet say nothing, or are outvoted, the hips decide; where they speak, they know better than hips that a
     // deep crouch hides. Half of one foot that points straight ahead is speaking.
@@ -218,8 +160,8 @@ KinematicSkeleton<Scalar> assemble(const refinement::RefinedJoints<Scalar>& join
     }
     out.frame = sides.frame;
     out.quality.sides_confidence = sides.confidence;
-    out.quality.side_votes = detail::votes_by_witness(sides);
-    constexpr double doubtful = 0.5; // below, more than a quarter of all that is said is against, or all are weak
+    out.quality.side_votes = votes_of(sides.evidence);
+    constexpr double doubtful = 0.5; // below, they are right in less than three of four cases
     if (sides.confidence < doubtful) out.quality.warnings.push_back(detail::doubt_of_sides(out.quality.side_votes));
     return out;
 }
