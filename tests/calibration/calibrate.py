@@ -13,8 +13,8 @@ median of the joints' errors is at most 0.04 of the scale and none above 0.12. W
 The log odds are linear in the evidence and in the squares of proportions, fitted with a penalty on the weights. Each mesh
 counts once, one of a named maker three times: as what was found after the first try, after the fourth and after all of them,
 since what the candidates say of each other changes with each.
-Before that, the sides: of candidates whose limbs are right, as they are or with left and right exchanged, the log odds that they are right
-as they are, are linear in what tells left from right, each bounded. Other sides and another confidence in them go into the fit of the trust.
+The sides are fitted first, on candidates whose limbs are right, as they are or with left and right exchanged. The log odds that the
+sides are right are linear in what tells left from right, each bounded. The trust is then fitted with the sides that the other folds decide.
 
 What is printed is of folds: fitted without the makers that it is then judged on; how often the likeliest candidate is right,
 and how often those of each tenth of probability are. --ablate leaves out each kind of hypothesis and each witness in turn,
@@ -138,15 +138,8 @@ def fit_sides(meshes, without=None, penalty=2.0):
     if without is not None:
         values[:, without] = 0
     spread = np.sqrt(np.average(values**2, axis=0, weights=w)) + 1e-12
-    z = np.clip(values / spread, -BOUND, BOUND)
-    beta = np.zeros(z.shape[1])
-    for _ in range(60):
-        p = logistic(z @ beta)
-        step = np.linalg.solve((z * (w * p * (1 - p))[:, None]).T @ z + penalty * np.eye(len(beta)), z.T @ (w * (p - 1)) + penalty * beta)
-        beta -= step
-        if np.abs(step).max() < 1e-9:
-            break
-    return {"weights": beta / spread, "limits": BOUND * spread, "penalty": penalty}
+    beta = logistic_regression(np.clip(values / spread, -BOUND, BOUND), 1, w, penalty)
+    return {"weights": beta / spread, "limits": BOUND * spread}
 
 
 def fit_sides_by_folds(meshes):
@@ -156,8 +149,7 @@ def fit_sides_by_folds(meshes):
         rows, m.side_values = m.sides()
         if rows:
             told.append(m)
-            m.side_names = list(rows[0]["sides"])
-    names = told[0].side_names
+            names = list(rows[0]["sides"])
 
     def measure(without=None):
         tables = [fit_sides([m for m in told if fold_of(m.group) != fold], without) for fold in range(5)]
@@ -236,16 +228,22 @@ def fit(meshes, penalty):
     z = np.hstack([(x - mean) / deviation, np.ones((len(x), 1))])
     ridge = np.full(z.shape[1], penalty)
     ridge[-1] = 0
+    beta = logistic_regression(z, y, w, ridge)
+    return {"weights": beta[:-1] / deviation, "means": mean, "offset": beta[-1]}
+
+
+def logistic_regression(z, y, w, ridge):
+    """Weights that make y likeliest, by Newton's method. z: rows x columns, w: of the rows, ridge: penalty on the squares."""
     beta = np.zeros(z.shape[1])
     for _ in range(60):
         p = logistic(z @ beta)
         gradient = z.T @ (w * (p - y)) + ridge * beta
-        hessian = (z * (w * p * (1 - p))[:, None]).T @ z + np.diag(ridge) + 1e-9 * np.eye(len(beta))
+        hessian = (z * (w * p * (1 - p))[:, None]).T @ z + np.diag(np.broadcast_to(ridge, len(beta))) + 1e-9 * np.eye(len(beta))
         step = np.linalg.solve(hessian, gradient)
         beta -= step
         if np.abs(step).max() < 1e-9:
             break
-    return {"weights": beta[:-1] / deviation, "means": mean, "offset": beta[-1]}
+    return beta
 
 
 def logistic(x):

@@ -226,6 +226,57 @@ TEST_CASE("skeletons agree that lie on each other, little where joints are far o
     CHECK(agreement(one, lacking, 2) == 0);
 }
 
+TEST_CASE("a face is seen by the input's vertices, where an envelope stands for the surface, too") {
+    // Of one surface, cut through at the waist: the vertices of the face are denser, or those of the head's back.
+    const Mesh& man = standing_man();
+    const double top = man.vertices.col(2).maxCoeff(), height = top - man.vertices.col(2).minCoeff();
+    const auto middle = [&](Eigen::Index f) {
+        return Vector3<double>((core::point(man.vertices, man.faces(f, 0)) +
+                                core::point(man.vertices, man.faces(f, 1)) +
+                                core::point(man.vertices, man.faces(f, 2))) /
+                               3);
+    };
+    double head_y = 0, head_faces = 0;
+    for (Eigen::Index f = 0; f < man.faces.rows(); ++f)
+        if (middle(f).z() > top - 0.1 * height) {
+            head_y += middle(f).y();
+            head_faces += 1;
+        }
+    head_y /= head_faces;
+    std::vector<double> seen;
+    for (const double denser : {-1.0, 1.0}) { // towards y
+        std::vector<Vector3<double>> places;
+        std::vector<Eigen::Vector3i> faces;
+        for (Eigen::Index v = 0; v < man.vertices.rows(); ++v) places.push_back(core::point(man.vertices, v));
+        for (Eigen::Index f = 0; f < man.faces.rows(); ++f) {
+            const Eigen::Vector3i face = man.faces.row(f).transpose();
+            const Vector3<double> at = middle(f);
+            if (at.z() > top - 0.425 * height && at.z() < top - 0.415 * height) continue;
+            if (at.z() > top - 0.1 * height && denser * (at.y() - head_y) > 0) {
+                const int added = static_cast<int>(places.size());
+                places.push_back(at);
+                for (int k = 0; k < 3; ++k) faces.emplace_back(face[k], face[(k + 1) % 3], added);
+            } else {
+                faces.push_back(face);
+            }
+        }
+        Mesh mesh{Points<double>(static_cast<Eigen::Index>(places.size()), 3),
+                  Triangles(static_cast<Eigen::Index>(faces.size()), 3)};
+        for (std::size_t v = 0; v < places.size(); ++v)
+            mesh.vertices.row(static_cast<Eigen::Index>(v)) = places[v].transpose();
+        for (std::size_t f = 0; f < faces.size(); ++f)
+            mesh.faces.row(static_cast<Eigen::Index>(f)) = faces[f].transpose();
+        const Climb<double> climb = climbed(mesh, 3, Thoroughness::exhaustive);
+        REQUIRE(!climb.found.empty());
+        const Found<double>& found = climb.found.front();
+        CHECK(found.hypothesis.surface == surface::Remedy::envelope);
+        const Vector3<double> ahead = skeleton_in_input(found).frame.forward;
+        seen.push_back(found.candidate.sides[symmetry::SideWitness::face] * (ahead.y() > 0 ? 1 : -1));
+    }
+    CHECK(seen[0] < -0.002); // of the diagonal, towards y
+    CHECK(seen[1] > 0.002);
+}
+
 TEST_CASE("several bodies are refused before a curve is looked for, and one of them can be chosen") {
     const Climb<double> both = climbed(two_balls(), 1);
     CHECK(both.found.empty());

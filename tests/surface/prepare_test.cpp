@@ -69,6 +69,19 @@ TEST_CASE("a vertex of the input where fans touch goes to one region only") {
     CHECK(back.regions[0].size() + back.regions[1].size() == static_cast<std::size_t>(body.mesh.vertices.rows()) - 1);
 }
 
+TEST_CASE("the input's vertices are those that faces use, each place once, in its coordinates") {
+    Mesh mesh = moved(sphere(1, 2), {Eigen::Matrix3d::Identity(), 3, {5, 1, -2}});
+    const Eigen::Index count = mesh.vertices.rows();
+    mesh.vertices.conservativeResize(count + 2, 3);
+    mesh.vertices.row(count) = mesh.vertices.row(mesh.faces(0, 0)); // the same place twice
+    mesh.vertices.row(count + 1).setConstant(99);                   // of no face
+    mesh.faces(0, 0) = static_cast<int>(count);
+    const Points<double> found = surface::input_vertices(surface::gather(mesh));
+    REQUIRE(found.rows() == count);
+    for (const auto& place : found.rowwise())
+        CHECK((mesh.vertices.topRows(count).rowwise() - place).rowwise().norm().minCoeff() < 1e-6);
+}
+
 TEST_CASE("what is no surface is bad input") {
     const auto code = [](const Mesh& mesh) {
         try {

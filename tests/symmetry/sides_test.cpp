@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <skelgen/core/error.hpp>
 #include <skelgen/core/template_rules.hpp>
 #include <skelgen/symmetry/sides.hpp>
 #include <skelgen/symmetry/sides_table.hpp>
@@ -187,8 +186,12 @@ TEST_CASE("size does not matter") {
     }
 }
 
-TEST_CASE("who stands straight is told by joints alone, turned feet leave doubt") {
-    CHECK(decide(posed(test_poses()[0]).joints).confidence > 0.5); // by joints alone: the surface says more
+TEST_CASE("who stands straight is told by joints, and surely by the surface; turned feet leave doubt") {
+    const Joints standing = posed(test_poses()[0]).joints;
+    CHECK(decide(standing).confidence > 0.5);
+    SurfaceFront<double> front;
+    front.sole = 1.5 * Vector3<double>::UnitZ(); // of 2 at most
+    CHECK(decide_sides(standing, builtin_template("human21"), front)->confidence > 0.9);
     TestPose contradictory{"one foot forward, one backward", {{"left_ankle", {0, 0, 170}}}};
     CHECK(decide(posed(contradictory).joints).confidence < 0.5);
 }

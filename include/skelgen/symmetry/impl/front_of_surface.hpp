@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <vector>
+#include <utility>
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/precision.hpp>
@@ -37,54 +37,36 @@ struct MeanPlace {
     }
 };
 
-/// A bone of a limb, and places beside it.
-template <typename Scalar>
-struct FrontBone {
-    Vector3<Scalar> from, along; ///< `along` has unit length
-    Scalar length;
-    MeanPlace<Scalar> beside, beyond; ///< off its line
-
-    FrontBone(const Vector3<Scalar>& start, const Vector3<Scalar>& end)
-        : from(start), along((end - start).normalized()), length((end - start).norm()) {}
-    [[nodiscard]] Vector3<Scalar> off_line(const Vector3<Scalar>& place) const {
-        return without_component(Vector3<Scalar>(place - from), along);
+template <typename Scalar, typename Use>
+void each_face(const TriangleMesh<Scalar>& mesh, Use use) {
+    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
+        const auto corner = [&](int k) -> Vector3<Scalar> { return core::point(mesh.vertices, mesh.faces(f, k)); };
+        use(Vector3<Scalar>((corner(0) + corner(1) + corner(2)) / Scalar(3)), core::face_area_vector(mesh, f).norm());
     }
-    /// In lengths from its start.
-    [[nodiscard]] Scalar along_it(const Vector3<Scalar>& place) const { return (place - from).dot(along) / length; }
-};
-
-template <typename Scalar>
-std::vector<FrontBone<Scalar>> find_shins(const JointsByRole<Scalar>& joints) {
-    std::vector<FrontBone<Scalar>> out;
-    for (const Side side : {Side::left, Side::right}) {
-        const auto start = joints.find(JointRole::knee, side), end = joints.find(JointRole::ankle, side);
-        if (start && end && (*end - *start).norm() > 0) out.emplace_back(*start, *end);
-    }
-    return out;
 }
 
-/// A place on a shin, above the ankle, or on the foot below it.
+/// From the shin's axis to the middle of the foot's surface, over its spread. Nearer to `other` is the other leg's.
 template <typename Scalar>
-void add_to_leg(std::vector<FrontBone<Scalar>>& shins, const Vector3<Scalar>& place, Scalar weight) {
-    constexpr Scalar shin_from = Scalar(0.4), shin_to = Scalar(0.8), foot_from = Scalar(0.95), thick = Scalar(0.6);
-    const auto from_ankle = [&](const FrontBone<Scalar>& shin) {
-        return (place - shin.from - shin.length * shin.along).norm();
-    };
-    FrontBone<Scalar>* nearest = nullptr;
-    for (FrontBone<Scalar>& shin : shins)
-        if (!nearest || from_ankle(shin) < from_ankle(*nearest)) nearest = &shin;
-    if (!nearest) return;
-    const Scalar at = nearest->along_it(place);
-    const Vector3<Scalar> off = nearest->off_line(place);
-    if (at > shin_from && at < shin_to && off.norm() < thick * nearest->length) nearest->beside.add(off, weight);
-    if (at > foot_from && from_ankle(*nearest) < nearest->length) nearest->beyond.add(off, weight);
-}
-
-/// Is a place in the head, hair and ears included? `neck`: the bone from the neck to the head.
-template <typename Scalar>
-bool is_in_head(const FrontBone<Scalar>& neck, const Vector3<Scalar>& place) {
-    constexpr Scalar from = Scalar(0.2), far = Scalar(3);
-    return neck.along_it(place) > from && (place - neck.from - neck.length * neck.along).norm() < far * neck.length;
+Vector3<Scalar> before_shin(const TriangleMesh<Scalar>& mesh, const Vector3<Scalar>& knee, const Vector3<Scalar>& ankle,
+                            const std::optional<Vector3<Scalar>>& other) {
+    // In lengths of the calf, from the knee on; and how far from the ankle a foot reaches, and from its axis a shin.
+    constexpr Scalar shin_from = Scalar(0.4), shin_to = Scalar(0.8), foot_from = Scalar(0.95), far = 1,
+                     thick = Scalar(0.6);
+    const Scalar length = (ankle - knee).norm();
+    if (!(length > 0)) return Vector3<Scalar>::Zero();
+    const Vector3<Scalar> down = (ankle - knee) / length;
+    MeanPlace<Scalar> shin, foot; // off the line through the calf
+    each_face(mesh, [&](const Vector3<Scalar>& place, Scalar area) {
+        const Scalar from_ankle = (place - ankle).norm(), along = (place - knee).dot(down) / length;
+        if (other && (place - *other).norm() < from_ankle) return;
+        const Vector3<Scalar> off = without_component(Vector3<Scalar>(place - knee), down);
+        if (along > shin_from && along < shin_to && off.norm() < thick * length) shin.add(off, area);
+        if (along > foot_from && from_ankle < far * length) foot.add(off, area);
+    });
+    if (!(foot.weight > 0)) return Vector3<Scalar>::Zero();
+    const Vector3<Scalar> axis = shin.weight > 0 ? shin.get() : Vector3<Scalar>::Zero();
+    const Scalar spread = foot.spread_from(axis);
+    return spread > 0 ? Vector3<Scalar>((foot.get() - axis) / spread) : Vector3<Scalar>::Zero();
 }
 
 } // namespace detail
@@ -94,37 +76,31 @@ SurfaceFront<Scalar> front_of_surface(const Body<Scalar>& body, const refinement
                                       const SkeletonTemplate& skeleton_template, const Points<Scalar>* vertices) {
     using enum JointRole;
     const detail::JointsByRole<Scalar> by_role(joints, skeleton_template);
-    auto shins = detail::find_shins(by_role);
-    const auto neck_at = by_role.find(neck), head_at = by_role.find(head);
-    std::optional<detail::FrontBone<Scalar>> skull;
-    if (neck_at && head_at && (*head_at - *neck_at).norm() > 0) skull.emplace(*neck_at, *head_at);
-
-    detail::MeanPlace<Scalar> head_surface, head_vertices;
-    for (Eigen::Index f = 0; f < body.mesh.faces.rows(); ++f) {
-        const auto corner = [&](int k) -> Vector3<Scalar> {
-            return core::point(body.mesh.vertices, body.mesh.faces(f, k));
-        };
-        const Vector3<Scalar> place = (corner(0) + corner(1) + corner(2)) / Scalar(3);
-        const Scalar area = core::face_area_vector(body.mesh, f).norm();
-        detail::add_to_leg(shins, place, area);
-        if (skull && detail::is_in_head(*skull, place)) head_surface.add(place, area);
-    }
     SurfaceFront<Scalar> out;
-    for (const auto& shin : shins) {
-        if (!(shin.beyond.weight > 0)) continue;
-        const Vector3<Scalar> axis = shin.beside.weight > 0 ? shin.beside.get() : Vector3<Scalar>::Zero();
-        const Scalar spread = shin.beyond.spread_from(axis);
-        if (spread > 0) out.sole += (shin.beyond.get() - axis) / spread;
-    }
-    if (!skull) return out;
+    for (const auto& [side, other] : {std::pair(Side::left, Side::right), std::pair(Side::right, Side::left)})
+        if (const auto knee_at = by_role.find(knee, side), ankle_at = by_role.find(ankle, side); knee_at && ankle_at)
+            out.sole += detail::before_shin(body.mesh, *knee_at, *ankle_at, by_role.find(ankle, other));
+
+    const auto neck_at = by_role.find(neck), head_at = by_role.find(head);
+    if (!neck_at || !head_at || !((*head_at - *neck_at).norm() > 0)) return out;
+    const Vector3<Scalar> to_head = *head_at - *neck_at;
+    const auto is_in_head = [&](const Vector3<Scalar>& place) { // hair and ears included
+        constexpr Scalar from = Scalar(0.2), far = Scalar(3);   // in lengths from neck to head
+        return (place - *neck_at).dot(to_head) > from * to_head.squaredNorm() &&
+               (place - *head_at).norm() < far * to_head.norm();
+    };
+    detail::MeanPlace<Scalar> surface, points;
+    detail::each_face(body.mesh, [&](const Vector3<Scalar>& place, Scalar area) {
+        if (is_in_head(place)) surface.add(place, area);
+    });
     const Points<Scalar>& places = vertices ? *vertices : body.mesh.vertices;
     for (Eigen::Index v = 0; v < places.rows(); ++v) {
         const Vector3<Scalar> given = core::point(places, v);
         const Vector3<Scalar> place = vertices ? body.similarity.to_canonical(given) : given;
-        if (detail::is_in_head(*skull, place)) head_vertices.add(place, Scalar(1));
+        if (is_in_head(place)) points.add(place, Scalar(1));
     }
-    if (head_surface.weight > 0 && head_vertices.weight > 0)
-        out.face = (head_vertices.get() - head_surface.get()) / core::bounding_diagonal(body.mesh.vertices);
+    if (surface.weight > 0 && points.weight > 0)
+        out.face = (points.get() - surface.get()) / core::bounding_diagonal(body.mesh.vertices);
     return out;
 }
 
