@@ -136,7 +136,6 @@ set(skelgen_core_headers
     include/skelgen/curve/contraction.hpp
     include/skelgen/curve/find_curve.hpp
     include/skelgen/curve/half_edges.hpp
-    include/skelgen/curve/inside_way.hpp
     include/skelgen/curve/laplacian.hpp
     include/skelgen/curve/leaf_extension.hpp
     include/skelgen/curve/meeting_axes.hpp
@@ -305,7 +304,6 @@ set(skelgen_core_definitions
     include/skelgen/curve/impl/contraction.hpp
     include/skelgen/curve/impl/find_curve.hpp
     include/skelgen/curve/impl/half_edges.hpp
-    include/skelgen/curve/impl/inside_way.hpp
     include/skelgen/curve/impl/laplacian.hpp
     include/skelgen/curve/impl/leaf_extension.hpp
     include/skelgen/curve/impl/meeting_axes.hpp

@@ -9,7 +9,6 @@
 #include <skelgen/curve/impl/contraction.hpp>
 #include <skelgen/curve/impl/find_curve.hpp>
 #include <skelgen/curve/impl/half_edges.hpp>
-#include <skelgen/curve/impl/inside_way.hpp>
 #include <skelgen/curve/impl/laplacian.hpp>
 #include <skelgen/curve/impl/leaf_extension.hpp>
 #include <skelgen/curve/impl/medial_balls.hpp>
@@ -47,8 +46,6 @@ namespace skelgen::curve {
     template PlacesOfKnots<Scalar> meeting_axes(const BranchedCurve<Scalar>&,                                          \
                                                 const std::vector<std::vector<BranchSection<Scalar>>>&,                \
                                                 const Body<Scalar>&, double);                                          \
-    template BranchedCurve<Scalar> led_inside(                                                                         \
-        BranchedCurve<Scalar>, const std::vector<std::vector<BranchSection<Scalar>>>&, const MedialBalls<Scalar>&);    \
     template BranchedCurve<Scalar> reattach_branches(BranchedCurve<Scalar>, const PlacesOfKnots<Scalar>&,              \
                                                      const Body<Scalar>&, Scalar);                                     \
     template BranchedCurve<Scalar> merge_parallel_branches(BranchedCurve<Scalar>, const Body<Scalar>&);                \
@@ -56,7 +53,7 @@ namespace skelgen::curve {
         BranchedCurve<Scalar>, const std::vector<std::vector<BranchSection<Scalar>>>&,                                 \
         const std::vector<Vector3<Scalar>>&, const PlacesOfKnots<Scalar>&, double);                                    \
     template CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar>, const Body<Scalar>&,                       \
-                                                     const MedialBalls<Scalar>&, const BranchCentringOptions&);        \
+                                                     const BranchCentringOptions&);                                    \
     template BranchedCurve<Scalar> centre_roughly(BranchedCurve<Scalar>, const Body<Scalar>&,                          \
                                                   const BranchCentringOptions&);                                       \
     template std::vector<Scalar> ball_radii(const Points<Scalar>&, const Body<Scalar>&);                               \

@@ -65,7 +65,7 @@ BranchedCurve<double> with_twig(double length) {
 
 TEST_CASE("a zigzag inside a tube comes to lie on its axis") {
     const Body<double> body = body_of(capsule(radius, 4));
-    const CentredBranches<double> centred = centre_branches(zigzag(), body, balls_in(body));
+    const CentredBranches<double> centred = centre_branches(zigzag(), body);
     REQUIRE(centred.branched.branches.size() == 1);
     const Points<double>& line = centred.branched.branches[0].line;
     REQUIRE(centred.sections.size() == 1);
@@ -102,7 +102,7 @@ CentredBranches<double> centred_ring() {
     }
     const BranchedCurve<double> ring{{points[0]}, {{0, 0, make_mesh(points, {}).vertices, {0, 1}}}};
     const Body<double> body = body_of(torus(1, tube));
-    return centre_branches(ring, body, balls_in(body));
+    return centre_branches(ring, body);
 }
 
 double off_circle(const Vec3& place) { return std::hypot(place.head<2>().norm() - 1, place[2]); }
@@ -134,7 +134,7 @@ TEST_CASE("the node at which a ring begins is as well centred as the others") {
 TEST_CASE("the branches of three tubes come to lie on their axes away from the junction", "[slow]") {
     const Body<double> body = body_of(three_tubes());
     REQUIRE(off_axes(bent_star(), 0.35, 0.9) > 0.2 * 0.12);
-    const CentredBranches<double> centred = centre_branches(bent_star(), body, balls_in(body));
+    const CentredBranches<double> centred = centre_branches(bent_star(), body);
     CHECK(knots_of_degree(centred.branched, 1).size() == 3);
     const std::vector<Vec3> junctions = knots_of_degree(centred.branched, 3);
     REQUIRE(junctions.size() == 1);
@@ -149,12 +149,12 @@ TEST_CASE("a turned body has the turned branches", "[slow]") {
     const Mesh mesh = three_tubes();
     BranchedCurve<double> star = bent_star();
     const Body<double> body = body_of(mesh), turned = body_of(moved(mesh, turn));
-    const CentredBranches<double> expected = centre_branches(star, body, balls_in(body));
+    const CentredBranches<double> expected = centre_branches(star, body);
     BranchCentringOptions options; // with the same distance between nodes: the bounding box is another one
     options.spacing *= bounding_diagonal(body.mesh.vertices) / bounding_diagonal(turned.mesh.vertices);
     for (Vec3& knot : star.knots) knot = turn.apply(knot);
     for (Branch<double>& branch : star.branches) branch.line = (branch.line * turn.rotation.transpose()).eval();
-    const CentredBranches<double> found = centre_branches(star, turned, balls_in(turned), options);
+    const CentredBranches<double> found = centre_branches(star, turned, options);
     REQUIRE(found.branched.branches.size() == expected.branched.branches.size());
     for (std::size_t b = 0; b < found.branched.branches.size(); ++b) {
         const Points<double>& line = found.branched.branches[b].line;
@@ -212,9 +212,9 @@ TEST_CASE("branch centring in float is that in double") {
     const BranchedCurve<double> start = zigzag();
     const BranchedCurve<float> rounded{{start.knots[0].cast<float>(), start.knots[1].cast<float>()},
                                        {{0, 1, start.branches[0].line.cast<float>(), {0, 1, 2}}}};
-    const CentredBranches<float> found = centre_branches(rounded, body, balls_in(body));
+    const CentredBranches<float> found = centre_branches(rounded, body);
     const Body<double> same = body_of(mesh);
-    const CentredBranches<double> expected = centre_branches(start, same, balls_in(same));
+    const CentredBranches<double> expected = centre_branches(start, same);
     REQUIRE(found.branched.branches[0].line.rows() == expected.branched.branches[0].line.rows());
     CHECK((found.branched.branches[0].line.cast<double>() - expected.branched.branches[0].line).cwiseAbs().maxCoeff() <
           0.01 * radius);
@@ -240,7 +240,7 @@ TEST_CASE("without rounds branches stay where they are but for their spacing") {
     options.rounds = 0;
     const BranchedCurve<double> straight{{{0, 0, 0}, {0, 0, 4}},
                                          {{0, 1, line_through({{0, 0, 0}, {0, 0, 4}}, 1), {0, 1, 2}}}};
-    const Points<double> line = centre_branches(straight, body, balls_in(body), options).branched.branches[0].line;
+    const Points<double> line = centre_branches(straight, body, options).branched.branches[0].line;
     CHECK(line.leftCols<2>().cwiseAbs().maxCoeff() == 0);
     CHECK(line(0, 2) == 0);
     CHECK(line(line.rows() - 1, 2) == 4);
@@ -255,7 +255,6 @@ TEST_CASE("branch centring refuses options out of their ranges") {
           BranchCentringOptions{0.01, 9, -0.1, 0.5}, BranchCentringOptions{0.01, 9, 11, 0.5},
           BranchCentringOptions{0.01, 9, 0.4, -0.1}, BranchCentringOptions{0.01, 9, 0.4, 101},
           BranchCentringOptions{std::nan(""), 9, 0.4, 0.5}})
-        CHECK(throws(ErrorCode::usage,
-                     [&] { static_cast<void>(centre_branches(zigzag(), body, balls_in(body), options)); }));
+        CHECK(throws(ErrorCode::usage, [&] { static_cast<void>(centre_branches(zigzag(), body, options)); }));
     CHECK_NOTHROW(validate(BranchCentringOptions{}));
 }

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/curve/medial_balls.hpp>
 #include <skelgen/surface/body.hpp>
 
 namespace skelgen::test {
@@ -17,12 +16,6 @@ Body<Scalar> body_of(const TriangleMesh<Scalar>& mesh) {
     std::vector<int> source(static_cast<std::size_t>(mesh.vertices.rows()));
     std::iota(source.begin(), source.end(), 0);
     return surface::make_body(mesh, {}, std::move(source), 0);
-}
-
-/// Balls in all of a body.
-template <typename Scalar>
-curve::MedialBalls<Scalar> balls_in(const Body<Scalar>& body) {
-    return curve::medial_balls(body.mesh, std::sqrt(core::surface_area(body.mesh)));
 }
 
 /// A body of that mesh scaled to unit area, as the pipeline does, in the precision asked for.

@@ -4,7 +4,6 @@
 
 #include <skelgen/curve/branch_sections.hpp>
 #include <skelgen/curve/branched_curve.hpp>
-#include <skelgen/curve/medial_balls.hpp>
 #include <skelgen/surface/body.hpp>
 
 namespace skelgen::curve {
@@ -37,14 +36,10 @@ struct CentredBranches {
 /// begin.
 /// An end lies where the axis of its branch leaves the surface, and branches that have come to run along each other
 /// become one up to where they part. Then each branch that runs far inside others is joined to them where the way is
-/// best centred, twigs go, and points outside the surface are moved into their sections. Where points or edges are
-/// outside before that, limbs that touch have been drawn together: all is done again with the pieces outside led around
-/// inside (`led_inside`), which is kept where it is better centred and then all inside. O(rounds k) sections.
-/// \param balls that show the ways inside: of the body's surface, or of a coarser one.
-/// \throws Error usage when an option is out of its range.
+/// best centred, twigs go, and points outside the surface are moved into their sections. O(rounds k) sections. \throws
+/// Error usage when an option is out of its range.
 template <typename Scalar>
 [[nodiscard]] CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
-                                                      const MedialBalls<Scalar>& balls,
                                                       const BranchCentringOptions& options = {});
 
 /// The same roughly, in an eighth of the time: in three rounds, all but the last at twice the spacing. Branches stay

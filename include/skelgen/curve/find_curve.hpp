@@ -43,8 +43,7 @@ template <typename Scalar = double>
 struct ContractedCurve {
     BranchedCurve<Scalar> branched;
     std::vector<int> origin_of_vertex; ///< per vertex of the body, among the origins of the branches
-    MedialBalls<Scalar> balls;
-    BranchCentringOptions centring; ///< how they are to be laid there
+    BranchCentringOptions centring;    ///< how they are to be laid there
 };
 
 /// A curve skeleton, and whether the contraction that it comes from came to its end.

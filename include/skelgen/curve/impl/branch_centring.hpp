@@ -16,7 +16,6 @@
 #include <skelgen/core/precision.hpp>
 #include <skelgen/curve/attachment.hpp>
 #include <skelgen/curve/axis_ends.hpp>
-#include <skelgen/curve/inside_way.hpp>
 #include <skelgen/curve/meeting_axes.hpp>
 #include <skelgen/curve/parallel_branches.hpp>
 #include <skelgen/curve/pruning.hpp>
@@ -207,57 +206,6 @@ CentredBranches<Scalar> centred(BranchedCurve<Scalar> branched, const Body<Scala
     return {std::move(branched), std::move(sections)};
 }
 
-/// Does any edge run outside between two points inside, as where it leaps from one limb to another beside it? Not those
-/// at branches' ends, nor what the balls around its ends cover. O(points log faces), for edges in thin limbs as
-/// contour_around.
-template <typename Scalar>
-bool any_leap(const BranchedCurve<Scalar>& branched, const Body<Scalar>& body, Scalar spacing) {
-    for (const Branch<Scalar>& branch : branched.branches) {
-        Scalar longest = 0; // of the edges: balls no smaller cover any of them
-        for (Eigen::Index i = 1; i < branch.line.rows(); ++i)
-            longest = std::max(longest, (branch.line.row(i) - branch.line.row(i - 1)).norm());
-        Scalar ball = 0; // at the point before
-        for (Eigen::Index i = 1; i + 1 < branch.line.rows(); ++i) {
-            const Vector3<Scalar> from = branch.line.row(i - 1), to = branch.line.row(i);
-            const Scalar length = (to - from).norm(), ball_before = ball;
-            ball = body.tree.distance(body.mesh, to, 2 * longest);
-            if (i == 1 || ball_before + ball >= length) continue;
-            const Vector3<Scalar> middle = (from + to) / 2, along = (to - from) / length;
-            const auto contour = surface::contour_around(body.mesh, body.adjacency, body.tree, middle, along,
-                                                         reach_in_spacings * spacing);
-            if (!contour || !contour->relation.encloses) return true;
-        }
-    }
-    return false;
-}
-
-/// Mean along the curve of how far off their sections' centres its points are.
-template <typename Scalar>
-Scalar mean_off_centre(const CentredBranches<Scalar>& curve) {
-    Scalar sum = 0, count = 0;
-    for (std::size_t b = 0; b < curve.sections.size(); ++b)
-        for (std::size_t i = 0; i < curve.sections[b].size(); ++i) {
-            if (!(curve.sections[b][i].thickness > 0)) continue;
-            const auto row = static_cast<Eigen::Index>(i);
-            sum += off_centre(curve.sections[b][i], core::point(curve.branched.branches[b].line, row));
-            count += 1;
-        }
-    return count > 0 ? sum / count : Scalar(0);
-}
-
-/// Whether all but the tips and the edges there lies inside: points by their sections, and knots, and what is
-/// between points.
-template <typename Scalar>
-bool all_inside(const CentredBranches<Scalar>& curve, const Body<Scalar>& body, Scalar spacing) {
-    for (const auto& sections : curve.sections)
-        for (std::size_t i = 1; i + 1 < sections.size(); ++i)
-            if (!sections[i].encloses) return false;
-    const std::vector<int> degrees = curve.branched.degrees();
-    for (std::size_t k = 0; k < degrees.size(); ++k)
-        if (degrees[k] > 1 && !surface::is_inside(body, curve.branched.knots[k])) return false;
-    return !any_leap(curve.branched, body, spacing);
-}
-
 /// The sections of a line some of whose points have been moved: anew where those are that a section follows.
 template <typename Scalar>
 std::vector<BranchSection<Scalar>> sections_anew(std::vector<BranchSection<Scalar>> sections,
@@ -296,23 +244,13 @@ SKELGEN_INLINE void validate(const BranchCentringOptions& options) {
 
 template <typename Scalar>
 CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Body<Scalar>& body,
-                                        const MedialBalls<Scalar>& balls, const BranchCentringOptions& options) {
+                                        const BranchCentringOptions& options) {
     validate(options);
     const Scalar spacing = detail::spacing_of(branched, body, options);
     const std::vector<Vector3<Scalar>> tips = branched.knots;
     for (int round = 0; round < detail::rounds_apart(options); ++round)
         branched = detail::centring_round(std::move(branched), body, tips, options, spacing, true);
-    CentredBranches<Scalar> out = detail::centred(branched, body, tips, options, spacing);
-    if (!detail::any_outside(out.sections) && !detail::any_leap(out.branched, body, spacing)) return out;
-
-    branched = resampled(std::move(branched), spacing / 2);
-    const auto sections = detail::all_sections(branched, body, spacing);
-    branched = led_inside(std::move(branched), sections, balls);
-    CentredBranches<Scalar> led = detail::centred(std::move(branched), body, tips, options, spacing);
-    if (detail::mean_off_centre(led) < detail::mean_off_centre(out)) {
-        led = detail::all_pulled_inside(std::move(led), body, spacing);
-        if (detail::all_inside(led, body, spacing)) return led;
-    }
+    CentredBranches<Scalar> out = detail::centred(std::move(branched), body, tips, options, spacing);
     return detail::all_pulled_inside(std::move(out), body, spacing);
 }
 

@@ -41,10 +41,10 @@ inline CurveOptions at_detail(CurveOptions options) {
 
 /// A contraction that does not come to its end draws limbs in: it begins again, held more firmly to the balls inside.
 template <typename Scalar>
-Contraction<Scalar> contract_to_the_end(const TriangleMesh<Scalar>& proxy, const MedialBalls<Scalar>& balls,
-                                        ContractionOptions options) {
+Contraction<Scalar> contract_to_the_end(const TriangleMesh<Scalar>& proxy, ContractionOptions options) {
     constexpr int starts = 3;
     constexpr double firmer = 5;
+    const MedialBalls<Scalar> balls = contraction_balls(proxy, options);
     Contraction<Scalar> thin = contract(proxy, balls, options);
     for (int start = 1; start < starts && !thin.converged && options.iterations > 1; ++start) {
         options.medial_weight = std::max(options.medial_weight, 1.0) * firmer;
@@ -103,7 +103,7 @@ CurveResult<Scalar> or_point(CurveResult<Scalar> found, const Body<Scalar>& body
 /// The last two steps, roughly.
 template <typename Scalar>
 CurveResult<Scalar> drafted(CurveResult<Scalar> found, const Body<Scalar>& body) {
-    const auto& [branched, origin, balls, centring] = *found.contracted;
+    const auto& [branched, origin, centring] = *found.contracted;
     found.curve = join_branches(centre_roughly(branched, body, centring)).curve;
     found.curve.radii = ball_radii(found.curve.nodes, body);
     return or_point(std::move(found), body);
@@ -117,12 +117,10 @@ CurveResult<Scalar> find_curve(const Body<Scalar>& body, const CurveOptions& wan
     const CurveOptions options = detail::at_detail(wanted);
 
     const Proxy<Scalar> proxy = build_proxy(body.mesh, options.proxy);
-    MedialBalls<Scalar> balls;
     Contraction<Scalar> thin;
     CurveSkeleton<Scalar> curve;
     const auto contract_proxy = [&] {
-        balls = contraction_balls(proxy.mesh, options.contraction);
-        thin = detail::contract_to_the_end(proxy.mesh, balls, options.contraction);
+        thin = detail::contract_to_the_end(proxy.mesh, options.contraction);
         curve = connectivity_surgery(thin.vertices, proxy.mesh.faces, options.surgery);
         curve = centre_nodes(curve, proxy.mesh, thin.vertices);
     };
@@ -140,7 +138,7 @@ CurveResult<Scalar> find_curve(const Body<Scalar>& body, const CurveOptions& wan
     found.iterations = thin.iterations;
     found.volume_ratio = thin.volume_ratio;
     found.contracted = std::make_shared<const ContractedCurve<Scalar>>(
-        ContractedCurve<Scalar>{std::move(split.branched), std::move(origin), balls, options.centring});
+        ContractedCurve<Scalar>{std::move(split.branched), std::move(origin), options.centring});
     found.is_draft = true; // until it is finished
     return options.is_draft ? detail::drafted(std::move(found), body) : finished(std::move(found), body);
 }
@@ -148,8 +146,8 @@ CurveResult<Scalar> find_curve(const Body<Scalar>& body, const CurveOptions& wan
 template <typename Scalar>
 CurveResult<Scalar> finished(CurveResult<Scalar> found, const Body<Scalar>& body) {
     if (!found.is_draft) return found;
-    const auto& [branched, origin, balls, centring] = *found.contracted;
-    found.curve = curve_with_regions(centre_branches(branched, body, balls, centring), body, origin);
+    const auto& [branched, origin, centring] = *found.contracted;
+    found.curve = curve_with_regions(centre_branches(branched, body, centring), body, origin);
     found.is_draft = false;
     return detail::or_point(std::move(found), body);
 }
