@@ -96,9 +96,10 @@ TriangleMesh<Scalar> winding_envelope(const TriangleMesh<Scalar>& mesh, const En
         shape.crossing = detail::crossing_by(distance, cell);
         return lattice_surface(lattice, detail::nodes_within(distance, cell), shape);
     };
-    // At twice the cell a surface has a quarter of the faces; too many ask for larger cells.
+    // A roughly drawn surface tells how many faces there will be; too many ask for larger cells.
+    constexpr int rough = 4; // cells in one
     const Scalar cell = detail::cell_size(mesh, options);
-    const double faces = 4 * static_cast<double>(with_cells(2 * cell).faces.rows());
+    const double faces = rough * rough * static_cast<double>(with_cells(rough * cell).faces.rows());
     const double wider = std::sqrt(std::max(1.0, faces / options.most_faces));
     return smoothed(with_cells(cell * static_cast<Scalar>(wider)), options.smoothing_passes);
 }
