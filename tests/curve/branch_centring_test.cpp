@@ -247,6 +247,23 @@ TEST_CASE("without rounds branches stay where they are but for their spacing") {
     CHECK(line.rows() > 50);
 }
 
+TEST_CASE("points outside the surface are moved into their sections") {
+    const Body<double> body = body_of(capsule(radius, 4));
+    BranchCentringOptions options;
+    options.rounds = 0; // no spline that would move them first
+    const BranchedCurve<double> bulging{
+        {{0, 0, 0}, {0, 0, 4}},
+        {{0, 1, line_through({{0, 0, 0}, {0, 0, 1}, {1.3 * radius, 0, 2}, {0, 0, 3}, {0, 0, 4}}, 0.05), {0, 1, 2}}}};
+    const CentredBranches<double> found = centre_branches(bulging, body, options);
+    const Points<double>& line = found.branched.branches[0].line;
+    CHECK(line.leftCols<2>().rowwise().norm().maxCoeff() < radius);
+    CHECK(line.leftCols<2>().rowwise().norm().maxCoeff() > 0.5 * radius); // no deeper than needed
+    for (Eigen::Index i = 1; i + 1 < line.rows(); ++i) {
+        INFO("point at " << line.row(i));
+        CHECK(found.sections[0][static_cast<std::size_t>(i)].encloses);
+    }
+}
+
 TEST_CASE("branch centring refuses options out of their ranges") {
     const Body<double> body = body_of(capsule(radius, 4));
     for (const BranchCentringOptions& options :

@@ -113,6 +113,24 @@ TEST_CASE("a sound body has one remedy, pieces have an envelope first", "[slow]"
     }
 }
 
+TEST_CASE("an envelope is clustered to some twelve thousand faces, unless none are to be", "[slow]") {
+    const BodyMaterial<double> material = gather(side_by_side(sphere(1, 3), moved_by(sphere(1, 3), Vec3(1, 0.1, 0))));
+    REQUIRE(material.remedies.front() == Remedy::envelope);
+    PrepareOptions as_found, few;
+    as_found.most_faces = 0;
+    few.most_faces = 4000;
+    const auto made = [&](const PrepareOptions& options) { return *make_body_by(Remedy::envelope, material, options); };
+    const Body<double> coarse = made({}), fine = made(as_found);
+    CHECK(fine.mesh.faces.rows() > 24'000);
+    CHECK(coarse.mesh.faces.rows() > 8'000);
+    CHECK(coarse.mesh.faces.rows() < 16'000);
+    CHECK(made(few).mesh.faces.rows() < 3'000);
+    const auto volume = [](const Body<double>& body) {
+        return std::pow(body.similarity.scale, 3) * enclosed_volume(body.mesh);
+    };
+    CHECK(volume(coarse) == Approx(volume(fine)).epsilon(0.005));
+}
+
 TEST_CASE("what is made of pieces does not depend on how they were turned", "[slow]") {
     const Mesh tube = capsule(0.3, 4), open = without_faces(moved_by(tube, Vec3(0.02, 0.03, 3.01)), 30, 40);
     const Mesh given = side_by_side(side_by_side(tube, open), moved_by(sphere(0.2, 2), Vec3(0.4, 0.1, 2)));

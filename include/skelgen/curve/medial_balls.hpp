@@ -11,7 +11,6 @@ template <typename Scalar = double>
 struct MedialBalls {
     Points<Scalar> centres;                         ///< n x 3
     Eigen::Matrix<Scalar, Eigen::Dynamic, 1> radii; ///< n
-    Triangles faces;                                ///< of the surface: balls are neighbours where their vertices are
 };
 
 /// Maximal inscribed balls at the vertices by the shrinking-ball iteration (MBC12 section 3) against the vertices of

@@ -20,8 +20,8 @@ namespace skelgen::surface {
 struct PrepareOptions {
     DenoiseOptions denoise;
     EnvelopeOptions envelope;
-    /// A body's surface of more faces is clustered to about half as many (surface::cluster_vertices); 0: never. On
-    /// bodies of 150 to 500 thousand faces joints are no more wrong so, or with 50 thousand faces, than with all.
+    /// A body's surface of more faces, an envelope of more than 24 thousand, is clustered to about half as many
+    /// (surface::cluster_vertices); 0: never. On bodies of 150 to 500 thousand joints are no more wrong than with all.
     int most_faces = 150000;
     int component = 0; ///< which of several bodies that stand apart, from 1 for the largest; 0: there must be one alone
 };

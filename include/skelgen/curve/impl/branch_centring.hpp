@@ -250,8 +250,7 @@ CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar> branched, const Bo
     const std::vector<Vector3<Scalar>> tips = branched.knots;
     for (int round = 0; round < detail::rounds_apart(options); ++round)
         branched = detail::centring_round(std::move(branched), body, tips, options, spacing, true);
-    CentredBranches<Scalar> out = detail::centred(std::move(branched), body, tips, options, spacing);
-    return detail::all_pulled_inside(std::move(out), body, spacing);
+    return detail::all_pulled_inside(detail::centred(std::move(branched), body, tips, options, spacing), body, spacing);
 }
 
 template <typename Scalar>

@@ -194,7 +194,7 @@ MedialBalls<Scalar> medial_balls(const TriangleMesh<Scalar>& mesh, std::type_ide
     const Points<Scalar> normals = core::vertex_normals(mesh);
     const detail::VertexTree<Scalar> tree(mesh.vertices);
     MedialBalls<Scalar> balls{Points<Scalar>(mesh.vertices.rows(), 3),
-                              Eigen::Matrix<Scalar, Eigen::Dynamic, 1>(mesh.vertices.rows()), mesh.faces};
+                              Eigen::Matrix<Scalar, Eigen::Dynamic, 1>(mesh.vertices.rows())};
     constexpr std::size_t in_a_row = 128;
     const std::vector<int> order = tree.in_order();
     core::parallel_for((order.size() + in_a_row - 1) / in_a_row, 1, [&](std::size_t row) {
