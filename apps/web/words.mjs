@@ -54,7 +54,7 @@ const surfaces = {
 const curves = {
   draft: "a quick curve", quick: "a centred curve", whole: "a whole curve", finer: "a finer curve",
   detailed: "a curve with tails and horns", more_detailed: "a finer curve with tails and horns",
-  rest_fit: "a body at rest laid in",
+  rest_fit: "a body at rest laid in", posed_fit: "bodies in any pose laid in",
 };
 const outcomes = {
   found: "a skeleton", too_few_ends: "too few limbs", too_many_ends: "too many ends", curve_in_pieces: "a curve in pieces",
