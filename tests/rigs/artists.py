@@ -33,7 +33,7 @@ BONES = [
 ]
 OURS = {"crotch": "trunk", "waist": "trunk", "chest": "trunk", "neck": "neck", "head": "head", "shoulder": "upper_arm",
         "elbow": "forearm", "wrist": "hand", "hand": "hand", "hip": "thigh", "knee": "calf", "ankle": "foot",
-        "foot": "foot"}
+        "foot": "foot"} | {finger: "hand" for finger in ("thumb", "index", "middle", "ring", "little")}
 
 
 def artists_bone(name):
@@ -59,8 +59,8 @@ def is_alike(ours, name):
 
 
 def our_bone(name):
-    side, _, joint = name.rpartition("_")
-    return (side, OURS[joint])
+    parts = name.split("_")  # [side, joint, number of the phalanx], or the joint alone
+    return (parts[0], OURS[parts[1]]) if len(parts) > 1 else ("", OURS[name])
 
 
 class Gltf:
