@@ -23,7 +23,7 @@ WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 BONES = [
     ("hand", r"hand|wrist|fist|finger|thumb|index|middle|ring|pinky|palm"),
     ("forearm", r"forearm|lowerarm|elbow"),
-    ("upper_arm", r"upperarm|uparm|arm$"),
+    ("upper_arm", r"upperarm|uparm|arm$|shldr$"),  # the last is Poser's
     ("foot", r"foot|toe|ankle|ball"),
     ("calf", r"lowerleg|calf|shin|knee|^leg$"),
     ("thigh", r"upperleg|upleg|thigh"),
@@ -39,9 +39,10 @@ OURS = {"crotch": "trunk", "waist": "trunk", "chest": "trunk", "neck": "neck", "
 def artists_bone(name):
     """Side and part of a joint by its name; None where it is no part of a body."""
     plain = re.sub(r"^.*[:|]", "", name or "")
-    side = "left" if re.search(r"(?i)left|[._ ]l$|[._ ]l[._ ]|_l_", plain) else \
-        "right" if re.search(r"(?i)right|[._ ]r$|[._ ]r[._ ]|_r_", plain) else ""
-    word = re.sub(r"left|right", "", re.sub(r"(?i)[._ ][lr](?=$|[._ ])", "", plain).lower())
+    plain = re.sub(r"^([lr])(?=[A-Z])", r"\1_", plain)  # lHand, as Poser has it
+    side = "left" if re.search(r"(?i)left|[._ ]l$|[._ ]l[._ ]|_l_|^l_", plain) else \
+        "right" if re.search(r"(?i)right|[._ ]r$|[._ ]r[._ ]|_r_|^r_", plain) else ""
+    word = re.sub(r"left|right", "", re.sub(r"(?i)(^|[._ ])[lr](?=$|[._ ])", "", plain).lower())
     word = re.sub(r"(bone|joint|leaf|end)$", "", re.sub(r"[^a-z]", "", word))
     for part, pattern in BONES:
         if re.search(pattern, word):
