@@ -64,10 +64,9 @@ const outcomes = {
 const spaced = (code) => String(code).replaceAll("_", " ");
 
 /// One try of the search, in words.
-export function told_try({ surface, cuts, held, curve, outcome, probability, seconds }) {
+export function told_try({ surface, cuts, curve, outcome, probability, seconds }) {
   const what = [surfaces[surface] ?? spaced(surface), curves[curve] ?? spaced(curve)];
   if (cuts > 0) what.push(cuts === 1 ? "cut open once" : `cut open ${cuts} times`);
-  if (held && held !== "nothing") what.push("without what the hands hold");
   const came = outcome === "found" ? `${outcomes.found}, right with ${percent(probability)}` : outcomes[outcome] ?? spaced(outcome);
   return `${sentence(what.join(", ")).slice(0, -1)}: ${came} (${seconds < 0.095 ? "under 0.1" : seconds.toFixed(1)} s)`;
 }

@@ -36,17 +36,26 @@ OURS = {"crotch": "trunk", "waist": "trunk", "chest": "trunk", "neck": "neck", "
         "foot": "foot"} | {finger: "hand" for finger in ("thumb", "index", "middle", "ring", "little")}
 
 
+def plain_name(name):
+    """Without what stands before all names of a rig, and l_Hand for lHand, as Poser has it."""
+    return re.sub(r"^([lr])(?=[A-Z])", r"\1_", re.sub(r"^.*[:|]", "", name or ""))
+
+
+def side_of(plain):
+    for side, word in (("left", r"left|(^|[._ ])l($|[._ ])"), ("right", r"right|(^|[._ ])r($|[._ ])")):
+        if re.search("(?i)" + word, plain):
+            return side
+    return ""
+
+
 def artists_bone(name):
     """Side and part of a joint by its name; None where it is no part of a body."""
-    plain = re.sub(r"^.*[:|]", "", name or "")
-    plain = re.sub(r"^([lr])(?=[A-Z])", r"\1_", plain)  # lHand, as Poser has it
-    side = "left" if re.search(r"(?i)left|[._ ]l$|[._ ]l[._ ]|_l_|^l_", plain) else \
-        "right" if re.search(r"(?i)right|[._ ]r$|[._ ]r[._ ]|_r_|^r_", plain) else ""
+    plain = plain_name(name)
     word = re.sub(r"left|right", "", re.sub(r"(?i)(^|[._ ])[lr](?=$|[._ ])", "", plain).lower())
     word = re.sub(r"(bone|joint|leaf|end)$", "", re.sub(r"[^a-z]", "", word))
     for part, pattern in BONES:
         if re.search(pattern, word):
-            return ("" if part in ("trunk", "neck", "head") else side, part)
+            return ("" if part in ("trunk", "neck", "head") else side_of(plain), part)
     return None
 
 
@@ -55,8 +64,7 @@ def is_alike(ours, name):
     theirs = artists_bone(name)
     if ours == theirs or not re.search(r"(?i)clavicle|collar|shoulder", name):
         return ours == theirs
-    side = "left" if re.search(r"(?i)left|[._ ]l$", name) else "right"
-    return theirs == ("", "trunk") and ours == (side, "upper_arm")
+    return theirs == ("", "trunk") and ours == (side_of(plain_name(name)), "upper_arm")
 
 
 def our_bone(name):
@@ -160,4 +168,5 @@ def main():
         sys.exit("no GLB, glTF or VRM with a skin in " + str(source))
 
 
-main()
+if __name__ == "__main__":
+    main()

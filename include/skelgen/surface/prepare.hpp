@@ -21,7 +21,7 @@ struct PrepareOptions {
     DenoiseOptions denoise;
     EnvelopeOptions envelope;
     /// A body's surface of more faces, an envelope of more than 24 thousand, is clustered to about half as many
-    /// (surface::cluster_vertices); 0: never. On bodies of 150 to 500 thousand joints are no more wrong than with all.
+    /// (surface::cluster_vertices); 0: never. Joints of bodies with 150 to 500 thousand faces are no more wrong then.
     int most_faces = 150000;
     int component = 0; ///< which of several bodies that stand apart, from 1 for the largest; 0: there must be one alone
 };
