@@ -6,89 +6,181 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <cstdlib>
+#include <map>
+#include <utility>
 #include <vector>
 
-#include <skelgen/surface/distance_band.hpp>
+#include <skelgen/core/disjoint_sets.hpp>
+#include <skelgen/core/geometry.hpp>
 #include <skelgen/surface/lattice.hpp>
 #include <skelgen/surface/winding_tree.hpp>
 
 namespace skelgen::surface::detail {
 
-/// The edges at which a surface ends, as faces without area: those that its faces do not pass both ways alike.
-template <typename Scalar>
-TriangleMesh<Scalar> rims_of(const TriangleMesh<Scalar>& mesh) {
+/// Where a surface ends: its boundary as a chain, in which edges that faces pass both ways alike cancel each other.
+struct RimEdge {
+    int from, to;
+    int times; ///< how often faces pass it more often so than the other way; at least once
+};
+
+inline std::vector<RimEdge> rims_of(const Triangles& faces) {
     std::vector<std::array<int, 3>> passes; // lower vertex, higher one, 1 upwards or -1
-    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f)
+    for (Eigen::Index f = 0; f < faces.rows(); ++f)
         for (int k = 0; k < 3; ++k) {
-            const int a = mesh.faces(f, k), b = mesh.faces(f, (k + 1) % 3);
+            const int a = faces(f, k), b = faces(f, (k + 1) % 3);
             passes.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
         }
     std::sort(passes.begin(), passes.end());
-    TriangleMesh<Scalar> out{mesh.vertices, Triangles(static_cast<Eigen::Index>(passes.size()), 3)};
-    Eigen::Index count = 0;
+    std::vector<RimEdge> out;
     for (std::size_t i = 0; i < passes.size();) {
         const auto [a, b, way] = passes[i];
         int sum = 0;
         for (; i < passes.size() && passes[i][0] == a && passes[i][1] == b; ++i) sum += passes[i][2];
-        if (sum != 0) out.faces.row(count++) << a, b, b;
+        if (sum > 0) out.push_back({a, b, sum});
+        if (sum < 0) out.push_back({b, a, -sum});
     }
-    out.faces.conservativeResize(count, 3);
     return out;
 }
 
-/// Winding numbers at a lattice's nodes. Two neighbours with no face between them, far from the rims of holes, hardly
-/// differ: most nodes take theirs over.
+/// Fans over all rims, each around the middle of those that hang together: beside them nothing of the surface ends.
 template <typename Scalar>
-class WindingField {
-public:
-    /// `distance`: of the nodes to the mesh, as far as a cell.
-    WindingField(const TriangleMesh<Scalar>& mesh, const TriangleMesh<Scalar>& fine, const WindingTree<Scalar>& tree,
-                 const Lattice<Scalar>& lattice, const SparseGrid<Scalar>& distance)
-        : fine_(fine), tree_(tree), lattice_(lattice), distance_(distance),
-          to_rim_(distance_band(rims_of(mesh), lattice, near_rim * lattice.cell)),
-          known_(lattice.nodes, {std::numeric_limits<Scalar>::quiet_NaN(), 0}) {}
+TriangleMesh<Scalar> caps_of(const TriangleMesh<Scalar>& mesh) {
+    const std::vector<RimEdge> rims = rims_of(mesh.faces);
+    core::DisjointSets sets(static_cast<std::size_t>(mesh.vertices.rows()));
+    const auto set_of = [&](int v) { return sets.find(static_cast<std::size_t>(v)); };
+    for (const RimEdge& edge : rims) sets.unite(static_cast<std::size_t>(edge.from), static_cast<std::size_t>(edge.to));
+    struct Fan {
+        Vector3<core::Accumulator> sum = Vector3<core::Accumulator>::Zero();
+        int edges = 0, apex = 0;
+    };
+    std::map<std::size_t, Fan> fans;
+    Eigen::Index faces = 0;
+    for (const RimEdge& edge : rims) {
+        Fan& fan = fans[set_of(edge.from)];
+        for (const int v : {edge.from, edge.to})
+            fan.sum += core::point(mesh.vertices, v).template cast<core::Accumulator>();
+        ++fan.edges;
+        faces += edge.times;
+    }
+    TriangleMesh<Scalar> out;
+    out.vertices.resize(mesh.vertices.rows() + static_cast<Eigen::Index>(fans.size()), 3);
+    out.vertices.topRows(mesh.vertices.rows()) = mesh.vertices;
+    auto apex = static_cast<int>(mesh.vertices.rows());
+    for (auto& [set, fan] : fans) {
+        fan.apex = apex++;
+        core::set_point<Scalar>(out.vertices, fan.apex, (fan.sum / (2 * fan.edges)).template cast<Scalar>());
+    }
+    out.faces.resize(faces, 3);
+    Eigen::Index row = 0;
+    for (const RimEdge& edge : rims)
+        for (int i = 0; i < edge.times; ++i) out.faces.row(row++) << edge.to, edge.from, fans[set_of(edge.from)].apex;
+    return out;
+}
 
-    /// The winding number less one half: positive inside.
-    [[nodiscard]] Scalar depth(const LatticeNode& node) {
-        if (std::isinf(to_rim_.get(node)))
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                for (const int step : {-1, 1}) {
-                    LatticeNode next = node;
-                    next[axis] += step;
-                    if (!lattice_.has(next)) continue;
-                    const Known there = known_.get(next);
-                    if (!(std::abs(there.depth) > clear) || there.steps == most_steps || may_be_parted(node, next))
-                        continue;
-                    known_.at(node) = {there.depth, there.steps + 1};
-                    return there.depth;
-                }
-        const Scalar depth = tree_.winding_number(fine_, lattice_.place(node)) - Scalar(0.5);
-        known_.at(node) = {depth, 0};
-        return depth;
+/// How often a closed surface winds around the nodes of a lattice, counted along its rows as pictures are filled.
+template <typename Scalar>
+class LatticeRows {
+public:
+    explicit LatticeRows(const Lattice<Scalar>& lattice)
+        : lattice_(lattice),
+          rows_(static_cast<std::size_t>(lattice.nodes[1]) * static_cast<std::size_t>(lattice.nodes[2])) {}
+
+    /// Adds the faces of a mesh. All that are added have to be closed together.
+    void add(const TriangleMesh<Scalar>& mesh) {
+        for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) add_face(mesh, mesh.faces.row(f));
+    }
+
+    [[nodiscard]] int winding_number(const LatticeNode& node) const {
+        const Scalar x = lattice_.place(node)[0];
+        int sum = 0;
+        for (const auto& [at, way] : rows_[row_of(node[1], node[2])])
+            if (at < x) sum += way;
+        return sum;
     }
 
 private:
-    /// Beside a rim a winding number changes by 1 / (2 pi distance): over these steps, so far from it, by 0.16.
-    static constexpr int most_steps = 2, near_rim = 2; // cells
-    static constexpr Scalar clear = Scalar(0.3);
-    struct Known {
-        Scalar depth; ///< not a number where it is not known
-        int steps;    ///< from the node where it was found
+    /// Where a row along y passes an edge of a face: seen along x.
+    struct Pass {
+        Scalar x, z;
     };
 
-    /// May a face lie between two neighbours?
-    [[nodiscard]] bool may_be_parted(const LatticeNode& a, const LatticeNode& b) const {
-        constexpr Scalar rounded_up = Scalar(1.001);
-        return distance_.get(a) + distance_.get(b) <= rounded_up * lattice_.cell;
+    void add_face(const TriangleMesh<Scalar>& mesh, const Eigen::RowVector3i& face) {
+        const auto corner = [&](int k) { return core::point(mesh.vertices, face[k % 3]); };
+        const auto [first_y, last_y] = nodes_along(1, corner(0)[1], corner(1)[1], corner(2)[1]);
+        for (int j = first_y; j <= last_y; ++j) {
+            const Scalar y = lattice_.place({0, j, 0})[1];
+            Pass up{}, down{}; // by the edge that leads to larger y, and by that back
+            bool is_passed = false;
+            for (int k = 0; k < 3; ++k) {
+                const bool is_below = corner(k)[1] <= y, is_next_below = corner(k + 1)[1] <= y;
+                if (is_below == is_next_below) continue;
+                (is_below ? up : down) = pass(mesh, face[k], face[(k + 1) % 3], y);
+                is_passed = true;
+            }
+            if (is_passed) add_between(up, down, j);
+        }
     }
 
-    const TriangleMesh<Scalar>& fine_;
+    /// The same whichever of the edge's faces asks: what is closed has no gaps in any row.
+    static Pass pass(const TriangleMesh<Scalar>& mesh, int from, int to, Scalar y) {
+        const Vector3<Scalar> a = core::point(mesh.vertices, std::min(from, to)),
+                              b = core::point(mesh.vertices, std::max(from, to));
+        const Scalar part = (y - a[1]) / (b[1] - a[1]);
+        return {a[0] + part * (b[0] - a[0]), a[2] + part * (b[2] - a[2])};
+    }
+
+    void add_between(const Pass& up, const Pass& down, int j) {
+        const auto [low, high] = std::minmax(up.z, down.z);
+        const auto [first_z, last_z] = nodes_along(2, low, high, low);
+        for (int k = first_z; k <= last_z; ++k) {
+            const Scalar z = lattice_.place({0, 0, k})[2];
+            if (!(low <= z && z < high)) continue;
+            const Scalar x = up.x + (z - up.z) / (down.z - up.z) * (down.x - up.x);
+            rows_[row_of(j, k)].emplace_back(x, up.z > down.z ? 1 : -1);
+        }
+    }
+
+    /// The nodes along an axis between the least and the greatest of three numbers, and one more at either end.
+    [[nodiscard]] std::pair<int, int> nodes_along(std::size_t axis, Scalar a, Scalar b, Scalar c) const {
+        const auto [least, most] = std::minmax({a, b, c});
+        const Scalar origin = lattice_.origin[static_cast<Eigen::Index>(axis)];
+        return {std::max(0, static_cast<int>(std::floor((least - origin) / lattice_.cell))),
+                std::min(lattice_.nodes[axis] - 1, static_cast<int>(std::ceil((most - origin) / lattice_.cell)))};
+    }
+
+    [[nodiscard]] std::size_t row_of(int y, int z) const {
+        return static_cast<std::size_t>(y) + static_cast<std::size_t>(lattice_.nodes[1]) * static_cast<std::size_t>(z);
+    }
+
+    const Lattice<Scalar>& lattice_;
+    std::vector<std::vector<std::pair<Scalar, int>>> rows_; ///< per row along x: where faces pass it, 1 inwards or -1
+};
+
+/// The winding number of a surface that may be open (JKS13), at a lattice's nodes: that of the closed one which it
+/// makes with its caps, a whole number, less that of the caps by themselves, which are few.
+template <typename Scalar>
+class WindingField {
+public:
+    /// `caps` and their tree: of the mesh.
+    WindingField(const TriangleMesh<Scalar>& mesh, const TriangleMesh<Scalar>& caps, const WindingTree<Scalar>& tree,
+                 const Lattice<Scalar>& lattice)
+        : caps_(caps), tree_(tree), lattice_(lattice), closed_(lattice) {
+        closed_.add(mesh);
+        closed_.add(caps);
+    }
+
+    /// The winding number less one half: positive inside.
+    [[nodiscard]] Scalar depth(const LatticeNode& node) const {
+        return static_cast<Scalar>(closed_.winding_number(node)) - tree_.winding_number(caps_, lattice_.place(node)) -
+               Scalar(0.5);
+    }
+
+private:
+    const TriangleMesh<Scalar>& caps_;
     const WindingTree<Scalar>& tree_;
     const Lattice<Scalar>& lattice_;
-    const SparseGrid<Scalar>& distance_;
-    SparseGrid<Scalar> to_rim_; ///< infinite far from all rims
-    SparseGrid<Known> known_;
+    LatticeRows<Scalar> closed_;
 };
 
 } // namespace skelgen::surface::detail

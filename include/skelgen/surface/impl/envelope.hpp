@@ -13,7 +13,6 @@
 #include <skelgen/surface/denoise.hpp>
 #include <skelgen/surface/distance_band.hpp>
 #include <skelgen/surface/lattice_surface.hpp>
-#include <skelgen/surface/small_parts.hpp>
 #include <skelgen/surface/winding_field.hpp>
 #include <skelgen/surface/winding_tree.hpp>
 
@@ -48,31 +47,6 @@ auto crossing_by(const SparseGrid<Scalar>& distance, Scalar cell) {
     };
 }
 
-/// The same surface in faces no longer than some cells, unless there would be too many: in the tree, a long face makes
-/// a large ball of all that are beside it.
-template <typename Scalar>
-TriangleMesh<Scalar> in_small_faces(const TriangleMesh<Scalar>& mesh, Scalar cell) {
-    constexpr Scalar longest_in_cells = 8;
-    constexpr std::size_t most_parts = 2'000'000; // 200 MB
-    std::vector<Corners<Scalar>> parts;
-    bool too_many = false;
-    for_each_small_part(mesh, longest_in_cells * cell, [&](const Corners<Scalar>& t) {
-        too_many = too_many || parts.size() == most_parts;
-        if (!too_many) parts.push_back(t);
-    });
-    if (too_many || parts.size() == static_cast<std::size_t>(mesh.faces.rows())) return mesh;
-    TriangleMesh<Scalar> out;
-    out.vertices.resize(3 * static_cast<Eigen::Index>(parts.size()), 3);
-    out.faces.resize(static_cast<Eigen::Index>(parts.size()), 3);
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        for (int k = 0; k < 3; ++k) {
-            const auto row = 3 * static_cast<Eigen::Index>(i) + k;
-            core::set_point<Scalar>(out.vertices, row, parts[i][static_cast<std::size_t>(k)]);
-            out.faces(static_cast<Eigen::Index>(i), k) = static_cast<int>(row);
-        }
-    return out;
-}
-
 } // namespace detail
 
 SKELGEN_INLINE void validate(const EnvelopeOptions& options) {
@@ -85,12 +59,12 @@ template <typename Scalar>
 TriangleMesh<Scalar> winding_envelope(const TriangleMesh<Scalar>& mesh, const EnvelopeOptions& options) {
     validate(options);
     constexpr int margin = 3;
-    const TriangleMesh<Scalar> fine = detail::in_small_faces(mesh, detail::cell_size(mesh, options));
-    const WindingTree<Scalar> tree(fine);
+    const TriangleMesh<Scalar> caps = detail::caps_of(mesh);
+    const WindingTree<Scalar> tree(caps);
     const auto with_cells = [&](Scalar cell) {
         const Lattice<Scalar> lattice = lattice_around(mesh, cell, margin);
         const SparseGrid<Scalar> distance = distance_band(mesh, lattice, cell);
-        detail::WindingField<Scalar> field(mesh, fine, tree, lattice, distance);
+        const detail::WindingField<Scalar> field(mesh, caps, tree, lattice);
         LatticeShape<Scalar> shape;
         shape.depth = [&](const LatticeNode& node) { return field.depth(node); };
         shape.crossing = detail::crossing_by(distance, cell);
