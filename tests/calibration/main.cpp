@@ -110,11 +110,8 @@ int main(int argc, char** argv) try {
     }
     const TriangleMesh<double> mesh = io::read_mesh<double>(argv[1], options);
     const SkeletonTemplate& wanted = builtin_template(argc > 3 ? argv[3] : "human21");
-    ExtractOptions search_options;
-    search_options.budget = is_exhaustive ? 12 : search_options.budget;
-    const search::Climb<double> climb =
-        search::climb(mesh, wanted, search_options,
-                      is_exhaustive ? search::Thoroughness::exhaustive : search::Thoroughness::until_sure);
+    const search::Climb<double> climb = search::climb(
+        mesh, wanted, {}, is_exhaustive ? search::Thoroughness::exhaustive : search::Thoroughness::until_sure);
     const double extent = climb.found.empty() ? 0 : search::extent_of(*climb.found.front().whole);
     std::size_t tries = 0;
     int of_this_try = 0;

@@ -18,7 +18,7 @@ struct ExtractOptions {
     curve::CurveOptions curve;
     embedding::MatchingOptions matching;
     refinement::RefinementOptions refinement;
-    int budget = 20;        ///< curves that are looked for at most, counted in drafts (hypothesis.hpp); 1 to 1000
+    int budget = 12;        ///< curves that are looked for at most, counted in drafts (hypothesis.hpp); 1 to 1000
     bool with_curve = true; ///< whether the curve comes out, too: without it, joints are the same, in less time
     int threads = 1;        ///< that work on it, 1 to 1024; what comes out does not depend on it
     /// Called before each try with what of the budget is spent and the budget: what it throws ends the search.
