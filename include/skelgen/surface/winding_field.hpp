@@ -100,7 +100,7 @@ public:
     }
 
 private:
-    /// Where a row along y passes an edge of a face: seen along x.
+    /// Where an edge of a face has a row's y.
     struct Pass {
         Scalar x, z;
     };
@@ -130,6 +130,7 @@ private:
         return {a[0] + part * (b[0] - a[0]), a[2] + part * (b[2] - a[2])};
     }
 
+    /// Of the rows with that y those that pass the face, between two of its edges.
     void add_between(const Pass& up, const Pass& down, int j) {
         const auto [low, high] = std::minmax(up.z, down.z);
         const auto [first_z, last_z] = nodes_along(2, low, high, low);
