@@ -7,24 +7,18 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <map>
 #include <utility>
 #include <vector>
 
-#include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/surface/lattice.hpp>
 #include <skelgen/surface/winding_tree.hpp>
 
 namespace skelgen::surface::detail {
 
-/// Where a surface ends: its boundary as a chain, in which edges that faces pass both ways alike cancel each other.
-struct RimEdge {
-    int from, to;
-    int times; ///< how often faces pass it more often so than the other way; at least once
-};
-
-inline std::vector<RimEdge> rims_of(const Triangles& faces) {
+/// Where a surface ends: edges as its faces pass them, sorted, without those that faces pass both ways alike; as often
+/// as one way is passed more often than the other.
+inline std::vector<std::array<int, 2>> rims_of(const Triangles& faces) {
     std::vector<std::array<int, 3>> passes; // lower vertex, higher one, 1 upwards or -1
     for (Eigen::Index f = 0; f < faces.rows(); ++f)
         for (int k = 0; k < 3; ++k) {
@@ -32,49 +26,48 @@ inline std::vector<RimEdge> rims_of(const Triangles& faces) {
             passes.push_back({std::min(a, b), std::max(a, b), a < b ? 1 : -1});
         }
     std::sort(passes.begin(), passes.end());
-    std::vector<RimEdge> out;
+    std::vector<std::array<int, 2>> out;
     for (std::size_t i = 0; i < passes.size();) {
         const auto [a, b, way] = passes[i];
         int sum = 0;
         for (; i < passes.size() && passes[i][0] == a && passes[i][1] == b; ++i) sum += passes[i][2];
-        if (sum > 0) out.push_back({a, b, sum});
-        if (sum < 0) out.push_back({b, a, -sum});
+        const std::array<int, 2> edge{sum > 0 ? a : b, sum > 0 ? b : a};
+        out.insert(out.end(), static_cast<std::size_t>(std::abs(sum)), edge);
     }
+    std::sort(out.begin(), out.end());
     return out;
 }
 
-/// Fans over all rims, each around the middle of those that hang together: beside them nothing of the surface ends.
+/// Faces on the vertices of a mesh that close it: over each way along its rims, corner by corner, until no way is left.
+/// So most of them are as small as the edges that they begin at, and few are large.
 template <typename Scalar>
 TriangleMesh<Scalar> caps_of(const TriangleMesh<Scalar>& mesh) {
-    const std::vector<RimEdge> rims = rims_of(mesh.faces);
-    core::DisjointSets sets(static_cast<std::size_t>(mesh.vertices.rows()));
-    const auto set_of = [&](int v) { return sets.find(static_cast<std::size_t>(v)); };
-    for (const RimEdge& edge : rims) sets.unite(static_cast<std::size_t>(edge.from), static_cast<std::size_t>(edge.to));
-    struct Fan {
-        Vector3<core::Accumulator> sum = Vector3<core::Accumulator>::Zero();
-        int edges = 0, apex = 0;
+    const std::vector<std::array<int, 2>> rims = rims_of(mesh.faces);
+    std::vector<std::size_t> next(
+        static_cast<std::size_t>(mesh.vertices.rows())); // per vertex: of its edges not walked
+    for (std::size_t i = rims.size(); i-- > 0;) next[static_cast<std::size_t>(rims[i][0])] = i;
+    std::vector<std::array<int, 3>> faces;
+    const auto is_left = [&](int v) {
+        const std::size_t i = next[static_cast<std::size_t>(v)];
+        return i < rims.size() && rims[i][0] == v;
     };
-    std::map<std::size_t, Fan> fans;
-    Eigen::Index faces = 0;
-    for (const RimEdge& edge : rims) {
-        Fan& fan = fans[set_of(edge.from)];
-        for (const int v : {edge.from, edge.to})
-            fan.sum += core::point(mesh.vertices, v).template cast<core::Accumulator>();
-        ++fan.edges;
-        faces += edge.times;
-    }
-    TriangleMesh<Scalar> out;
-    out.vertices.resize(mesh.vertices.rows() + static_cast<Eigen::Index>(fans.size()), 3);
-    out.vertices.topRows(mesh.vertices.rows()) = mesh.vertices;
-    auto apex = static_cast<int>(mesh.vertices.rows());
-    for (auto& [set, fan] : fans) {
-        fan.apex = apex++;
-        core::set_point<Scalar>(out.vertices, fan.apex, (fan.sum / (2 * fan.edges)).template cast<Scalar>());
-    }
-    out.faces.resize(faces, 3);
-    Eigen::Index row = 0;
-    for (const RimEdge& edge : rims)
-        for (int i = 0; i < edge.times; ++i) out.faces.row(row++) << edge.to, edge.from, fans[set_of(edge.from)].apex;
+    for (const auto& [start, end] : rims)
+        while (is_left(start)) {
+            std::vector<int> way; // comes back, as each vertex is left as often as it is reached
+            for (int v = start; way.empty() || v != start; v = rims[next[static_cast<std::size_t>(v)]++][1])
+                way.push_back(v);
+            while (way.size() > 2) {
+                std::vector<int> shorter;
+                for (std::size_t i = 0; i < way.size(); i += 2) {
+                    shorter.push_back(way[i]);
+                    if (i + 1 < way.size()) faces.push_back({way[(i + 2) % way.size()], way[i + 1], way[i]});
+                }
+                way = std::move(shorter);
+            }
+        }
+    TriangleMesh<Scalar> out{mesh.vertices, Triangles(static_cast<Eigen::Index>(faces.size()), 3)};
+    for (std::size_t f = 0; f < faces.size(); ++f)
+        out.faces.row(static_cast<Eigen::Index>(f)) << faces[f][0], faces[f][1], faces[f][2];
     return out;
 }
 
