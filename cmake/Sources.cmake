@@ -49,52 +49,31 @@ set(skelgen_public_headers
 set(skelgen_core_headers
     include/skelgen/anatomy/complete.hpp
     include/skelgen/anatomy/confidence.hpp
-    include/skelgen/anatomy/equal_bones.hpp
-    include/skelgen/anatomy/inside.hpp
-    include/skelgen/anatomy/joint_offsets.hpp
-    include/skelgen/anatomy/radii.hpp
     include/skelgen/applications/alignment.hpp
     include/skelgen/applications/animation.hpp
-    include/skelgen/applications/balanced_bends.hpp
-    include/skelgen/applications/bind.hpp
     include/skelgen/applications/body_coordinates.hpp
     include/skelgen/applications/bone_orientations.hpp
     include/skelgen/applications/bone_sections.hpp
-    include/skelgen/applications/bones.hpp
-    include/skelgen/applications/bounded_stretch.hpp
     include/skelgen/applications/canonical_frame.hpp
     include/skelgen/applications/clip_body.hpp
     include/skelgen/applications/correspondence.hpp
     include/skelgen/applications/curve_skin.hpp
-    include/skelgen/applications/deep_shoulders.hpp
     include/skelgen/applications/engine_bones.hpp
     include/skelgen/applications/finger_bones.hpp
     include/skelgen/applications/floor.hpp
-    include/skelgen/applications/heat_weights.hpp
     include/skelgen/applications/joint_weights.hpp
-    include/skelgen/applications/kept_volumes.hpp
     include/skelgen/applications/laplace_basis.hpp
-    include/skelgen/applications/limb_regions.hpp
-    include/skelgen/applications/limb_volume.hpp
-    include/skelgen/applications/loose_pieces.hpp
     include/skelgen/applications/lowest_place.hpp
     include/skelgen/applications/measurement.hpp
-    include/skelgen/applications/mirror_plane.hpp
     include/skelgen/applications/motion_clip.hpp
-    include/skelgen/applications/outward_faces.hpp
     include/skelgen/applications/own_part.hpp
     include/skelgen/applications/part_axes.hpp
-    include/skelgen/applications/part_shares.hpp
     include/skelgen/applications/pose_transfer.hpp
     include/skelgen/applications/posing.hpp
-    include/skelgen/applications/rest_posture.hpp
-    include/skelgen/applications/resting_surface.hpp
     include/skelgen/applications/retarget.hpp
     include/skelgen/applications/rig.hpp
     include/skelgen/applications/segmentation.hpp
-    include/skelgen/applications/short_borders.hpp
     include/skelgen/applications/skinning.hpp
-    include/skelgen/applications/surface_labels.hpp
     include/skelgen/applications/surface_laplacian.hpp
     include/skelgen/core/adjacency.hpp
     include/skelgen/core/builtin_templates.hpp
@@ -127,29 +106,20 @@ set(skelgen_core_headers
     include/skelgen/core/stage_timings.hpp
     include/skelgen/core/stopwatch.hpp
     include/skelgen/core/template_rules.hpp
-    include/skelgen/curve/attachment.hpp
-    include/skelgen/curve/axis_ends.hpp
     include/skelgen/curve/branch_centring.hpp
     include/skelgen/curve/branch_sections.hpp
     include/skelgen/curve/branched_curve.hpp
-    include/skelgen/curve/centring.hpp
     include/skelgen/curve/contraction.hpp
     include/skelgen/curve/find_curve.hpp
-    include/skelgen/curve/half_edges.hpp
     include/skelgen/curve/laplacian.hpp
     include/skelgen/curve/leaf_extension.hpp
-    include/skelgen/curve/meeting_axes.hpp
     include/skelgen/curve/medial_balls.hpp
-    include/skelgen/curve/parallel_branches.hpp
     include/skelgen/curve/proxy.hpp
     include/skelgen/curve/pruning.hpp
     include/skelgen/curve/regions.hpp
-    include/skelgen/curve/section_regions.hpp
-    include/skelgen/curve/smoothing_spline.hpp
     include/skelgen/curve/surgery.hpp
     include/skelgen/embedding/embed.hpp
     include/skelgen/embedding/loop_cuts.hpp
-    include/skelgen/embedding/missing_limbs.hpp
     include/skelgen/embedding/proportions.hpp
     include/skelgen/embedding/reduced_graph.hpp
     include/skelgen/embedding/spectral_matching.hpp
@@ -157,41 +127,28 @@ set(skelgen_core_headers
     include/skelgen/extract_hinted.hpp
     include/skelgen/fit_skeleton.hpp
     include/skelgen/hands/digit.hpp
-    include/skelgen/hands/digit_tubes.hpp
     include/skelgen/hands/find_hands.hpp
-    include/skelgen/hands/hand_surface.hpp
-    include/skelgen/hands/phalanges.hpp
-    include/skelgen/hands/phalanx_fit.hpp
     include/skelgen/quadruped/boosted_trees.hpp
     include/skelgen/quadruped/joint_table.hpp
     include/skelgen/quadruped/limbs.hpp
     include/skelgen/quadruped/place_joints.hpp
     include/skelgen/quadruped/trust_table.hpp
-    include/skelgen/refinement/bare_joints.hpp
     include/skelgen/refinement/bend.hpp
     include/skelgen/refinement/bone_line.hpp
     include/skelgen/refinement/centreline.hpp
     include/skelgen/refinement/cross_section.hpp
     include/skelgen/refinement/end_points.hpp
-    include/skelgen/refinement/flat_end.hpp
     include/skelgen/refinement/fork.hpp
     include/skelgen/refinement/head.hpp
-    include/skelgen/refinement/headgear.hpp
-    include/skelgen/refinement/heel.hpp
-    include/skelgen/refinement/hem.hpp
-    include/skelgen/refinement/hip_anchor.hpp
     include/skelgen/refinement/limb_joints.hpp
     include/skelgen/refinement/limbs.hpp
     include/skelgen/refinement/pelvis.hpp
     include/skelgen/refinement/placement.hpp
     include/skelgen/refinement/profile_matcher.hpp
     include/skelgen/refinement/refine.hpp
-    include/skelgen/refinement/shoulder_anchor.hpp
     include/skelgen/refinement/thickness_profile.hpp
     include/skelgen/refinement/trunk_axis.hpp
     include/skelgen/refinement/trunk_joints.hpp
-    include/skelgen/search/agreement.hpp
-    include/skelgen/search/contacts.hpp
     include/skelgen/search/evidence.hpp
     include/skelgen/search/extract_options.hpp
     include/skelgen/search/hypothesis.hpp
@@ -204,43 +161,33 @@ set(skelgen_core_headers
     include/skelgen/search/trust.hpp
     include/skelgen/search/trust_table.hpp
     include/skelgen/surface/body.hpp
-    include/skelgen/surface/bridges.hpp
     include/skelgen/surface/canonical_form.hpp
     include/skelgen/surface/clean.hpp
     include/skelgen/surface/contours.hpp
     include/skelgen/surface/cut_surface.hpp
     include/skelgen/surface/denoise.hpp
-    include/skelgen/surface/distance_band.hpp
     include/skelgen/surface/envelope.hpp
     include/skelgen/surface/face_tree.hpp
-    include/skelgen/surface/fill_holes.hpp
-    include/skelgen/surface/handle_loops.hpp
     include/skelgen/surface/lattice.hpp
     include/skelgen/surface/lattice_surface.hpp
     include/skelgen/surface/manifold_parts.hpp
     include/skelgen/surface/open_handles.hpp
-    include/skelgen/surface/orientation.hpp
     include/skelgen/surface/pieces.hpp
     include/skelgen/surface/pockets.hpp
     include/skelgen/surface/prepare.hpp
     include/skelgen/surface/rounded.hpp
     include/skelgen/surface/similarity.hpp
     include/skelgen/surface/small_parts.hpp
-    include/skelgen/surface/sound_faces.hpp
-    include/skelgen/surface/triangulate_rim.hpp
     include/skelgen/surface/unpaired_pieces.hpp
     include/skelgen/surface/vertex_clusters.hpp
-    include/skelgen/surface/visibility.hpp
     include/skelgen/surface/weld.hpp
     include/skelgen/surface/winding_field.hpp
     include/skelgen/surface/winding_tree.hpp
-    include/skelgen/surface/without_faces.hpp
     include/skelgen/symmetry/exact_mirror.hpp
     include/skelgen/symmetry/front_of_surface.hpp
     include/skelgen/symmetry/joints_by_role.hpp
     include/skelgen/symmetry/sides.hpp
     include/skelgen/symmetry/sides_table.hpp
-    include/skelgen/symmetry/standing_pose.hpp
     include/skelgen/version.hpp
 )
 set(skelgen_core_definitions

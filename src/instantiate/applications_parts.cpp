@@ -3,13 +3,9 @@
 #include <skelgen/applications/impl/alignment.hpp>
 #include <skelgen/applications/impl/body_coordinates.hpp>
 #include <skelgen/applications/impl/measurement.hpp>
-#include <skelgen/applications/impl/mirror_plane.hpp>
 #include <skelgen/applications/impl/own_part.hpp>
 #include <skelgen/applications/impl/part_axes.hpp>
-#include <skelgen/applications/impl/part_shares.hpp>
 #include <skelgen/applications/impl/segmentation.hpp>
-#include <skelgen/applications/impl/short_borders.hpp>
-#include <skelgen/applications/impl/surface_labels.hpp>
 
 namespace skelgen::applications {
 
@@ -20,16 +16,8 @@ namespace skelgen::applications {
     template Vector3<Scalar> joint_place(const KinematicSkeleton<Scalar>&, JointRole, Side);                           \
     template Vector3<Scalar> joint_place(const KinematicSkeleton<Scalar>&, const std::string&);                        \
     template Vector3<Scalar> end_place(const KinematicSkeleton<Scalar>&, const std::string&, const std::string&);      \
-    template Eigen::MatrixX<core::Accumulator> part_shares(const Body<Scalar>&, const std::vector<int>&, int, double); \
     template std::vector<PartAxis<Scalar>> part_axes(const KinematicSkeleton<Scalar>&);                                \
     template Scalar distance_to_axis(const Vector3<Scalar>&, const PartAxis<Scalar>&);                                 \
-    template std::vector<int> with_short_borders(const Body<Scalar>&, std::vector<int>,                                \
-                                                 const Eigen::MatrixX<core::Accumulator>&, double,                     \
-                                                 const std::vector<int>&);                                             \
-    template std::vector<int> smoothed_labels(const Body<Scalar>&, const std::vector<int>&, const std::vector<int>&,   \
-                                              double);                                                                 \
-    template std::vector<int> in_one_piece(const Body<Scalar>&, const std::vector<int>&, int);                         \
-    template MirrorPlane<Scalar> mirror_plane(const SurfaceSamples<Scalar>&, const MirrorPlane<Scalar>&, Scalar);      \
     template PelvisDirections<Scalar> pelvis_directions(const KinematicSkeleton<Scalar>&);                             \
     template PelvisDirections<Scalar> pelvis_directions(const Body<Scalar>&, const KinematicSkeleton<Scalar>&);        \
     template Eigen::Matrix<Scalar, 4, 4> alignment(const KinematicSkeleton<Scalar>&, const Points<Scalar>&,            \

@@ -1,24 +1,16 @@
 // The curve stage, compiled once for each scalar.
 
-#include <skelgen/curve/impl/attachment.hpp>
-#include <skelgen/curve/impl/axis_ends.hpp>
 #include <skelgen/curve/impl/branch_centring.hpp>
 #include <skelgen/curve/impl/branch_sections.hpp>
 #include <skelgen/curve/impl/branched_curve.hpp>
-#include <skelgen/curve/impl/centring.hpp>
 #include <skelgen/curve/impl/contraction.hpp>
 #include <skelgen/curve/impl/find_curve.hpp>
-#include <skelgen/curve/impl/half_edges.hpp>
 #include <skelgen/curve/impl/laplacian.hpp>
 #include <skelgen/curve/impl/leaf_extension.hpp>
 #include <skelgen/curve/impl/medial_balls.hpp>
-#include <skelgen/curve/impl/meeting_axes.hpp>
-#include <skelgen/curve/impl/parallel_branches.hpp>
 #include <skelgen/curve/impl/proxy.hpp>
 #include <skelgen/curve/impl/pruning.hpp>
 #include <skelgen/curve/impl/regions.hpp>
-#include <skelgen/curve/impl/section_regions.hpp>
-#include <skelgen/curve/impl/smoothing_spline.hpp>
 #include <skelgen/curve/impl/surgery.hpp>
 
 namespace skelgen::curve {
@@ -39,30 +31,13 @@ namespace skelgen::curve {
     template BranchedCurve<Scalar> without_knot(BranchedCurve<Scalar>, int);                                           \
     template JoinedCurve<Scalar> join_branches(const BranchedCurve<Scalar>&);                                          \
     template BranchSection<Scalar> section_across(const Body<Scalar>&, const Points<Scalar>&, Eigen::Index, Scalar);   \
-    template BranchedCurve<Scalar> ends_on_axes(                                                                       \
-        BranchedCurve<Scalar>, const std::vector<std::vector<BranchSection<Scalar>>>&, const Body<Scalar>&);           \
     template BranchedCurve<Scalar> prune_twigs(BranchedCurve<Scalar>, const Body<Scalar>&, double);                    \
-    template Scalar own_distance(const BranchedCurve<Scalar>&, std::size_t, bool, Scalar);                             \
-    template PlacesOfKnots<Scalar> meeting_axes(const BranchedCurve<Scalar>&,                                          \
-                                                const std::vector<std::vector<BranchSection<Scalar>>>&,                \
-                                                const Body<Scalar>&, double);                                          \
-    template BranchedCurve<Scalar> reattach_branches(BranchedCurve<Scalar>, const PlacesOfKnots<Scalar>&,              \
-                                                     const Body<Scalar>&, Scalar);                                     \
-    template BranchedCurve<Scalar> merge_parallel_branches(BranchedCurve<Scalar>, const Body<Scalar>&);                \
-    template BranchedCurve<Scalar> smoothing_spline(                                                                   \
-        BranchedCurve<Scalar>, const std::vector<std::vector<BranchSection<Scalar>>>&,                                 \
-        const std::vector<Vector3<Scalar>>&, const PlacesOfKnots<Scalar>&, double);                                    \
     template CentredBranches<Scalar> centre_branches(BranchedCurve<Scalar>, const Body<Scalar>&,                       \
                                                      const BranchCentringOptions&);                                    \
     template BranchedCurve<Scalar> centre_roughly(BranchedCurve<Scalar>, const Body<Scalar>&,                          \
                                                   const BranchCentringOptions&);                                       \
-    template std::vector<Scalar> ball_radii(const Points<Scalar>&, const Body<Scalar>&);                               \
-    template CurveSkeleton<Scalar> curve_with_regions(const CentredBranches<Scalar>&, const Body<Scalar>&,             \
-                                                      const std::vector<int>&);                                        \
     template CurveSkeleton<Scalar> connectivity_surgery(const Points<Scalar>&, const Triangles&,                       \
                                                         const SurgeryOptions&);                                        \
-    template CurveSkeleton<Scalar> centre_nodes(const CurveSkeleton<Scalar>&, const TriangleMesh<Scalar>&,             \
-                                                const Points<Scalar>&);                                                \
     template std::vector<int> nearest_of_proxy(const Proxy<Scalar>&, const Body<Scalar>&);                             \
     template CurveSkeleton<Scalar> spread_regions(CurveSkeleton<Scalar>, const std::vector<int>&,                      \
                                                   const Proxy<Scalar>&);                                               \

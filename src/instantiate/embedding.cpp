@@ -2,7 +2,6 @@
 
 #include <skelgen/embedding/impl/embed.hpp>
 #include <skelgen/embedding/impl/loop_cuts.hpp>
-#include <skelgen/embedding/impl/missing_limbs.hpp>
 #include <skelgen/embedding/impl/proportions.hpp>
 #include <skelgen/embedding/impl/reduced_graph.hpp>
 #include <skelgen/embedding/impl/spectral_matching.hpp>

@@ -1,25 +1,18 @@
 // The refinement's templates, compiled once for float and double.
 
-#include <skelgen/refinement/impl/bare_joints.hpp>
 #include <skelgen/refinement/impl/bend.hpp>
 #include <skelgen/refinement/impl/bone_line.hpp>
 #include <skelgen/refinement/impl/centreline.hpp>
 #include <skelgen/refinement/impl/cross_section.hpp>
 #include <skelgen/refinement/impl/end_points.hpp>
-#include <skelgen/refinement/impl/flat_end.hpp>
 #include <skelgen/refinement/impl/fork.hpp>
 #include <skelgen/refinement/impl/head.hpp>
-#include <skelgen/refinement/impl/headgear.hpp>
-#include <skelgen/refinement/impl/heel.hpp>
-#include <skelgen/refinement/impl/hem.hpp>
-#include <skelgen/refinement/impl/hip_anchor.hpp>
 #include <skelgen/refinement/impl/limb_joints.hpp>
 #include <skelgen/refinement/impl/limbs.hpp>
 #include <skelgen/refinement/impl/pelvis.hpp>
 #include <skelgen/refinement/impl/placement.hpp>
 #include <skelgen/refinement/impl/profile_matcher.hpp>
 #include <skelgen/refinement/impl/refine.hpp>
-#include <skelgen/refinement/impl/shoulder_anchor.hpp>
 #include <skelgen/refinement/impl/thickness_profile.hpp>
 #include <skelgen/refinement/impl/trunk_axis.hpp>
 #include <skelgen/refinement/impl/trunk_joints.hpp>
@@ -38,9 +31,6 @@ namespace skelgen::refinement {
     template std::vector<EndPoint<Scalar>> find_end_points(const Body<Scalar>&, const CurveSkeleton<Scalar>&,          \
                                                            const embedding::Embedding&, const SkeletonTemplate&);      \
     template Scalar geodesic_diameter(const std::vector<EndPoint<Scalar>>&);                                           \
-    template Scalar flat_end(const TriangleMesh<Scalar>&, const Limb<Scalar>&, const EndPoint<Scalar>&, Scalar);       \
-    template Scalar open_end(const TriangleMesh<Scalar>&, const Limb<Scalar>&, const EndPoint<Scalar>&, Scalar);       \
-    template Scalar four_sidedness(const TriangleMesh<Scalar>&, const Limb<Scalar>&, const EndPoint<Scalar>&, Scalar); \
     template std::optional<Vector3<Scalar>> fork_between(const TriangleMesh<Scalar>&, const EndPoint<Scalar>&,         \
                                                          const EndPoint<Scalar>&);                                     \
     template std::vector<Crossing<Scalar>> crossings_between(const TriangleMesh<Scalar>&, const EndPoint<Scalar>&,     \
@@ -61,23 +51,8 @@ namespace skelgen::refinement {
                                                               const BendOptions&, const BoneLineOptions&);             \
     template Fold<Scalar> find_fold(const Limb<Scalar>&, const Stretch<Scalar>&, const BendOptions&,                   \
                                     const BoneLineOptions&);                                                           \
-    template std::vector<Limb<Scalar>> anchor_hips(std::vector<Limb<Scalar>>, const TrunkAxis<Scalar>&,                \
-                                                   const SkeletonTemplate&, Scalar, const BoneLineOptions&);           \
-    template std::optional<Scalar> upper_arm_thickness(const Limb<Scalar>&);                                           \
-    template std::vector<Limb<Scalar>> anchor_shoulders(std::vector<Limb<Scalar>>,                                     \
-                                                        const std::optional<Vector3<Scalar>>&,                         \
-                                                        const SkeletonTemplate&, const BoneLineOptions&);              \
     template std::optional<HeadShape<Scalar>> measure_head(const Slicer<Scalar>&, const Vector3<Scalar>&,              \
                                                            const Vector3<Scalar>&, const HeadOptions&);                \
-    template std::optional<ThroatOnCurve<Scalar>> find_throat_on_curve(                                                \
-        int, const CurveSkeleton<Scalar>&, const embedding::Embedding&, const Slicer<Scalar>&);                        \
-    template bool has_neck_in_head(const Limb<Scalar>&, const ThroatOnCurve<Scalar>&, Scalar);                         \
-    template Limb<Scalar> without_headgear(Limb<Scalar>, const ThroatOnCurve<Scalar>&, const Slicer<Scalar>&,          \
-                                           const CentrelineOptions&);                                                  \
-    template Scalar head_joint_growth(Scalar);                                                                         \
-    template std::optional<Heel<Scalar>> find_heel(const Limb<Scalar>&, const Stretch<Scalar>&, const BendOptions&);   \
-    template bool is_hem(const Slicer<Scalar>&, const std::array<LegToEnd<Scalar>, 2>&, const TrunkAxis<Scalar>&,      \
-                         Scalar);                                                                                      \
     template std::optional<Scalar> value_at(const Profile&, Scalar);                                                   \
     template ProfileFit<Scalar> fit_profile(const std::vector<Sample<Scalar>>&, const Profile&,                        \
                                             const Stretch<Scalar>&, Scalar);                                           \
@@ -103,8 +78,6 @@ namespace skelgen::refinement {
     template Placement<Scalar> place_shoulder_by_height(Placement<Scalar>, const Limb<Scalar>&, const GirdleOptions&); \
     template Placement<Scalar> place_shoulder_by_trunk(Placement<Scalar>, const Limb<Scalar>&, const Vector3<Scalar>&, \
                                                        const BendOptions&, const BoneLineOptions&);                    \
-    template Placement<Scalar> place_bare_joints(Placement<Scalar>, const CurveSkeleton<Scalar>&,                      \
-                                                 const embedding::Embedding&);                                         \
     template Placement<Scalar> narrow_hips(Placement<Scalar>, const std::vector<Limb<Scalar>>&);                       \
     template std::optional<TrunkAxis<Scalar>> find_trunk_axis(const Slicer<Scalar>&, const Points<Scalar>&, Scalar);   \
     template std::optional<Placement<Scalar>> place_pelvis(Placement<Scalar>, const std::vector<Limb<Scalar>>&,        \

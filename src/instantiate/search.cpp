@@ -1,7 +1,5 @@
 // The search compiled for one scalar.
 
-#include <skelgen/search/impl/agreement.hpp>
-#include <skelgen/search/impl/contacts.hpp>
 #include <skelgen/search/impl/evidence.hpp>
 #include <skelgen/search/impl/extract_options.hpp>
 #include <skelgen/search/impl/hypothesis.hpp>
@@ -14,8 +12,6 @@
 namespace skelgen::search {
 
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
-    template std::vector<Body<Scalar>> cut_at_contacts(const Body<Scalar>&, const CurveSkeleton<Scalar>&,              \
-                                                       const SkeletonTemplate&, const embedding::MatchingOptions&);    \
     template Evidence evidence_of(const Body<Scalar>&, const CurveSkeleton<Scalar>&, const embedding::Embedding*,      \
                                   const anatomy::CompletedSkeleton<Scalar>&, const SkeletonTemplate&, Scalar);         \
     template KinematicSkeleton<Scalar> with_confidence(KinematicSkeleton<Scalar>, double, const std::vector<double>&); \

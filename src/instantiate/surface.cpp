@@ -1,33 +1,24 @@
 // The surface stage, compiled once for each scalar.
 
 #include <skelgen/surface/impl/body.hpp>
-#include <skelgen/surface/impl/bridges.hpp>
 #include <skelgen/surface/impl/canonical_form.hpp>
 #include <skelgen/surface/impl/clean.hpp>
 #include <skelgen/surface/impl/contours.hpp>
 #include <skelgen/surface/impl/cut_surface.hpp>
 #include <skelgen/surface/impl/denoise.hpp>
-#include <skelgen/surface/impl/distance_band.hpp>
 #include <skelgen/surface/impl/envelope.hpp>
 #include <skelgen/surface/impl/face_tree.hpp>
-#include <skelgen/surface/impl/fill_holes.hpp>
-#include <skelgen/surface/impl/handle_loops.hpp>
 #include <skelgen/surface/impl/lattice_surface.hpp>
 #include <skelgen/surface/impl/manifold_parts.hpp>
 #include <skelgen/surface/impl/open_handles.hpp>
-#include <skelgen/surface/impl/orientation.hpp>
 #include <skelgen/surface/impl/pieces.hpp>
 #include <skelgen/surface/impl/pockets.hpp>
 #include <skelgen/surface/impl/prepare.hpp>
 #include <skelgen/surface/impl/rounded.hpp>
-#include <skelgen/surface/impl/sound_faces.hpp>
-#include <skelgen/surface/impl/triangulate_rim.hpp>
 #include <skelgen/surface/impl/unpaired_pieces.hpp>
 #include <skelgen/surface/impl/vertex_clusters.hpp>
-#include <skelgen/surface/impl/visibility.hpp>
 #include <skelgen/surface/impl/weld.hpp>
 #include <skelgen/surface/impl/winding_tree.hpp>
-#include <skelgen/surface/impl/without_faces.hpp>
 
 namespace skelgen::surface {
 
@@ -47,24 +38,14 @@ namespace skelgen::surface {
     template WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>&, Welding);                                            \
     template WeldedMesh<Scalar> weld(const TriangleMesh<Scalar>&, Scalar, const std::vector<bool>&);                   \
     template std::vector<bool> in_closed_pieces(const TriangleMesh<Scalar>&, const std::vector<int>&);                 \
-    template Visibility look_out(const TriangleMesh<Scalar>&, const FaceTree<Scalar>&, const std::vector<int>&, int);  \
-    template SoundFaces sound_faces(const TriangleMesh<Scalar>&);                                                      \
-    template OrientedMesh<Scalar> orient(TriangleMesh<Scalar>);                                                        \
     template TriangleMesh<Scalar> rounded(const TriangleMesh<Scalar>&);                                                \
-    template bool is_sound(const TriangleMesh<Scalar>&);                                                               \
     template CleanMesh<Scalar> clean(const TriangleMesh<Scalar>&);                                                     \
     template CleanMesh<Scalar> clean_in_own_axes(const TriangleMesh<Scalar>&);                                         \
-    template std::optional<std::vector<std::array<int, 3>>> triangulate_rim(const TriangleMesh<Scalar>&, const Rim&,   \
-                                                                            const std::function<bool(int, int)>&);     \
-    template FilledSurface<Scalar> fill_holes(const TriangleMesh<Scalar>&, double, const std::vector<bool>&);          \
-    template Lattice<Scalar> lattice_around(const TriangleMesh<Scalar>&, Scalar, int);                                 \
-    template SparseGrid<Scalar> distance_band(const TriangleMesh<Scalar>&, const Lattice<Scalar>&, Scalar);            \
     template class WindingTree<Scalar>;                                                                                \
     template TriangleMesh<Scalar> lattice_surface(const Lattice<Scalar>&, const std::vector<LatticeNode>&,             \
                                                   const LatticeShape<Scalar>&);                                        \
     template std::map<Twins, PairedPieces> without_lone_pieces(const TriangleMesh<Scalar>&);                           \
     template TriangleMesh<Scalar> side_by_side(const TriangleMesh<Scalar>&, const TriangleMesh<Scalar>&);              \
-    template std::vector<TriangleMesh<Scalar>> bridges_between(const std::vector<TriangleMesh<Scalar>>&);              \
     template TriangleMesh<Scalar> winding_envelope(const TriangleMesh<Scalar>&, const EnvelopeOptions&);               \
     template TriangleMesh<Scalar> smoothed(TriangleMesh<Scalar>, int, const DenoiseOptions&);                          \
     template Scalar bulge_coherence(const TriangleMesh<Scalar>&);                                                      \
@@ -80,9 +61,6 @@ namespace skelgen::surface {
                                             const std::vector<int>&);                                                  \
     template CutSurface<Scalar> cut_along(const TriangleMesh<Scalar>&, const Triangles&,                               \
                                           const std::vector<std::vector<int>>&);                                       \
-    template CreaseGraph<Scalar> crease_graph(const TriangleMesh<Scalar>&, const Triangles&);                          \
-    template std::vector<HandleLoop<Scalar>> handle_loops(const CreaseGraph<Scalar>&, int, Scalar);                    \
-    template Body<Scalar> without_faces(const Body<Scalar>&, const std::vector<bool>&);                                \
     template std::optional<Body<Scalar>> open_handles(const Body<Scalar>&);                                            \
     template std::optional<Body<Scalar>> close_pockets(const Body<Scalar>&);                                           \
     template Body<Scalar> make_body(TriangleMesh<Scalar>, const Similarity<Scalar>&, std::vector<int>, int);           \

@@ -3,13 +3,10 @@
 #include <skelgen/symmetry/impl/exact_mirror.hpp>
 #include <skelgen/symmetry/impl/front_of_surface.hpp>
 #include <skelgen/symmetry/impl/sides.hpp>
-#include <skelgen/symmetry/impl/standing_pose.hpp>
 
 namespace skelgen::symmetry {
 
 #define SKELGEN_INSTANTIATE(Scalar)                                                                                    \
-    template Vector3<Scalar> standing_foot_direction(LegBones<Scalar>, const Vector3<Scalar>&, const Vector3<Scalar>&, \
-                                                     Scalar);                                                          \
     template Outcome<SidesDecision<Scalar>> decide_sides(const refinement::RefinedJoints<Scalar>&,                     \
                                                          const SkeletonTemplate&, const SurfaceFront<Scalar>&);        \
     template SurfaceFront<Scalar> front_of_surface(const Body<Scalar>&, const refinement::RefinedJoints<Scalar>&,      \

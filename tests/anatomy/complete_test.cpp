@@ -2,8 +2,8 @@
 
 #include <skelgen/anatomy/complete.hpp>
 #include <skelgen/anatomy/confidence.hpp>
-#include <skelgen/anatomy/equal_bones.hpp>
-#include <skelgen/anatomy/joint_offsets.hpp>
+#include <skelgen/anatomy/impl/equal_bones.hpp>
+#include <skelgen/anatomy/impl/joint_offsets.hpp>
 #include <skelgen/core/geometry.hpp>
 
 #include "anatomy/rest_skeleton.hpp"

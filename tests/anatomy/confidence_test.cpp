@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <skelgen/anatomy/confidence.hpp>
-#include <skelgen/anatomy/equal_bones.hpp>
+#include <skelgen/anatomy/impl/equal_bones.hpp>
 
 #include "anatomy/rest_skeleton.hpp"
 #include "catch.hpp"

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include <skelgen/anatomy/equal_bones.hpp>
+#include <skelgen/anatomy/impl/equal_bones.hpp>
 
 #include "anatomy/rest_skeleton.hpp"
 #include "catch.hpp"

@@ -1,4 +1,4 @@
-#include <skelgen/anatomy/inside.hpp>
+#include <skelgen/anatomy/impl/inside.hpp>
 
 #include "anatomy/rest_skeleton.hpp"
 #include "catch.hpp"

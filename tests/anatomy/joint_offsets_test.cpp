@@ -1,4 +1,4 @@
-#include <skelgen/anatomy/joint_offsets.hpp>
+#include <skelgen/anatomy/impl/joint_offsets.hpp>
 
 #include "anatomy/rest_skeleton.hpp"
 #include "catch.hpp"

@@ -1,4 +1,4 @@
-#include <skelgen/anatomy/radii.hpp>
+#include <skelgen/anatomy/impl/radii.hpp>
 
 #include "anatomy/rest_skeleton.hpp"
 #include "catch.hpp"

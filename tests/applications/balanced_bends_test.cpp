@@ -3,9 +3,9 @@
 #include <numbers>
 #include <vector>
 
-#include <skelgen/applications/balanced_bends.hpp>
 #include <skelgen/applications/bone_orientations.hpp>
-#include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/impl/balanced_bends.hpp>
+#include <skelgen/applications/impl/bones.hpp>
 
 #include "catch.hpp"
 #include "human.hpp"

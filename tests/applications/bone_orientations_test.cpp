@@ -2,9 +2,9 @@
 #include <string>
 
 #include <skelgen/applications/bone_orientations.hpp>
-#include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/impl/bones.hpp>
+#include <skelgen/applications/impl/rest_posture.hpp>
 #include <skelgen/applications/posing.hpp>
-#include <skelgen/applications/rest_posture.hpp>
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/shoulder_height.hpp>

@@ -1,6 +1,6 @@
 #include <skelgen/applications/bone_sections.hpp>
 
-#include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/impl/bones.hpp>
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/surface/prepare.hpp>

@@ -1,7 +1,7 @@
 #include <numbers>
 
-#include <skelgen/applications/bones.hpp>
-#include <skelgen/applications/bounded_stretch.hpp>
+#include <skelgen/applications/impl/bones.hpp>
+#include <skelgen/applications/impl/bounded_stretch.hpp>
 
 #include "catch.hpp"
 #include "human.hpp"

@@ -5,7 +5,7 @@
 #include <set>
 
 #include <skelgen/applications/body_coordinates.hpp>
-#include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/impl/bones.hpp>
 #include <skelgen/applications/pose_transfer.hpp>
 #include <skelgen/applications/posing.hpp>
 #include <skelgen/core/error.hpp>

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include <skelgen/applications/bones.hpp>
-#include <skelgen/applications/deep_shoulders.hpp>
+#include <skelgen/applications/impl/bones.hpp>
+#include <skelgen/applications/impl/deep_shoulders.hpp>
 
 #include "catch.hpp"
 #include "human.hpp"

@@ -1,8 +1,8 @@
 #include <string>
 #include <vector>
 
-#include <skelgen/applications/bones.hpp>
 #include <skelgen/applications/floor.hpp>
+#include <skelgen/applications/impl/bones.hpp>
 
 #include "catch.hpp"
 #include "human.hpp"

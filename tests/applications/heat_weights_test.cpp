@@ -1,4 +1,4 @@
-#include <skelgen/applications/heat_weights.hpp>
+#include <skelgen/applications/impl/heat_weights.hpp>
 #include <skelgen/core/builtin_templates.hpp>
 
 #include "anatomy/rest_skeleton.hpp"

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include <skelgen/applications/bone_orientations.hpp>
-#include <skelgen/applications/bones.hpp>
-#include <skelgen/applications/kept_volumes.hpp>
-#include <skelgen/applications/limb_volume.hpp>
+#include <skelgen/applications/impl/bones.hpp>
+#include <skelgen/applications/impl/kept_volumes.hpp>
+#include <skelgen/applications/impl/limb_volume.hpp>
 
 #include "catch.hpp"
 #include "human.hpp"

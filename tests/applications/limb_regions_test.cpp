@@ -1,4 +1,4 @@
-#include <skelgen/applications/limb_regions.hpp>
+#include <skelgen/applications/impl/limb_regions.hpp>
 #include <skelgen/applications/segmentation.hpp>
 
 #include <algorithm>

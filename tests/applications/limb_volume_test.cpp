@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 
-#include <skelgen/applications/bones.hpp>
-#include <skelgen/applications/limb_volume.hpp>
+#include <skelgen/applications/impl/bones.hpp>
+#include <skelgen/applications/impl/limb_volume.hpp>
 #include <skelgen/core/geometry.hpp>
 
 #include "catch.hpp"

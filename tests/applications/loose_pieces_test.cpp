@@ -2,8 +2,8 @@
 #include <numbers>
 #include <vector>
 
-#include <skelgen/applications/bind.hpp>
-#include <skelgen/applications/loose_pieces.hpp>
+#include <skelgen/applications/impl/bind.hpp>
+#include <skelgen/applications/impl/loose_pieces.hpp>
 #include <skelgen/core/shortest_turn.hpp>
 
 #include "catch.hpp"

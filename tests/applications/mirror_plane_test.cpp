@@ -1,4 +1,4 @@
-#include <skelgen/applications/mirror_plane.hpp>
+#include <skelgen/applications/impl/mirror_plane.hpp>
 
 #include <cmath>
 #include <random>

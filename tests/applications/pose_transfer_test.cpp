@@ -1,7 +1,7 @@
 #include <string>
 
 #include <skelgen/applications/bone_orientations.hpp>
-#include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/impl/bones.hpp>
 #include <skelgen/applications/pose_transfer.hpp>
 #include <skelgen/applications/posing.hpp>
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include <skelgen/applications/animation.hpp>
-#include <skelgen/applications/bind.hpp>
-#include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/impl/bind.hpp>
+#include <skelgen/applications/impl/bones.hpp>
+#include <skelgen/applications/impl/outward_faces.hpp>
 #include <skelgen/applications/lowest_place.hpp>
-#include <skelgen/applications/outward_faces.hpp>
 #include <skelgen/applications/pose_transfer.hpp>
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/applications/skinning.hpp>

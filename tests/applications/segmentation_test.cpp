@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <skelgen/applications/body_coordinates.hpp>
-#include <skelgen/applications/surface_labels.hpp>
+#include <skelgen/applications/impl/surface_labels.hpp>
 #include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>

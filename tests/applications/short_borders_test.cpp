@@ -1,4 +1,4 @@
-#include <skelgen/applications/short_borders.hpp>
+#include <skelgen/applications/impl/short_borders.hpp>
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include <random>
 #include <vector>
 
-#include <skelgen/applications/part_shares.hpp>
-#include <skelgen/applications/surface_labels.hpp>
+#include <skelgen/applications/impl/part_shares.hpp>
+#include <skelgen/applications/impl/surface_labels.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/surface/prepare.hpp>
 

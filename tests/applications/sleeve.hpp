@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <skelgen/applications/bone_orientations.hpp>
-#include <skelgen/applications/bones.hpp>
-#include <skelgen/applications/heat_weights.hpp>
+#include <skelgen/applications/impl/bones.hpp>
+#include <skelgen/applications/impl/heat_weights.hpp>
 #include <skelgen/applications/skinning.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>

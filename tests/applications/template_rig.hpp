@@ -1,6 +1,6 @@
 #pragma once
 
-#include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/impl/bones.hpp>
 #include <skelgen/applications/posing.hpp>
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/core/builtin_templates.hpp>

@@ -14,7 +14,7 @@
 #include <skelgen/io/read_mesh.hpp>
 #include <skelgen/quadruped/impl/place_joints.hpp>
 #include <skelgen/quadruped/limbs.hpp>
-#include <skelgen/search/agreement.hpp>
+#include <skelgen/search/impl/agreement.hpp>
 #include <skelgen/search/ladder.hpp>
 #include <skelgen/surface/body.hpp>
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/curve/attachment.hpp>
+#include <skelgen/curve/impl/attachment.hpp>
 
 #include "catch.hpp"
 #include "curve/branched_lines.hpp"

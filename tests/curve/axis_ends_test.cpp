@@ -1,5 +1,5 @@
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/curve/axis_ends.hpp>
+#include <skelgen/curve/impl/axis_ends.hpp>
 
 #include "catch.hpp"
 #include "curve/branched_lines.hpp"

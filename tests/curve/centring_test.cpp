@@ -1,5 +1,5 @@
-#include <skelgen/curve/centring.hpp>
 #include <skelgen/curve/contraction.hpp>
+#include <skelgen/curve/impl/centring.hpp>
 #include <skelgen/curve/surgery.hpp>
 
 #include "catch.hpp"

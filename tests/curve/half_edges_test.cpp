@@ -4,7 +4,7 @@
 
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/curve/half_edges.hpp>
+#include <skelgen/curve/impl/half_edges.hpp>
 
 #include "catch.hpp"
 #include "curve/throws.hpp"

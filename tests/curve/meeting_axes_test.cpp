@@ -1,5 +1,5 @@
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/curve/meeting_axes.hpp>
+#include <skelgen/curve/impl/meeting_axes.hpp>
 
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/curve/parallel_branches.hpp>
+#include <skelgen/curve/impl/parallel_branches.hpp>
 
 #include "catch.hpp"
 #include "curve/branched_lines.hpp"

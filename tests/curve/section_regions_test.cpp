@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/curve/section_regions.hpp>
+#include <skelgen/curve/impl/section_regions.hpp>
 
 #include "catch.hpp"
 #include "curve/branched_lines.hpp"

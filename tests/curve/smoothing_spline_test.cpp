@@ -1,5 +1,5 @@
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/curve/smoothing_spline.hpp>
+#include <skelgen/curve/impl/smoothing_spline.hpp>
 
 #include "catch.hpp"
 #include "curve/branched_lines.hpp"

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include <skelgen/embedding/missing_limbs.hpp>
+#include <skelgen/embedding/impl/missing_limbs.hpp>
 #include <skelgen/embedding/reduced_graph.hpp>
 
 #include "catch.hpp"

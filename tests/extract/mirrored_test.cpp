@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <skelgen/applications/bind.hpp>
+#include <skelgen/applications/impl/bind.hpp>
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/error.hpp>

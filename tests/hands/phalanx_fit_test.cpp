@@ -1,4 +1,4 @@
-#include <skelgen/hands/phalanx_fit.hpp>
+#include <skelgen/hands/impl/phalanx_fit.hpp>
 
 #include <algorithm>
 #include <array>

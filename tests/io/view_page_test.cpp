@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/impl/bones.hpp>
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/io/read_mesh.hpp>

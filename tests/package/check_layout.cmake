@@ -1,6 +1,6 @@
 # cmake -D SOURCE_DIR=<project> -P check_layout.cmake
-# Fails unless the core keeps its layout: includes go one way, x.hpp declares and impl/x.hpp defines, and what is compiled
-# of the core are instantiations alone.
+# Fails unless the core keeps its layout: includes go one way, x.hpp declares and impl/x.hpp defines, what one stage alone
+# uses stands in its impl/, and what is compiled of the core are instantiations alone.
 cmake_minimum_required(VERSION 3.25)
 
 # The order of the stages: each includes itself and those before it.
@@ -124,11 +124,27 @@ foreach(file IN LISTS shown)
   endforeach()
 endforeach()
 
-# -------------------------------------------------------------------------------------- x.hpp declares, impl/x.hpp defines
+# --------------------------------------------------- x.hpp declares, impl/x.hpp defines; what a stage alone uses is in impl/
 
 list(TRANSFORM stages REPLACE "(.+)" "include/skelgen/\\1/*.hpp" OUTPUT_VARIABLE patterns)
 files_of(core_headers ${patterns} "include/skelgen/extract.hpp" "include/skelgen/impl/*.hpp")
 files_of(instantiations "src/instantiate/*")
+
+# Whatever but its stage's definitions, tests and instantiations includes a header.
+files_of(users ${patterns} "include/*.hpp" "src/*.cpp" "apps/*.cpp" "apps/*.hpp" "bindings/*.cpp")
+foreach(file IN LISTS users)
+  if(file MATCHES "^src/instantiate/")
+    continue()
+  endif()
+  includes_of("${file}" headers)
+  foreach(header IN LISTS headers)
+    string(REGEX REPLACE "[^/]+$" "impl/" own "include/${header}")
+    string(FIND "${file}" "${own}" position)
+    if(NOT position EQUAL 0)
+      set("used_${header}" TRUE)
+    endif()
+  endforeach()
+endforeach()
 
 foreach(file IN LISTS core_headers)
   cmake_path(RELATIVE_PATH file BASE_DIRECTORY include OUTPUT_VARIABLE header)
@@ -137,14 +153,18 @@ foreach(file IN LISTS core_headers)
   list(FILTER headers INCLUDE REGEX "^skelgen/(.*/)?impl/")
 
   if(header MATCHES "^(.*/)impl/(.*)$")
+    set(stage "${CMAKE_MATCH_1}")
     set(declares "${CMAKE_MATCH_1}${CMAKE_MATCH_2}")
-    if(NOT EXISTS "${SOURCE_DIR}/include/${declares}")
-      fault("${file} defines what nothing declares: there is no include/${declares}")
-    elseif(NOT text MATCHES "#include <${declares}>")
+    if(EXISTS "${SOURCE_DIR}/include/${declares}" AND NOT text MATCHES "#include <${declares}>")
       fault("${file} does not include <${declares}>, which it defines")
     endif()
     foreach(other IN LISTS headers)
-      fault("${file} includes <${other}>: definitions include declarations alone")
+      string(REPLACE "/impl/" "/" other_declares "${other}")
+      if(NOT other MATCHES "^${stage}impl/")
+        fault("${file} includes <${other}>: that is another stage's own")
+      elseif(EXISTS "${SOURCE_DIR}/include/${other_declares}")
+        fault("${file} includes <${other}>: <${other_declares}> declares what it defines")
+      endif()
     endforeach()
     continue()
   endif()
@@ -156,6 +176,9 @@ foreach(file IN LISTS core_headers)
     fault("${file} includes <${other}>: a header includes its own definitions alone")
   endforeach()
   if(EXISTS "${SOURCE_DIR}/include/${defines}")
+    if(NOT "${file}" IN_LIST public AND NOT used_${header})
+      fault("${file}: its stage's definitions alone include it, so that it belongs into include/${defines}")
+    endif()
     list(LENGTH headers count)
     string(FIND "${text}" "#ifdef SKELGEN_HEADER_ONLY\n#include <${defines}>\n#endif" position)
     if(position EQUAL -1 OR NOT count EQUAL 1)

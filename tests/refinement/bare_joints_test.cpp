@@ -2,7 +2,7 @@
 #include <string>
 #include <utility>
 
-#include <skelgen/refinement/bare_joints.hpp>
+#include <skelgen/refinement/impl/bare_joints.hpp>
 
 #include "catch.hpp"
 #include "refinement/stick_figure.hpp"

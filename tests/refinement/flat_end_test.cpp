@@ -1,4 +1,4 @@
-#include <skelgen/refinement/flat_end.hpp>
+#include <skelgen/refinement/impl/flat_end.hpp>
 
 #include <algorithm>
 #include <cmath>

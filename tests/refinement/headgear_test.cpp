@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include <skelgen/core/adjacency.hpp>
-#include <skelgen/refinement/headgear.hpp>
+#include <skelgen/refinement/impl/headgear.hpp>
 #include <skelgen/refinement/impl/refine.hpp>
 
 #include "catch.hpp"

@@ -1,6 +1,8 @@
 #include <cmath>
 
-#include <skelgen/refinement/heel.hpp>
+#include <skelgen/refinement/impl/bend.hpp>
+#include <skelgen/refinement/impl/bone_line.hpp>
+#include <skelgen/refinement/impl/heel.hpp>
 
 #include "catch.hpp"
 #include "limb_shapes.hpp"

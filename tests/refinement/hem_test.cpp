@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include <skelgen/refinement/hem.hpp>
+#include <skelgen/refinement/impl/hem.hpp>
 
 #include "catch.hpp"
 #include "limb_shapes.hpp"

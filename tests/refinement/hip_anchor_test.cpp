@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include <skelgen/refinement/hip_anchor.hpp>
+#include <skelgen/refinement/impl/hip_anchor.hpp>
 
 #include "catch.hpp"
 #include "limb_shapes.hpp"

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <optional>
 
-#include <skelgen/refinement/shoulder_anchor.hpp>
+#include <skelgen/refinement/impl/shoulder_anchor.hpp>
 
 #include "catch.hpp"
 #include "limb_shapes.hpp"

@@ -8,7 +8,7 @@
 
 #include <nanoflann.hpp>
 
-#include <skelgen/applications/limb_volume.hpp>
+#include <skelgen/applications/impl/limb_volume.hpp>
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>

@@ -7,7 +7,7 @@
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/curve/find_curve.hpp>
 #include <skelgen/embedding/embed.hpp>
-#include <skelgen/search/contacts.hpp>
+#include <skelgen/search/impl/contacts.hpp>
 #include <skelgen/surface/prepare.hpp>
 
 #include "catch.hpp"

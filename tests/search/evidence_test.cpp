@@ -11,7 +11,7 @@
 
 #include <skelgen/anatomy/complete.hpp>
 #include <skelgen/anatomy/confidence.hpp>
-#include <skelgen/anatomy/equal_bones.hpp>
+#include <skelgen/anatomy/impl/equal_bones.hpp>
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/search/evidence.hpp>

@@ -9,7 +9,7 @@
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/parallel.hpp>
 #include <skelgen/extract.hpp>
-#include <skelgen/search/agreement.hpp>
+#include <skelgen/search/impl/agreement.hpp>
 #include <skelgen/search/trust.hpp>
 
 #include "catch.hpp"

@@ -6,9 +6,9 @@
 
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/surface/distance_band.hpp>
 #include <skelgen/surface/envelope.hpp>
 #include <skelgen/surface/face_tree.hpp>
+#include <skelgen/surface/impl/distance_band.hpp>
 #include <skelgen/surface/impl/winding_tree.hpp>
 #include <skelgen/surface/lattice_surface.hpp>
 #include <skelgen/surface/manifold_parts.hpp>

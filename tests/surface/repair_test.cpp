@@ -11,10 +11,10 @@
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/surface/clean.hpp>
-#include <skelgen/surface/fill_holes.hpp>
-#include <skelgen/surface/orientation.hpp>
+#include <skelgen/surface/impl/fill_holes.hpp>
+#include <skelgen/surface/impl/orientation.hpp>
+#include <skelgen/surface/impl/sound_faces.hpp>
 #include <skelgen/surface/prepare.hpp>
-#include <skelgen/surface/sound_faces.hpp>
 #include <skelgen/surface/weld.hpp>
 
 #include "catch.hpp"

@@ -1,4 +1,4 @@
-#include <skelgen/surface/triangulate_rim.hpp>
+#include <skelgen/surface/impl/triangulate_rim.hpp>
 
 #include <array>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/surface/fill_holes.hpp>
+#include <skelgen/surface/impl/fill_holes.hpp>
 #include <skelgen/surface/pieces.hpp>
 
 #include "catch.hpp"

@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/surface/bridges.hpp>
+#include <skelgen/surface/impl/bridges.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
 #include <skelgen/surface/prepare.hpp>
 #include <skelgen/surface/unpaired_pieces.hpp>

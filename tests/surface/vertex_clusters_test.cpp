@@ -9,8 +9,8 @@
 #include <skelgen/core/parallel.hpp>
 #include <skelgen/extract.hpp>
 #include <skelgen/surface/denoise.hpp>
+#include <skelgen/surface/impl/sound_faces.hpp>
 #include <skelgen/surface/prepare.hpp>
-#include <skelgen/surface/sound_faces.hpp>
 
 #include "catch.hpp"
 #include "mesh_changes.hpp"

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include <skelgen/symmetry/standing_pose.hpp>
+#include <skelgen/symmetry/impl/standing_pose.hpp>
 
 #include "catch.hpp"
 

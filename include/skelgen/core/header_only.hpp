@@ -1,6 +1,7 @@
 #pragma once
 
-/// Two ways to use skelgen, one code. Every header x.hpp of the core declares and documents; impl/x.hpp defines.
+/// Two ways to use skelgen, one code. Every header x.hpp of the core declares and documents; impl/x.hpp defines. What
+/// one stage alone uses stands in its impl/, without a declaration.
 ///
 /// - Linked (the default): only declarations are seen; the definitions are compiled once for each of float and double
 ///   into the library `skelgen::skelgen` (src/instantiate/).

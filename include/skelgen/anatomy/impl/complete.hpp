@@ -6,10 +6,10 @@
 #include <vector>
 
 #include <skelgen/anatomy/confidence.hpp>
-#include <skelgen/anatomy/equal_bones.hpp>
-#include <skelgen/anatomy/inside.hpp>
-#include <skelgen/anatomy/joint_offsets.hpp>
-#include <skelgen/anatomy/radii.hpp>
+#include <skelgen/anatomy/impl/equal_bones.hpp>
+#include <skelgen/anatomy/impl/inside.hpp>
+#include <skelgen/anatomy/impl/joint_offsets.hpp>
+#include <skelgen/anatomy/impl/radii.hpp>
 
 namespace skelgen::anatomy {
 

@@ -1,12 +1,22 @@
 #pragma once
 
-#include <skelgen/anatomy/equal_bones.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
+
+#include <skelgen/core/kinematic_skeleton.hpp>
+#include <skelgen/core/skeleton_template.hpp>
 
 namespace skelgen::anatomy {
+
+/// A skeleton with like bones on both sides, and what it was made of.
+template <typename Scalar = double>
+struct EqualBones {
+    KinematicSkeleton<Scalar> skeleton;
+    std::vector<Scalar> measured; ///< bone_lengths() as they were before
+};
+
 namespace detail {
 
 /// Makes the bone between two joints longer by that part of its length, half at each end.
@@ -19,6 +29,7 @@ void stretch(Vector3<Scalar>& a, Vector3<Scalar>& b, Scalar part) {
 
 } // namespace detail
 
+/// Per joint the length of the bone from its parent; 0 for the root. O(joints).
 template <typename Scalar>
 std::vector<Scalar> bone_lengths(const KinematicSkeleton<Scalar>& skeleton) {
     std::vector<Scalar> lengths;
@@ -30,6 +41,9 @@ std::vector<Scalar> bone_lengths(const KinematicSkeleton<Scalar>& skeleton) {
     return lengths;
 }
 
+/// The skeleton with the bones of both sides brought to like lengths, as they are in people: where a bone of a limb and
+/// its counterpart differ by more than 4 % (and less than a third), their joints move along them, as little as that
+/// takes (position-based dynamics, MHHR07). `skeleton` is in template order. O(joints^2).
 template <typename Scalar>
 EqualBones<Scalar> equalise_bones(KinematicSkeleton<Scalar> skeleton, const SkeletonTemplate& skeleton_template) {
     // Logarithms of ratios. People's two sides differ by one or two per cent, and so much again is the joints' error;

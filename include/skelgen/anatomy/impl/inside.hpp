@@ -1,15 +1,24 @@
 #pragma once
 
-#include <skelgen/anatomy/inside.hpp>
-
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/curve_skeleton.hpp>
+#include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/surface/body.hpp>
 
 namespace skelgen::anatomy {
+
+/// A skeleton of which all joints lie inside the body.
+template <typename Scalar = double>
+struct MovedInside {
+    KinematicSkeleton<Scalar> skeleton;
+    std::vector<int> moved; ///< joints that were outside, ascending
+};
+
 namespace detail {
 
 /// The place inside nearest to `start`, in steps of the way from there to `goal`; one step farther where that is
@@ -29,6 +38,8 @@ Vector3<Scalar> first_place_inside(const Body<Scalar>& body, const Vector3<Scala
 
 } // namespace detail
 
+/// Moves joints that landed outside the surface (generalized winding number of a half or less, JKS13) to the nearest
+/// place inside on the way to the curve skeleton, in twentieths of it, with a warning each. O(joints n).
 template <typename Scalar>
 MovedInside<Scalar> move_inside(KinematicSkeleton<Scalar> skeleton, const Body<Scalar>& body,
                                 const CurveSkeleton<Scalar>& curve) {

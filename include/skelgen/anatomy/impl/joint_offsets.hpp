@@ -1,11 +1,13 @@
 #pragma once
 
-#include <skelgen/anatomy/joint_offsets.hpp>
-
 #include <algorithm>
 #include <utility>
 
+#include <skelgen/core/kinematic_skeleton.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+
 namespace skelgen::anatomy {
+
 namespace detail {
 
 /// Calibrated, see apply_joint_offsets(); as parts of the thigh, the upper arm and the bone from chest to neck, and of
@@ -111,6 +113,13 @@ private:
 
 } // namespace detail
 
+/// The skeleton with its joints moved from the middle of their sections to their bones, which lie off the middle where
+/// flesh covers them unevenly: a knee to the front and the outside of it, and towards the ankle when it is bent, a
+/// bent elbow towards the wrist, the shoulder outwards along its limb and to the front, the neck's base to the back,
+/// and sideways and up with the shoulders. `skeleton` is in template order, with its sides told; joints that a template
+/// leaves out move nothing. The offsets are calibrated: mean offsets from 50 registered bodies and from landmarks of 11
+/// people, halfway between; how a neck goes with the shoulders, on either alike, as slopes. An adapted template's
+/// neck does not: figures have their shoulders at any height. O(joints).
 template <typename Scalar>
 KinematicSkeleton<Scalar> apply_joint_offsets(KinematicSkeleton<Scalar> skeleton,
                                               const SkeletonTemplate& skeleton_template) {

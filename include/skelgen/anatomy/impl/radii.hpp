@@ -1,13 +1,16 @@
 #pragma once
 
-#include <skelgen/anatomy/radii.hpp>
-
 #include <algorithm>
 
+#include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/refinement/cross_section.hpp>
+#include <skelgen/surface/body.hpp>
 
 namespace skelgen::anatomy {
 
+/// The skeleton with every joint's radius: mean distance to the contour around it across the bone from its parent (for
+/// the root: to a child). A radius stays as it is where there is no contour within half the bone's length.
+/// O(joints (n + m)).
 template <typename Scalar>
 KinematicSkeleton<Scalar> measure_radii(KinematicSkeleton<Scalar> skeleton, const Body<Scalar>& body) {
     const refinement::Slicer<Scalar> slicer(body);

@@ -11,7 +11,7 @@
 
 #include <skelgen/applications/body_coordinates.hpp>
 #include <skelgen/applications/canonical_frame.hpp>
-#include <skelgen/applications/mirror_plane.hpp>
+#include <skelgen/applications/impl/mirror_plane.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <skelgen/applications/bind.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -9,26 +7,47 @@
 #include <utility>
 #include <vector>
 
-#include <skelgen/applications/balanced_bends.hpp>
 #include <skelgen/applications/body_coordinates.hpp>
 #include <skelgen/applications/bone_orientations.hpp>
-#include <skelgen/applications/bones.hpp>
-#include <skelgen/applications/bounded_stretch.hpp>
-#include <skelgen/applications/deep_shoulders.hpp>
-#include <skelgen/applications/heat_weights.hpp>
-#include <skelgen/applications/kept_volumes.hpp>
-#include <skelgen/applications/limb_regions.hpp>
-#include <skelgen/applications/loose_pieces.hpp>
+#include <skelgen/applications/impl/balanced_bends.hpp>
+#include <skelgen/applications/impl/bones.hpp>
+#include <skelgen/applications/impl/bounded_stretch.hpp>
+#include <skelgen/applications/impl/deep_shoulders.hpp>
+#include <skelgen/applications/impl/heat_weights.hpp>
+#include <skelgen/applications/impl/kept_volumes.hpp>
+#include <skelgen/applications/impl/limb_regions.hpp>
+#include <skelgen/applications/impl/loose_pieces.hpp>
+#include <skelgen/applications/impl/resting_surface.hpp>
 #include <skelgen/applications/posing.hpp>
-#include <skelgen/applications/resting_surface.hpp>
+#include <skelgen/applications/skinning.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/kinematic_skeleton.hpp>
+#include <skelgen/core/mesh.hpp>
 #include <skelgen/core/nearest_share.hpp>
 #include <skelgen/core/precision.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/surface/body.hpp>
 #include <skelgen/surface/weld.hpp>
 #include <skelgen/symmetry/exact_mirror.hpp>
 
 namespace skelgen::applications {
+
+/// What stands for each vertex of an input on a body's surface: a place in one of its faces.
+template <typename Scalar = double>
+struct SurfacePlace {
+    int face = -1;
+    Vector3<Scalar> share = Vector3<Scalar>::Zero(); ///< of each of the face's corners; they sum to 1
+    Scalar distance = 0;                             ///< from the vertex, in the body's coordinates
+};
+
+/// A pose that a body is bent from.
+template <typename Scalar = double>
+struct StartOfBends {
+    std::vector<RigidMotion<Scalar>> motions; ///< what brings each joint to it
+    Orientations<Scalar> axes;                ///< of each joint in it, as `bone_axes` has them
+};
+
 namespace detail {
 
 template <typename Scalar>
@@ -191,6 +210,8 @@ JointWeights mirrored_evenly(JointWeights weights, const TriangleMesh<Scalar>& m
 
 } // namespace detail
 
+/// The place on the body that stands for each vertex of the mesh that it was made of: the nearest one on the faces
+/// around the vertex that stands for it (`standing_for`). \throws Error as that. O(n log n).
 template <typename Scalar>
 std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>& body, const TriangleMesh<Scalar>& mesh) {
     const detail::FacesAround around(body.mesh.faces, body.mesh.vertices.rows());
@@ -214,9 +235,16 @@ std::vector<SurfacePlace<Scalar>> places_on(const Body<Scalar>& body, const Tria
     return out;
 }
 
+/// Binds a mesh to its skeleton: heat weights on the closed surface around all of its pieces, as it is and at rest
+/// alike, carried over to each vertex from the place that stands for it, so that pieces move with what they lie on and
+/// seams stay closed, and no edge of the mesh stretches too far (`with_bounded_stretch`). Where mesh and skeleton
+/// mirror themselves, weights do. `skeleton` in the mesh's coordinates, `body` made of that mesh (`extract`), `start`
+/// the pose that edges count from; an empty one: the T-pose. \throws Error no_skeleton where the skeleton does not lie
+/// in the body; usage when it is not of that template, `start` has not as many joints, or the body was made of another
+/// mesh.
 template <typename Scalar>
 Skin<Scalar> bind(const TriangleMesh<Scalar>& mesh, const Body<Scalar>& body, const KinematicSkeleton<Scalar>& skeleton,
-                  const SkeletonTemplate& skeleton_template, StartOfBends<Scalar> start) {
+                  const SkeletonTemplate& skeleton_template, StartOfBends<Scalar> start = {}) {
     if (start.motions.empty() && start.axes.empty()) start = detail::t_pose(skeleton, skeleton_template);
     if (start.motions.size() != skeleton.joints.size() || start.axes.size() != skeleton.joints.size())
         throw Error(ErrorCode::usage, "the pose that bends start from must have as many joints as the skeleton");

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include <skelgen/applications/bones.hpp>
 #include <skelgen/applications/canonical_frame.hpp>
+#include <skelgen/applications/impl/bones.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/precision.hpp>
 #include <skelgen/core/shortest_turn.hpp>

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-#include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/impl/bones.hpp>
 #include <skelgen/core/options.hpp>
 #include <skelgen/surface/contours.hpp>
 

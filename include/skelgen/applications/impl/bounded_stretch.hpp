@@ -1,7 +1,5 @@
 #pragma once
 
-#include <skelgen/applications/bounded_stretch.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,9 +9,14 @@
 
 #include <Eigen/Geometry>
 
+#include <skelgen/applications/impl/heat_weights.hpp>
+#include <skelgen/applications/impl/resting_surface.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/core/skeleton_template.hpp>
 
 namespace skelgen::applications {
+
 namespace detail {
 
 /// How much the weights of an edge's ends may differ: of what follows a joint and those below it.
@@ -119,6 +122,12 @@ inline std::vector<std::array<int, 2>> edges_of_limbs(const Triangles& faces, co
 
 } // namespace detail
 
+/// The weights with no edge that grows to more than 1.9 times its length when elbows and knees bend by 90 degrees from
+/// rest, nor to more than three times when any joint of a limb bends so, by linear skinning: where it would, the
+/// weights of its ends come nearer to each other, in rounds over the edges whose ends the last one changed, and so
+/// moved at rest; nothing else changes. Edges between two limbs stay. Edges shorter than a thousandth of the square
+/// root of the area count as that long. `faces` name the weights' rows, `limb_of_joint` as `LimbRegions::of_joint`.
+/// O(rounds faces + joints).
 template <typename Scalar>
 JointWeights with_bounded_stretch(JointWeights weights, const RestingSurface<Scalar>& surface, const Triangles& faces,
                                   const SkeletonTemplate& skeleton_template, const std::vector<int>& limb_of_joint) {

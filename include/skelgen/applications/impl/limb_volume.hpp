@@ -1,7 +1,5 @@
 #pragma once
 
-#include <skelgen/applications/limb_volume.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,8 +13,11 @@
 #include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/core/precision.hpp>
 
 namespace skelgen::applications {
+
 namespace detail {
 
 /// How many times faces surround a place: the solid angle under which it sees them, of all directions.
@@ -65,7 +66,8 @@ inline std::vector<RimEdge> rims_of(const Triangles& part) {
 
 } // namespace detail
 
-SKELGEN_INLINE Triangles faces_following(const Triangles& faces, const std::vector<int>& strongest, int joint) {
+/// The faces whose corners follow a joint most: `strongest` per vertex the joint that it follows most. O(faces).
+inline Triangles faces_following(const Triangles& faces, const std::vector<int>& strongest, int joint) {
     Triangles out(faces.rows(), 3);
     Eigen::Index kept = 0;
     for (Eigen::Index f = 0; f < faces.rows(); ++f) {
@@ -76,8 +78,11 @@ SKELGEN_INLINE Triangles faces_following(const Triangles& faces, const std::vect
     return out;
 }
 
-SKELGEN_INLINE Triangles around_bone(const Points<core::Accumulator>& vertices, const Triangles& part,
-                                     const Vector3<core::Accumulator>& from, const Vector3<core::Accumulator>& to) {
+/// Of the connected pieces of a part of a surface the one that surrounds a bone most: a limb's own skin, or the sleeve
+/// that stands for it. Half a skirt and a shield follow bones, too, but what they hold with their rims closed is no
+/// volume of a limb. None of them surrounds it: none. O(vertices + faces log faces).
+inline Triangles around_bone(const Points<core::Accumulator>& vertices, const Triangles& part,
+                             const Vector3<core::Accumulator>& from, const Vector3<core::Accumulator>& to) {
     core::DisjointSets sets(static_cast<std::size_t>(vertices.rows()));
     for (Eigen::Index f = 0; f < part.rows(); ++f)
         for (int k = 0; k < 2; ++k)
@@ -97,7 +102,11 @@ SKELGEN_INLINE Triangles around_bone(const Points<core::Accumulator>& vertices, 
     return part(best, Eigen::all);
 }
 
-SKELGEN_INLINE core::Accumulator closed_volume(const Points<core::Accumulator>& vertices, const Triangles& part) {
+/// Volume of a part of a surface, each rim of which is closed by a fan around its middle, cube of the vertices' unit;
+/// negative where faces look inwards. Edges count as often as faces run along them one way more than the other: where
+/// sheets meet in an edge, or faces lie twice, all is closed, too, and what moves rigidly keeps its volume.
+/// O(vertices + faces log faces).
+inline core::Accumulator closed_volume(const Points<core::Accumulator>& vertices, const Triangles& part) {
     using core::Accumulator;
     struct Rim {
         Vector3<Accumulator> sum = Vector3<Accumulator>::Zero(); ///< of places along it, by length

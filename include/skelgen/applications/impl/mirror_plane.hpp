@@ -1,18 +1,39 @@
 #pragma once
 
-#include <skelgen/applications/mirror_plane.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
+#include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <nanoflann.hpp>
 
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/core/precision.hpp>
 
 namespace skelgen::applications {
+
+/// A piece of surface by samples of it.
+template <typename Scalar = double>
+struct SurfaceSamples {
+    Points<Scalar> places;                   ///< n x 3
+    Points<Scalar> normals;                  ///< n x 3, of length 1
+    Eigen::VectorX<core::Accumulator> areas; ///< n, what each stands for
+};
+
+/// A plane by its normal, of length 1, and how far along that it lies.
+template <typename Scalar = double>
+struct MirrorPlane {
+    Vector3<Scalar> normal = Vector3<Scalar>::UnitX();
+    Scalar offset = 0;
+
+    [[nodiscard]] Vector3<Scalar> operator()(const Vector3<Scalar>& place) const {
+        return place - 2 * (normal.dot(place) - offset) * normal;
+    }
+};
+
 namespace detail {
 
 /// The samples' places beside their normals, each as long as it is worth.
@@ -80,6 +101,11 @@ MirrorPlane<Scalar> plane_between(const SurfaceSamples<Scalar>& samples, const s
 
 } // namespace detail
 
+/// The plane in which a piece of surface is most nearly its own mirror image, looked for from `guess` on: samples are
+/// mirrored and matched with the nearest ones that look the same way, the plane is laid anew between them by least
+/// squares, and so on (BM92); the fifth that matches worst does not count. `look`: the distance that normals at right
+/// angles are worth; larger than 0. Fewer than 30 samples say nothing: the guess comes back. O(n log n) a round, at
+/// most 40.
 template <typename Scalar>
 MirrorPlane<Scalar> mirror_plane(const SurfaceSamples<Scalar>& samples, const MirrorPlane<Scalar>& guess, Scalar look) {
     constexpr Eigen::Index fewest = 30;

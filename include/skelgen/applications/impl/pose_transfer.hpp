@@ -7,14 +7,14 @@
 #include <cstddef>
 #include <vector>
 
-#include <skelgen/applications/bind.hpp>
 #include <skelgen/applications/bone_orientations.hpp>
-#include <skelgen/applications/bones.hpp>
 #include <skelgen/applications/floor.hpp>
+#include <skelgen/applications/impl/bind.hpp>
+#include <skelgen/applications/impl/bones.hpp>
+#include <skelgen/applications/impl/outward_faces.hpp>
+#include <skelgen/applications/impl/rest_posture.hpp>
 #include <skelgen/applications/lowest_place.hpp>
-#include <skelgen/applications/outward_faces.hpp>
 #include <skelgen/applications/posing.hpp>
-#include <skelgen/applications/rest_posture.hpp>
 #include <skelgen/applications/rig.hpp>
 #include <skelgen/applications/skinning.hpp>
 #include <skelgen/core/geometry.hpp>

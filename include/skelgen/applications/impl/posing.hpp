@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/impl/bones.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/shoulder_height.hpp>
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <skelgen/applications/rest_posture.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,10 +9,20 @@
 #include <optional>
 #include <vector>
 
-#include <skelgen/applications/bones.hpp>
+#include <skelgen/applications/bone_orientations.hpp>
+#include <skelgen/applications/canonical_frame.hpp>
+#include <skelgen/applications/impl/bones.hpp>
+#include <skelgen/applications/posing.hpp>
+#include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/shortest_turn.hpp>
+#include <skelgen/core/shoulder_height.hpp>
+#include <skelgen/core/skeleton_template.hpp>
 
 namespace skelgen::applications {
+
+/// Directions as near to an axis of the coordinates are meant to be along it: 20 degrees, radians. A working value.
+inline constexpr double near_axes = 20 * std::numbers::pi / 180;
+
 namespace detail {
 
 inline constexpr double degree = std::numbers::pi / 180;
@@ -319,6 +327,37 @@ Scalar rise_of_shoulders(const KinematicSkeleton<Scalar>& rest, const SkeletonTe
 
 } // namespace detail
 
+/// Of a rotation that about y which leaves what looks ahead, along z, in the same vertical plane.
+template <typename Scalar>
+Eigen::Quaternion<Scalar> about_vertical(const Eigen::Quaternion<Scalar>& rotation) {
+    const Vector3<Scalar> ahead = rotation * Vector3<Scalar>::UnitZ();
+    return Eigen::Quaternion<Scalar>(
+        Eigen::AngleAxis<Scalar>(std::atan2(ahead[0], ahead[2]), Vector3<Scalar>::UnitY()));
+}
+
+/// The rotation that takes axes to axes and is within 20 degrees of this one: a scene that is upright, or has another
+/// axis up or ahead, stays as level as it is. None where none is so near.
+template <typename Scalar>
+std::optional<Eigen::Quaternion<Scalar>> along_axes(const Eigen::Quaternion<Scalar>& rotation) {
+    constexpr Scalar near = Scalar(near_axes);
+    const Eigen::Matrix3<Scalar> matrix = rotation.toRotationMatrix();
+    Eigen::Matrix3<Scalar> axes = Eigen::Matrix3<Scalar>::Zero();
+    for (int column = 0; column < 3; ++column) {
+        Eigen::Index row = 0;
+        matrix.col(column).cwiseAbs().maxCoeff(&row);
+        axes(row, column) = matrix(row, column) < 0 ? Scalar(-1) : Scalar(1);
+    }
+    if (axes.determinant() != 1) return std::nullopt; // two columns are nearest to the same axis
+    const Eigen::Quaternion<Scalar> nearest(axes);
+    if (nearest.angularDistance(rotation) > near) return std::nullopt;
+    return nearest;
+}
+
+/// The pose of a body as `bone_orientations`, but where it stands in a T- or an A-pose, both sides alike, as those do
+/// who were made to be moved: there trunk, head and soles are taken to be as the template has them at rest, whatever
+/// the bones in them say (the way from ankle to ball is not the sole's, that from chin to crown not the face's), arms
+/// to be turned from the T-pose by the least that leads to their directions, and hands as the forearms are.
+/// `to_canonical`: turns the body upright and to face +z. O(joints^2). \throws Error as `bone_orientations`.
 template <typename Scalar>
 Orientations<Scalar> posture(const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
                              const Eigen::Quaternion<Scalar>& to_canonical) {
@@ -360,6 +399,14 @@ Orientations<Scalar> posture(const KinematicSkeleton<Scalar>& skeleton, const Sk
     return out;
 }
 
+/// As `rest_motions`, but what lies within some degrees of the rest pose stays as it is. The trunk does where its line
+/// is within 15 degrees, and hips and shoulders lie across within 30, else where its joints are within 15. Arms (12)
+/// and legs (15) of both sides do by the lines from their first joint to their last, where elbows or knees lie near
+/// these. Soles stay within 35, or whatever they do below legs that are down within 35. The head stays within 25, or
+/// whatever it does where the trunk is upright within 25. These two stay as they are turned in the world. Hands of arms
+/// that stay do so, too. Arms that are bent by less than 60 degrees are laid where they are wanted without a turn about
+/// themselves, and hands go with the forearms. Arms that are raised or lowered take the shoulders along as people's do.
+/// `now`: as of `posture`. O(joints). \throws Error as `rest_motions`.
 template <typename Scalar>
 std::vector<RigidMotion<Scalar>>
 posture_motions(RestPose pose, const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& skeleton_template,
@@ -381,29 +428,6 @@ posture_motions(RestPose pose, const KinematicSkeleton<Scalar>& skeleton, const 
     return motions<Scalar>(
         skeleton, now, turns.wanted(), origin,
         detail::with_shoulders_higher(detail::lines_from_parents(skeleton), higher, level, skeleton_template));
-}
-
-template <typename Scalar>
-std::optional<Eigen::Quaternion<Scalar>> along_axes(const Eigen::Quaternion<Scalar>& rotation) {
-    constexpr Scalar near = Scalar(near_axes);
-    const Eigen::Matrix3<Scalar> matrix = rotation.toRotationMatrix();
-    Eigen::Matrix3<Scalar> axes = Eigen::Matrix3<Scalar>::Zero();
-    for (int column = 0; column < 3; ++column) {
-        Eigen::Index row = 0;
-        matrix.col(column).cwiseAbs().maxCoeff(&row);
-        axes(row, column) = matrix(row, column) < 0 ? Scalar(-1) : Scalar(1);
-    }
-    if (axes.determinant() != 1) return std::nullopt; // two columns are nearest to the same axis
-    const Eigen::Quaternion<Scalar> nearest(axes);
-    if (nearest.angularDistance(rotation) > near) return std::nullopt;
-    return nearest;
-}
-
-template <typename Scalar>
-Eigen::Quaternion<Scalar> about_vertical(const Eigen::Quaternion<Scalar>& rotation) {
-    const Vector3<Scalar> ahead = rotation * Vector3<Scalar>::UnitZ();
-    return Eigen::Quaternion<Scalar>(
-        Eigen::AngleAxis<Scalar>(std::atan2(ahead[0], ahead[2]), Vector3<Scalar>::UnitY()));
 }
 
 } // namespace skelgen::applications

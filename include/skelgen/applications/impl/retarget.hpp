@@ -12,8 +12,8 @@
 #include <vector>
 
 #include <skelgen/applications/bone_orientations.hpp>
-#include <skelgen/applications/bones.hpp>
 #include <skelgen/applications/clip_body.hpp>
+#include <skelgen/applications/impl/bones.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/shortest_turn.hpp>
 

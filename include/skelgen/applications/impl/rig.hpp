@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <utility>
 
-#include <skelgen/applications/bind.hpp>
 #include <skelgen/applications/bone_orientations.hpp>
-#include <skelgen/applications/bones.hpp>
 #include <skelgen/applications/floor.hpp>
+#include <skelgen/applications/impl/bind.hpp>
+#include <skelgen/applications/impl/bones.hpp>
+#include <skelgen/applications/impl/outward_faces.hpp>
+#include <skelgen/applications/impl/rest_posture.hpp>
 #include <skelgen/applications/lowest_place.hpp>
-#include <skelgen/applications/outward_faces.hpp>
-#include <skelgen/applications/rest_posture.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 

@@ -14,8 +14,8 @@
 
 #include <skelgen/applications/alignment.hpp>
 #include <skelgen/applications/body_coordinates.hpp>
+#include <skelgen/applications/impl/surface_labels.hpp>
 #include <skelgen/applications/part_axes.hpp>
-#include <skelgen/applications/surface_labels.hpp>
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>

@@ -1,17 +1,21 @@
 #pragma once
 
-#include <skelgen/applications/short_borders.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
 #include <set>
+#include <vector>
+
+#include <Eigen/Core>
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/min_cut.hpp>
+#include <skelgen/core/precision.hpp>
+#include <skelgen/surface/body.hpp>
 
 namespace skelgen::applications {
+
 namespace detail {
 
 /// An edge of the surface, and how long a line is that crosses it from the middle of one of its faces to the other's.
@@ -111,6 +115,12 @@ inline void part_anew(SharedLabels& shared, const LabelPair& pair, const std::ve
 
 } // namespace detail
 
+/// Labels whose borders are short: each two that meet are parted anew where the line between them, over the surface, is
+/// shortest, by the cheapest cut (KT03). A vertex resists, by its area over `length`, as much as there is of its label
+/// in it; the core of each label stays, so none is lost, and what is nearer to a label's mirror image does not go to
+/// it. `labels`, n, and `shares`, n x count, as from `part_shares` over that `length`, in the body's unit; `mirrored`,
+/// count: per label the one on the other side, or itself. O(n pairs) and what the cuts take, nearly linear in the
+/// vertices near borders.
 template <typename Scalar>
 std::vector<int> with_short_borders(const Body<Scalar>& body, std::vector<int> labels,
                                     const Eigen::MatrixX<core::Accumulator>& shares, double length,

@@ -1,18 +1,23 @@
 #pragma once
 
-#include <skelgen/applications/surface_labels.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
-#include <skelgen/applications/part_shares.hpp>
-#include <skelgen/applications/short_borders.hpp>
+#include <skelgen/applications/impl/part_shares.hpp>
+#include <skelgen/applications/impl/short_borders.hpp>
 #include <skelgen/core/header_only.hpp>
+#include <skelgen/core/mesh.hpp>
 #include <skelgen/core/precision.hpp>
+#include <skelgen/surface/body.hpp>
 
 namespace skelgen::applications {
 
+/// For each vertex the label of which there is most after random walks of that length (`part_shares`), with short
+/// borders (`with_short_borders`). `labels`: one for each vertex of the body, of those that `mirrored` has an entry
+/// for: the label on the other side, or itself; `length` in the body's unit. \throws Error as `part_shares`. O(n^1.5 +
+/// n labels).
 template <typename Scalar>
 std::vector<int> smoothed_labels(const Body<Scalar>& body, const std::vector<int>& labels,
                                  const std::vector<int>& mirrored, double length) {
@@ -65,6 +70,8 @@ int label_around(const Body<Scalar>& body, const std::vector<int>& labels, int c
 
 } // namespace detail
 
+/// Labels, as above, with each in one piece: of several pieces the one with the most vertices stays, the others, the
+/// smallest first, take the label of most of what borders on them. O(pieces (n + count)).
 template <typename Scalar>
 std::vector<int> in_one_piece(const Body<Scalar>& body, const std::vector<int>& labels, int count) {
     std::vector<int> out = labels;
@@ -99,7 +106,8 @@ std::vector<int> in_one_piece(const Body<Scalar>& body, const std::vector<int>& 
     }
 }
 
-SKELGEN_INLINE std::vector<int> face_labels(const Triangles& faces, const std::vector<int>& vertex_labels) {
+/// Of each face the label of most of its corners, of three different ones that of the first. O(faces).
+inline std::vector<int> face_labels(const Triangles& faces, const std::vector<int>& vertex_labels) {
     std::vector<int> out;
     out.reserve(static_cast<std::size_t>(faces.rows()));
     for (Eigen::Index f = 0; f < faces.rows(); ++f) {

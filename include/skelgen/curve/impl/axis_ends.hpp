@@ -1,14 +1,17 @@
 #pragma once
 
-#include <skelgen/curve/axis_ends.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/polyline.hpp>
+#include <skelgen/curve/branch_sections.hpp>
+#include <skelgen/curve/branched_curve.hpp>
+#include <skelgen/surface/body.hpp>
 
 namespace skelgen::curve {
+
 namespace detail {
 
 /// Ends lie inside by this part of the last straight piece.
@@ -63,6 +66,9 @@ Points<Scalar> reversed(const Points<Scalar>& line) {
 
 } // namespace detail
 
+/// Ends where the axes of their branches leave the surface: over the cap of a limb, which is as long as the limb is
+/// thick before it, the branch goes on straight, up to just inside the surface. A branch whose sections do not say
+/// where its cap begins stays as it is. `sections` as of the lines before they were moved. O(k) and a ray for each end.
 template <typename Scalar>
 BranchedCurve<Scalar> ends_on_axes(BranchedCurve<Scalar> branched,
                                    const std::vector<std::vector<BranchSection<Scalar>>>& sections,

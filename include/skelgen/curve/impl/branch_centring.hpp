@@ -14,12 +14,12 @@
 #include <skelgen/core/parallel.hpp>
 #include <skelgen/core/polyline.hpp>
 #include <skelgen/core/precision.hpp>
-#include <skelgen/curve/attachment.hpp>
-#include <skelgen/curve/axis_ends.hpp>
-#include <skelgen/curve/meeting_axes.hpp>
-#include <skelgen/curve/parallel_branches.hpp>
+#include <skelgen/curve/impl/attachment.hpp>
+#include <skelgen/curve/impl/axis_ends.hpp>
+#include <skelgen/curve/impl/meeting_axes.hpp>
+#include <skelgen/curve/impl/parallel_branches.hpp>
+#include <skelgen/curve/impl/smoothing_spline.hpp>
 #include <skelgen/curve/pruning.hpp>
-#include <skelgen/curve/smoothing_spline.hpp>
 
 namespace skelgen::curve {
 namespace detail {

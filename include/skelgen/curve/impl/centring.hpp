@@ -1,15 +1,16 @@
 #pragma once
 
-#include <skelgen/curve/centring.hpp>
-
 #include <array>
 #include <map>
 #include <vector>
 
+#include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/mesh.hpp>
 #include <skelgen/curve/regions.hpp>
 
 namespace skelgen::curve {
+
 namespace detail {
 
 /// Length-weighted mean displacement over one boundary loop of a region.
@@ -47,6 +48,10 @@ BoundaryLoops<Scalar> boundary_loops(const CurveSkeleton<Scalar>& curve, const T
 
 } // namespace detail
 
+/// Embedding refinement (Au08 section 5): contraction drifts off centre; each node moves back by how far, on average
+/// over the boundary loops of its region, the surface has been displaced. `mesh` is the mesh that was contracted,
+/// `contracted` its contracted vertices, n x 3; the regions of `curve` index them, each vertex in exactly one. Leaves
+/// have one loop, junctions three or more. Fills the radii. O(faces log k).
 template <typename Scalar>
 CurveSkeleton<Scalar> centre_nodes(const CurveSkeleton<Scalar>& curve, const TriangleMesh<Scalar>& mesh,
                                    const Points<Scalar>& contracted) {

@@ -11,9 +11,9 @@
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/parallel.hpp>
-#include <skelgen/curve/centring.hpp>
+#include <skelgen/curve/impl/centring.hpp>
+#include <skelgen/curve/impl/section_regions.hpp>
 #include <skelgen/curve/regions.hpp>
-#include <skelgen/curve/section_regions.hpp>
 
 namespace skelgen::curve {
 

@@ -1,15 +1,115 @@
 #pragma once
 
-#include <skelgen/curve/half_edges.hpp>
-
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/core/precision.hpp>
 
 namespace skelgen::curve {
+
+/// A manifold surface that is being remeshed: its half-edges in one list, of which 2 e and 2 e + 1 are the two sides of
+/// edge e. What an operation deletes keeps its place until `remove_deleted`. Vertices, edges, half-edges and faces are
+/// plain indices, -1 for none.
+class HalfEdges {
+public:
+    using Place = Vector3<core::Accumulator>;
+
+    /// Vertices and faces keep their numbers. O(n + m) where vertices have few edges.
+    /// \throws Error bad_input where the surface is not manifold.
+    HalfEdges(const Points<core::Accumulator>& vertices, const Triangles& faces);
+
+    [[nodiscard]] int vertices() const { return static_cast<int>(places_.size()); }
+    [[nodiscard]] int edges() const { return static_cast<int>(sides_.size() / 2); }
+    [[nodiscard]] int faces() const { return static_cast<int>(side_of_face_.size()); }
+
+    [[nodiscard]] const Place& place(int vertex) const { return places_[at(vertex)]; }
+    void move(int vertex, const Place& place) { places_[at(vertex)] = place; }
+    /// The original vertex that a vertex stems from, -1 for those made by a split.
+    [[nodiscard]] int source(int vertex) const { return sources_[at(vertex)]; }
+    void set_source(int vertex, int source) { sources_[at(vertex)] = source; }
+
+    [[nodiscard]] int to(int side) const { return sides_[at(side)].to; }
+    [[nodiscard]] int from(int side) const { return sides_[at(other(side))].to; }
+    [[nodiscard]] int next(int side) const { return sides_[at(side)].next; }
+    [[nodiscard]] static int other(int side) { return side ^ 1; }
+    /// The next half-edge from the same vertex, clockwise.
+    [[nodiscard]] int turned(int side) const { return next(other(side)); }
+    /// A half-edge from a vertex, that on the boundary where it lies there; -1 where it has no edge.
+    [[nodiscard]] int first(int vertex) const { return first_[at(vertex)]; }
+    [[nodiscard]] int side_of_face(int face) const { return side_of_face_[at(face)]; }
+
+    [[nodiscard]] bool is_boundary(int side) const { return sides_[at(side)].face < 0; }
+    [[nodiscard]] bool is_boundary_vertex(int vertex) const { return first(vertex) < 0 || is_boundary(first(vertex)); }
+    [[nodiscard]] bool is_boundary_edge(int edge) const { return is_boundary(2 * edge) || is_boundary(2 * edge + 1); }
+    [[nodiscard]] bool is_deleted(int edge) const { return deleted_edges_[at(edge)]; }
+
+    [[nodiscard]] core::Accumulator squared_length(int edge) const {
+        return (place(to(2 * edge)) - place(to(2 * edge + 1))).squaredNorm();
+    }
+
+    /// Calls `visit` with each half-edge from a vertex, clockwise, until it returns true. Whether it did.
+    template <typename Visit>
+    bool any_around(int vertex, Visit&& visit) const {
+        const int start = first(vertex);
+        if (start < 0) return false;
+        int side = start;
+        do {
+            if (visit(side)) return true;
+            side = turned(side);
+        } while (side != start);
+        return false;
+    }
+
+    /// Does the surface stay manifold when a half-edge's first vertex goes to its second one? (HDDMS93 section 4)
+    [[nodiscard]] bool may_collapse(int side);
+    void collapse(int side);
+
+    /// Divides an edge, and the faces there, by a new vertex.
+    void split(int edge, const Place& place);
+
+    /// Does a flipped edge join two vertices that have none between them, inside the surface?
+    [[nodiscard]] bool may_flip(int edge) const;
+    void flip(int edge);
+
+    /// The last ones take the places of those that are deleted.
+    void remove_deleted();
+
+    [[nodiscard]] Triangles triangles() const;
+
+private:
+    struct Side {
+        int to, next, previous, face;
+    };
+
+    static std::size_t at(int index) { return static_cast<std::size_t>(index); }
+    Side& side(int index) { return sides_[at(index)]; }
+    void link(int before, int after) {
+        side(before).next = after;
+        side(after).previous = before;
+    }
+    int add_edge(int from, int to);
+    int add_face();
+    void begin_at_boundary(int vertex);
+    void remove_loop(int side);
+    void require_single_fans(const std::vector<int>& corners) const;
+
+    std::vector<Place> places_;
+    std::vector<int> sources_, first_, side_of_face_;
+    std::vector<Side> sides_;
+    std::vector<bool> deleted_vertices_, deleted_edges_, deleted_faces_;
+    std::vector<int> mark_; ///< per vertex the last question that it was a neighbour in
+    int question_ = 0;
+    bool is_closed_ = true;
+};
+
 namespace detail {
 
 [[noreturn]] inline void throw_not_manifold() {
@@ -62,7 +162,7 @@ std::vector<Entry> rearranged(const std::vector<Entry>& list, const std::vector<
 
 } // namespace detail
 
-SKELGEN_INLINE HalfEdges::HalfEdges(const Points<core::Accumulator>& vertices, const Triangles& faces)
+inline HalfEdges::HalfEdges(const Points<core::Accumulator>& vertices, const Triangles& faces)
     : first_(static_cast<std::size_t>(vertices.rows()), -1), mark_(first_.size(), 0) {
     const std::vector<int> opposite = detail::opposite_corners(faces);
     places_.reserve(first_.size());
@@ -105,7 +205,7 @@ SKELGEN_INLINE HalfEdges::HalfEdges(const Points<core::Accumulator>& vertices, c
 }
 
 /// \param corners how many faces have each vertex: all must be met going once around it.
-SKELGEN_INLINE void HalfEdges::require_single_fans(const std::vector<int>& corners) const {
+inline void HalfEdges::require_single_fans(const std::vector<int>& corners) const {
     for (int v = 0; v < vertices(); ++v) {
         int met = 0;
         any_around(v, [&](int s) {
@@ -116,7 +216,7 @@ SKELGEN_INLINE void HalfEdges::require_single_fans(const std::vector<int>& corne
     }
 }
 
-SKELGEN_INLINE int HalfEdges::add_edge(int from, int to) {
+inline int HalfEdges::add_edge(int from, int to) {
     const int out = static_cast<int>(sides_.size());
     sides_.push_back({to, -1, -1, -1});
     sides_.push_back({from, -1, -1, -1});
@@ -124,13 +224,13 @@ SKELGEN_INLINE int HalfEdges::add_edge(int from, int to) {
     return out;
 }
 
-SKELGEN_INLINE int HalfEdges::add_face() {
+inline int HalfEdges::add_face() {
     side_of_face_.push_back(-1);
     deleted_faces_.push_back(false);
     return faces() - 1;
 }
 
-SKELGEN_INLINE void HalfEdges::begin_at_boundary(int vertex) {
+inline void HalfEdges::begin_at_boundary(int vertex) {
     if (is_closed_) return; // and stays so
     any_around(vertex, [&](int s) {
         if (!is_boundary(s)) return false;
@@ -139,7 +239,7 @@ SKELGEN_INLINE void HalfEdges::begin_at_boundary(int vertex) {
     });
 }
 
-SKELGEN_INLINE bool HalfEdges::may_collapse(int s) {
+inline bool HalfEdges::may_collapse(int s) {
     const int back = other(s), a = from(s), b = to(s);
     const auto apex = [&](int here) { // opposite, -1 at the boundary; -2 where that corner hangs by it alone
         if (is_boundary(here)) return -1;
@@ -161,7 +261,7 @@ SKELGEN_INLINE bool HalfEdges::may_collapse(int s) {
     return !is_boundary_vertex(a) || !is_boundary_vertex(b) || is_boundary(s) || is_boundary(back);
 }
 
-SKELGEN_INLINE void HalfEdges::collapse(int s) {
+inline void HalfEdges::collapse(int s) {
     const int back = other(s), after = next(s), before = side(s).previous;
     const int back_after = next(back), back_before = side(back).previous;
     const int face = side(s).face, back_face = side(back).face, kept = to(s), gone = to(back);
@@ -183,7 +283,7 @@ SKELGEN_INLINE void HalfEdges::collapse(int s) {
 }
 
 /// Makes one edge of the two of a face that has no more.
-SKELGEN_INLINE void HalfEdges::remove_loop(int s) {
+inline void HalfEdges::remove_loop(int s) {
     const int kept = next(s), beyond = other(s);
     const int face = side(s).face, face_beyond = side(beyond).face;
     const int a = to(s), b = to(kept);
@@ -199,7 +299,7 @@ SKELGEN_INLINE void HalfEdges::remove_loop(int s) {
     deleted_edges_[at(s / 2)] = true;
 }
 
-SKELGEN_INLINE void HalfEdges::split(int edge, const Place& place) {
+inline void HalfEdges::split(int edge, const Place& place) {
     const int v = vertices();
     places_.push_back(place);
     sources_.push_back(-1);
@@ -249,13 +349,13 @@ SKELGEN_INLINE void HalfEdges::split(int edge, const Place& place) {
     if (first(start) == s) first_[at(start)] = half_back;
 }
 
-SKELGEN_INLINE bool HalfEdges::may_flip(int edge) const {
+inline bool HalfEdges::may_flip(int edge) const {
     if (is_boundary_edge(edge)) return false;
     const int a = to(next(2 * edge)), b = to(next(2 * edge + 1));
     return a != b && !any_around(a, [&](int s) { return to(s) == b; });
 }
 
-SKELGEN_INLINE void HalfEdges::flip(int edge) {
+inline void HalfEdges::flip(int edge) {
     const int s = 2 * edge, back = 2 * edge + 1;
     const int second = next(s), third = next(second), back_second = next(back), back_third = next(back_second);
     const int end = to(s), start = to(back), face = side(s).face, back_face = side(back).face;
@@ -275,7 +375,7 @@ SKELGEN_INLINE void HalfEdges::flip(int edge) {
     if (first(start) == s) first_[at(start)] = back_second;
 }
 
-SKELGEN_INLINE void HalfEdges::remove_deleted() {
+inline void HalfEdges::remove_deleted() {
     const std::vector<int> vertex = detail::compressed(deleted_vertices_), edge = detail::compressed(deleted_edges_),
                            face = detail::compressed(deleted_faces_);
     const auto count = [](const std::vector<bool>& deleted) {
@@ -304,7 +404,7 @@ SKELGEN_INLINE void HalfEdges::remove_deleted() {
     deleted_faces_.assign(m, false);
 }
 
-SKELGEN_INLINE Triangles HalfEdges::triangles() const {
+inline Triangles HalfEdges::triangles() const {
     Triangles out(static_cast<Eigen::Index>(side_of_face_.size()), 3);
     for (int f = 0; f < faces(); ++f) {
         int s = side_of_face(f);

@@ -1,14 +1,15 @@
 #pragma once
 
-#include <skelgen/curve/parallel_branches.hpp>
-
 #include <algorithm>
 #include <utility>
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/polyline.hpp>
+#include <skelgen/curve/branched_curve.hpp>
+#include <skelgen/surface/body.hpp>
 
 namespace skelgen::curve {
+
 namespace detail {
 
 /// Nearer to each other than this part of the radius around them, two branches are one.
@@ -71,6 +72,9 @@ bool merge_one_pair(BranchedCurve<Scalar>& curve, const Body<Scalar>& body) {
 
 } // namespace detail
 
+/// Branches that leave a junction side by side become one up to where they part, which is their junction then: as long
+/// as they are nearer to each other than half the radius of the ball inside the surface there, and over more than that
+/// radius. Lines must be evenly spaced. O(k) distances to the surface.
 template <typename Scalar>
 BranchedCurve<Scalar> merge_parallel_branches(BranchedCurve<Scalar> branched, const Body<Scalar>& body) {
     while (detail::merge_one_pair(branched, body)) {

@@ -12,7 +12,7 @@
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/options.hpp>
 #include <skelgen/core/precision.hpp>
-#include <skelgen/curve/half_edges.hpp>
+#include <skelgen/curve/impl/half_edges.hpp>
 
 namespace skelgen::curve {
 namespace detail {

@@ -1,15 +1,17 @@
 #pragma once
 
-#include <skelgen/curve/section_regions.hpp>
-
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/parallel.hpp>
+#include <skelgen/curve/branch_centring.hpp>
+#include <skelgen/surface/body.hpp>
 
 namespace skelgen::curve {
+
 namespace detail {
 
 template <typename Scalar>
@@ -52,6 +54,7 @@ void claim_balls(Claims<Scalar>& claims, const CurveSkeleton<Scalar>& curve, con
 
 } // namespace detail
 
+/// Per node of a curve the radius of the ball around it that touches the surface. O(k log faces).
 template <typename Scalar>
 std::vector<Scalar> ball_radii(const Points<Scalar>& nodes, const Body<Scalar>& body) {
     constexpr std::size_t in_a_row = 16;
@@ -62,6 +65,10 @@ std::vector<Scalar> ball_radii(const Points<Scalar>& nodes, const Body<Scalar>& 
     return out;
 }
 
+/// The curve of centred branches: each node with the radius of the ball around it that touches the surface, and with
+/// the vertices that are nearest along the surface to the section across its branch or to its ball, of those that
+/// belonged to its branch: `origin_of_vertex` says so for each, by the numbers of Branch::origins. Every vertex comes
+/// into one region. O(n log n).
 template <typename Scalar>
 CurveSkeleton<Scalar> curve_with_regions(const CentredBranches<Scalar>& centred, const Body<Scalar>& body,
                                          const std::vector<int>& origin_of_vertex) {

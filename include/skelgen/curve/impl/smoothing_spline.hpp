@@ -1,16 +1,18 @@
 #pragma once
 
-#include <skelgen/curve/smoothing_spline.hpp>
-
 #include <array>
+#include <vector>
 
 #include <Eigen/SparseCholesky>
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/polyline.hpp>
 #include <skelgen/core/precision.hpp>
+#include <skelgen/curve/branch_sections.hpp>
+#include <skelgen/curve/branched_curve.hpp>
 
 namespace skelgen::curve {
+
 namespace detail {
 
 /// Where the unknowns of a branch's points are: knots come first, then the inner points of one branch after the other.
@@ -77,6 +79,11 @@ std::vector<Scalar> thickness_along(const std::vector<BranchSection<Scalar>>& se
 
 } // namespace detail
 
+/// The smoothing spline through the sections' centres: the sum of their squared distances, each times its section's
+/// weight, and of the squared curvature times a length to the fourth, `stiffness` times the thickness, is least.
+/// Branches bend, and meet at their knots at any angle: where no section counts, a branch goes on straight. \param
+/// branched with lines of evenly spaced points. \param sections per branch and point of its line. \param tips per knot,
+/// a place that holds it weakly where it is an end. O(k).
 template <typename Scalar>
 BranchedCurve<Scalar>
 smoothing_spline(BranchedCurve<Scalar> branched, const std::vector<std::vector<BranchSection<Scalar>>>& sections,

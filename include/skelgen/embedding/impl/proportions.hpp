@@ -12,7 +12,7 @@
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/embedding/embed.hpp>
-#include <skelgen/embedding/missing_limbs.hpp>
+#include <skelgen/embedding/impl/missing_limbs.hpp>
 #include <skelgen/embedding/reduced_graph.hpp>
 
 namespace skelgen::embedding {

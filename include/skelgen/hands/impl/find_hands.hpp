@@ -9,9 +9,9 @@
 #include <utility>
 
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/hands/digit_tubes.hpp>
-#include <skelgen/hands/hand_surface.hpp>
-#include <skelgen/hands/phalanges.hpp>
+#include <skelgen/hands/impl/digit_tubes.hpp>
+#include <skelgen/hands/impl/hand_surface.hpp>
+#include <skelgen/hands/impl/phalanges.hpp>
 #include <skelgen/surface/clean.hpp>
 #include <skelgen/surface/weld.hpp>
 #include <skelgen/surface/winding_tree.hpp>

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <skelgen/hands/hand_surface.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,14 +7,22 @@
 #include <functional>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include <Eigen/Core>
 
 #include <skelgen/core/adjacency.hpp>
+#include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geodesics.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/kinematic_skeleton.hpp>
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/core/skeleton_template.hpp>
 #include <skelgen/surface/denoise.hpp>
 #include <skelgen/surface/face_tree.hpp>
 #include <skelgen/surface/lattice.hpp>
@@ -25,8 +31,36 @@
 #include <skelgen/surface/pieces.hpp>
 #include <skelgen/surface/rounded.hpp>
 #include <skelgen/surface/small_parts.hpp>
+#include <skelgen/surface/winding_tree.hpp>
 
 namespace skelgen::hands {
+
+/// Where a hand is, as the skeleton has it.
+template <typename Scalar = double>
+struct HandPlace {
+    Vector3<Scalar> elbow, wrist, knuckles, tip;
+
+    /// From the wrist to the fingertip: the unit of all that is said about a hand.
+    [[nodiscard]] Scalar length() const { return (tip - wrist).norm(); }
+
+    /// How long it is when it is stretched: a fist's tip is near the wrist, but its digits are as long as others'.
+    [[nodiscard]] Scalar stretched() const {
+        constexpr Scalar of_forearm = Scalar(0.74); // people's: .108 and .146 of the body's height (Win09)
+        return std::max(length(), of_forearm * (wrist - elbow).norm());
+    }
+};
+
+/// The surface of a hand, and how far its places are from the forearm along it.
+template <typename Scalar = double>
+struct HandSurface {
+    TriangleMesh<Scalar> mesh;
+    Triangles adjacency; ///< as from core::face_adjacency
+    core::SurfaceGraph<Scalar> graph;
+    std::vector<int> source;         ///< per vertex that of the surface it was taken from
+    std::vector<bool> is_at_rim;     ///< per vertex: the surface goes on beyond it
+    Eigen::VectorX<Scalar> distance; ///< per vertex, from a plane across the forearm
+};
+
 namespace detail {
 
 /// All relative to the hand's length.
@@ -215,6 +249,9 @@ bool read_places(const KinematicSkeleton<Scalar>& skeleton, Side side,
 
 } // namespace detail
 
+/// A mesh without the pieces that leave a hand's surroundings, but do not wind around the forearm: what the hand holds,
+/// clothes and the body behind it. None where all are the arm's, or none is. `mesh` must have no seams and be in the
+/// unit of `place`. O(n log n), and O(faces) for each piece that comes near.
 template <typename Scalar>
 std::optional<TriangleMesh<Scalar>> arm_pieces(const TriangleMesh<Scalar>& mesh, const HandPlace<Scalar>& place) {
     const std::vector<bool> is_others = detail::others_vertices(mesh, place);
@@ -230,6 +267,7 @@ std::optional<TriangleMesh<Scalar>> arm_pieces(const TriangleMesh<Scalar>& mesh,
     return out;
 }
 
+/// That of a finished skeleton's hand; none where the arm ends before it, or where its joints lie in one place.
 template <typename Scalar>
 std::optional<HandPlace<Scalar>> hand_place(const KinematicSkeleton<Scalar>& skeleton, Side side) {
     HandPlace<Scalar> out;
@@ -242,6 +280,8 @@ std::optional<HandPlace<Scalar>> hand_place(const KinematicSkeleton<Scalar>& ske
     return out;
 }
 
+/// That of the front of a foot, whose digits are its toes: the instep for the wrist, the ball for the knuckles; none
+/// where the leg ends before the foot.
 template <typename Scalar>
 std::optional<HandPlace<Scalar>> toes_place(const KinematicSkeleton<Scalar>& skeleton, Side side) {
     constexpr Scalar behind_ball = Scalar(0.5); // of the way from the ball to the end of the toes
@@ -256,6 +296,9 @@ std::optional<HandPlace<Scalar>> toes_place(const KinematicSkeleton<Scalar>& ske
     return out;
 }
 
+/// What of a surface is beyond a plane across the forearm and near the hand: of the parts that hang together the one
+/// nearest to the knuckles. None where there is none, or too little of it to have digits. `mesh` must be edge-manifold
+/// and in the unit of `place`. O(faces + k log k) for the k vertices there.
 template <typename Scalar>
 std::optional<HandSurface<Scalar>> hand_surface(const TriangleMesh<Scalar>& mesh, const HandPlace<Scalar>& place) {
     constexpr std::size_t least_faces = 12;
@@ -304,6 +347,8 @@ std::optional<HandSurface<Scalar>> hand_surface(const TriangleMesh<Scalar>& mesh
     return out;
 }
 
+/// As hand_surface, of any mesh without seams: cut where it is not manifold, and where its faces are few made rounder.
+/// Digits that touch each other, or what they hold, stay apart on it, as they do in no envelope. O(n log n).
 template <typename Scalar>
 std::optional<HandSurface<Scalar>> own_hand_surface(const TriangleMesh<Scalar>& mesh, const HandPlace<Scalar>& place) {
     constexpr Eigen::Index least_faces = 1000; // 200 a digit: its rings have corners enough then
@@ -319,6 +364,9 @@ std::optional<HandSurface<Scalar>> own_hand_surface(const TriangleMesh<Scalar>& 
     return hand;
 }
 
+/// One closed surface around all that encloses something near a hand, of cells as fine as digits need: where the
+/// winding number is one half (JKS13). For hands of many pieces, of few triangles, or that an envelope of the whole
+/// body has no room for. `tree` of `mesh`, whose faces must look outwards. O(faces + cells log faces).
 template <typename Scalar>
 TriangleMesh<Scalar> hand_envelope(const TriangleMesh<Scalar>& mesh, const surface::WindingTree<Scalar>& tree,
                                    const HandPlace<Scalar>& place) {

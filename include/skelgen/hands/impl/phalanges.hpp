@@ -1,7 +1,5 @@
 #pragma once
 
-#include <skelgen/hands/phalanges.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,14 +7,20 @@
 #include <numbers>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/precision.hpp>
-#include <skelgen/hands/phalanx_fit.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/hands/digit.hpp>
+#include <skelgen/hands/impl/digit_tubes.hpp>
+#include <skelgen/hands/impl/hand_surface.hpp>
+#include <skelgen/hands/impl/phalanx_fit.hpp>
 
 namespace skelgen::hands {
+
 namespace detail {
 
 /// How far from its end a digit's joints lie, from the knuckle on, relative to its length beyond the web.
@@ -245,6 +249,13 @@ Vector3<Scalar> hinge_of(const FoundDigit<Scalar>& digit, const Vector3<Scalar>&
 
 } // namespace detail
 
+/// Names the digits of a hand and divides them into phalanges. The thumb is the one that leaves the hand clearly
+/// nearest to the forearm, of two the thinner one; the others stand in a row from it on: index, middle, ring, little,
+/// and where there are fewer, the last ones are missing; without a thumb the little finger is at the end where they are
+/// shorter. One that is as wide as several, and flat, is these together. Joints are first put on the digit's axis, at
+/// the parts of its length beyond the web that they have in people and in characters alike (medians of the rigs of five
+/// groups of makers), the knuckle behind the web straight on. Those of digits that are one each are then fitted to the
+/// surface (`fit_phalanges`). In the order of the digits; empty without tubes. O(points of the tubes).
 template <typename Scalar>
 std::vector<FoundDigit<Scalar>> name_digits(const std::vector<DigitTube<Scalar>>& tubes, const HandPlace<Scalar>& place,
                                             Side side) {
@@ -289,6 +300,10 @@ std::vector<FoundDigit<Scalar>> name_digits(const std::vector<DigitTube<Scalar>>
     return out;
 }
 
+/// Names the toes of a foot from the big one, which is on its inner side, and gives each two joints. The first one is
+/// behind its web by three quarters of the way from the webs to the ball of the foot, the second one in the middle of
+/// the toe. One that is as wide as several is these together; fewer than two tubes show no toes. `up` leads from the
+/// ball towards the ankle. In the order of the digits. O(tubes).
 template <typename Scalar>
 std::vector<FoundDigit<Scalar>> name_toes(const std::vector<DigitTube<Scalar>>& tubes, const HandPlace<Scalar>& place,
                                           Side side, const Vector3<Scalar>& up) {

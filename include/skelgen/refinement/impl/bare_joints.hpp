@@ -1,15 +1,17 @@
 #pragma once
 
-#include <skelgen/refinement/bare_joints.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
+#include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/line.hpp>
+#include <skelgen/embedding/embed.hpp>
+#include <skelgen/refinement/placement.hpp>
 
 namespace skelgen::refinement {
+
 namespace detail {
 
 /// The part of the way from chest to root along the curve in which neither chest nor thighs disturb the trunk's line.
@@ -58,6 +60,9 @@ Vector3<Scalar> way_to(const core::Line<Scalar>& line, const Vector3<Scalar>& pl
 
 } // namespace detail
 
+/// Places the joints that are all that is left of a limb (see is_bare): a shoulder or hip as the mirror image of the
+/// other side's, a neck as far above the shoulders as at rest. The other shoulder and hip and, unless it is bare, the
+/// neck must have been placed. O(k) for k nodes of the curve.
 template <typename Scalar>
 Placement<Scalar> place_bare_joints(Placement<Scalar> placement, const CurveSkeleton<Scalar>& curve,
                                     const embedding::Embedding& embedding) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <skelgen/refinement/flat_end.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -10,8 +8,12 @@
 #include <vector>
 
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/refinement/end_points.hpp>
+#include <skelgen/refinement/limbs.hpp>
 
 namespace skelgen::refinement {
+
 namespace detail {
 
 /// Cosine of the angle up to which normals are those of one flat piece: 15 degrees, as a scan's or a coarse lid's
@@ -153,6 +155,10 @@ Vector3<Scalar> area_within(const Points<Scalar>& vertices, const std::vector<in
 
 } // namespace detail
 
+/// How much of the limb's cross-section the largest flat piece of its end that faces outwards along it covers: about 1
+/// where the limb is cut off and closed by a lid, a tenth where it is round; fingers and toes have less. `length`: how
+/// far from the end the limb's thickness and direction are taken, in the body's unit. `end` is the limb's. 0 where the
+/// limb has no sections there, and where the mesh's edges are as long as it is thick: any end is flat then. O(n).
 template <typename Scalar>
 Scalar flat_end(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, const EndPoint<Scalar>& end,
                 Scalar length) {
@@ -162,6 +168,10 @@ Scalar flat_end(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, cons
     return detail::flat_area(faces, own->along) / (std::numbers::pi_v<Scalar> * own->thickness * own->thickness);
 }
 
+/// How much of the limb's cross-section a hole that was closed around its end encloses, seen along the limb: 1 where
+/// that is half or more, the limb being cut off and left open, and 0.6 at most where the hole faces aside, as that of a
+/// missing sole does. Parameters as above. 0 without such a hole and where the mesh is too coarse. O(n) for n sections
+/// and faces.
 template <typename Scalar>
 Scalar open_end(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, const EndPoint<Scalar>& end,
                 Scalar length) {
@@ -177,6 +187,9 @@ Scalar open_end(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, cons
     return seen > detail::across<Scalar> * area.norm() ? share : std::min(share, detail::aside<Scalar>);
 }
 
+/// How much a limb's surface, over `length` from its end, looks to four sides at right angles: 0 where it is round, 0.2
+/// where it is twice as wide as thick, 1 on a box, as the arms of block figures are: their ends are flat, and no
+/// thinner than the rest. `end` is the limb's. O(n).
 template <typename Scalar>
 Scalar four_sidedness(const TriangleMesh<Scalar>& mesh, const Limb<Scalar>& limb, const EndPoint<Scalar>& end,
                       Scalar length) {

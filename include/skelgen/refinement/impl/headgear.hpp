@@ -1,15 +1,31 @@
 #pragma once
 
-#include <skelgen/refinement/headgear.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
+#include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/mesh.hpp>
 #include <skelgen/core/polyline.hpp>
+#include <skelgen/embedding/embed.hpp>
+#include <skelgen/refinement/centreline.hpp>
+#include <skelgen/refinement/cross_section.hpp>
+#include <skelgen/refinement/limbs.hpp>
 
 namespace skelgen::refinement {
+
+/// The way from the trunk through the throat to the top of what the head ends in, along the curve.
+template <typename Scalar = double>
+struct ThroatOnCurve {
+    Points<Scalar> line;   ///< k x 3, outwards
+    Scalar arc = 0;        ///< arc length on it of the throat
+    Vector3<Scalar> place; ///< there
+    Vector3<Scalar> up;    ///< the line's unit direction there
+    Scalar girth = 0;      ///< radius of the largest ball inside of what is beyond
+};
+
 namespace detail {
 
 /// How far an adult's throat is below the top of the head along the curve, in the distance from the neck's joint to the
@@ -63,6 +79,9 @@ Eigen::VectorX<Scalar> thickness_along(const CurveToEnd<Scalar>& curve, const Sl
 
 } // namespace detail
 
+/// The throat: of the sections along the curve to the head that are far thinner than the trunk before them and clearly
+/// thinner than the head beyond, the thinnest. None where the embedding has no curve that ends in `head`, a joint of
+/// the template, or it shows no throat. O(nodes log m).
 template <typename Scalar>
 std::optional<ThroatOnCurve<Scalar>> find_throat_on_curve(int head, const CurveSkeleton<Scalar>& curve,
                                                           const embedding::Embedding& embedding,
@@ -93,15 +112,30 @@ std::optional<ThroatOnCurve<Scalar>> find_throat_on_curve(int head, const CurveS
                                  core::tangent_at(way.points, throat, detail::curve_tangent_reach), girth};
 }
 
+/// Has the limb its neck in the head, clearly beyond the throat? `adult`: the distance from an adult's neck to the top.
 template <typename Scalar>
 bool has_neck_in_head(const Limb<Scalar>& limb, const ThroatOnCurve<Scalar>& throat, Scalar adult) {
     constexpr Scalar clearly = Scalar(0.3); // 0.21 at most on 96 bodies whose heads are bare
     return limb.joints.size() > 1 && (point_on(limb, arc_of(limb, 0)) - throat.place).dot(throat.up) > clearly * adult;
 }
 
+/// How much farther than an adult's the joint of a head that is `size` times as large lies from where it is measured
+/// from, the top or, under a hat, the neck. A child's is as far as an adult's. From two years on people have heads of
+/// less than 1.5 times an adult's for their height; larger ones are drawn figures', whose joint goes with the head:
+/// wholly from 2 on.
+template <typename Scalar>
+Scalar head_joint_growth(Scalar size) {
+    constexpr Scalar most_of_people = Scalar(1.5), figure = 2;
+    const Scalar drawn = std::clamp((size - most_of_people) / (figure - most_of_people), Scalar(0), Scalar(1));
+    return 1 + drawn * (size - 1);
+}
+
+/// The head's limb as if it wore nothing, for heads that end in a hat, in horns, or in hair that stands up: it ends at
+/// the crown, as high above the throat as a head of that girth is, and has its joints below that. `limb`: neck and head
+/// at an adult's distances from the tip. O(k (n + m)).
 template <typename Scalar>
 Limb<Scalar> without_headgear(Limb<Scalar> limb, const ThroatOnCurve<Scalar>& throat, const Slicer<Scalar>& slicer,
-                              const CentrelineOptions& options) {
+                              const CentrelineOptions& options = {}) {
     const Scalar size = throat.girth / (detail::adult_girth<Scalar> * limb.from_tip.front());
     const Scalar height = size * limb.from_tip.front(), crown = detail::adult_throat_on_curve<Scalar> * height;
     const Scalar first = throat.arc - height / 2; // more than what the neck needs
@@ -119,13 +153,6 @@ Limb<Scalar> without_headgear(Limb<Scalar> limb, const ThroatOnCurve<Scalar>& th
     limb.from_tip.back() = limb.from_tip.front() - head_joint_growth(size) * joint_above_neck;
     limb.attachment = 0;
     return limb;
-}
-
-template <typename Scalar>
-Scalar head_joint_growth(Scalar size) {
-    constexpr Scalar most_of_people = Scalar(1.5), figure = 2;
-    const Scalar drawn = std::clamp((size - most_of_people) / (figure - most_of_people), Scalar(0), Scalar(1));
-    return 1 + drawn * (size - 1);
 }
 
 } // namespace skelgen::refinement

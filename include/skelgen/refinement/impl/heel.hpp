@@ -1,14 +1,17 @@
 #pragma once
 
-#include <skelgen/refinement/heel.hpp>
-
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <vector>
 
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/refinement/bend.hpp>
+#include <skelgen/refinement/limbs.hpp>
+#include <skelgen/refinement/profile_matcher.hpp>
 
 namespace skelgen::refinement {
+
 namespace detail {
 
 /// Points on either side of a heel's corner, with the corner itself: fewer show no line.
@@ -33,9 +36,13 @@ FittedLine<Scalar> fit_line(const std::vector<Vector3<Scalar>>& points) {
 
 } // namespace detail
 
+/// Where the centreline of a leg turns from the calf to the foot, whatever both look like and however long they are: at
+/// the end of the first of the two lines, one after the other, that its points from the tip to the knee are nearest to.
+/// Joints are where `rest` has them, roughly: most of the calf suffices. None where there are too few points, or
+/// where it is straight, as on a body that stands on its toes. O(k^2) for k sections.
 template <typename Scalar>
 std::optional<Heel<Scalar>> find_heel(const Limb<Scalar>& limb, const Stretch<Scalar>& rest,
-                                      const BendOptions& options) {
+                                      const BendOptions& options = {}) {
     using Place = typename std::vector<Vector3<Scalar>>::difference_type;
     const Eigen::Index last = limb.line.arc.size() - 1;
     const Scalar end = limb.line.arc[last],

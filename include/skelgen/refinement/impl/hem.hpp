@@ -1,13 +1,24 @@
 #pragma once
 
-#include <skelgen/refinement/hem.hpp>
-
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/refinement/cross_section.hpp>
+#include <skelgen/refinement/end_points.hpp>
+#include <skelgen/refinement/limbs.hpp>
+#include <skelgen/refinement/trunk_axis.hpp>
 
 namespace skelgen::refinement {
+
+/// A leg and where it ends; refers to both.
+template <typename Scalar>
+struct LegToEnd {
+    const Limb<Scalar>& limb;
+    const EndPoint<Scalar>& end;
+};
+
 namespace detail {
 
 /// How far above and below a fork sections are compared, in thighs: a hem need not be level.
@@ -61,6 +72,11 @@ Scalar area_at_height(const Limb<Scalar>& leg, const Slicer<Scalar>& slicer, con
 
 } // namespace detail
 
+/// Is it no crotch where the legs seem to part, but the hem of a skirt, a coat or a robe? A trunk goes over into two
+/// legs that are together about as large: across the axis, its section above a hem is more than twice both legs'
+/// sections below it, and larger than the waist's. Told of legs that hang down from there; those that are raised or
+/// folded have other sections. `axis`: with its fork; `thigh`: rest-pose length in the body's unit. O(log m) for each
+/// face that is cut.
 template <typename Scalar>
 bool is_hem(const Slicer<Scalar>& slicer, const std::array<LegToEnd<Scalar>, 2>& legs, const TrunkAxis<Scalar>& axis,
             Scalar thigh) {

@@ -1,15 +1,20 @@
 #pragma once
 
-#include <skelgen/refinement/hip_anchor.hpp>
-
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/refinement/bone_line.hpp>
+#include <skelgen/refinement/limbs.hpp>
+#include <skelgen/refinement/trunk_axis.hpp>
 
 namespace skelgen::refinement {
+
 namespace detail {
 
 /// Height of the hips above the fork of the legs along the trunk's line, which leans forward from the pelvis's own up
@@ -56,10 +61,14 @@ Limb<Scalar> with_top(Limb<Scalar> limb, const Vector3<Scalar>& place, const Vec
 
 } // namespace detail
 
+/// The limbs with `top_by_trunk` and `top_deviation` of the two legs set: the pelvis is one bone, and its hips lie at
+/// the same height above where the legs part in everybody, however the legs are held. `axis`: the lower trunk's;
+/// `scale`: rest-pose length to body length. Left unset where there are no two legs, or a leg shows too little of its
+/// thigh. O(limbs).
 template <typename Scalar>
 std::vector<Limb<Scalar>> anchor_hips(std::vector<Limb<Scalar>> limbs, const TrunkAxis<Scalar>& axis,
                                       const SkeletonTemplate& skeleton_template, Scalar scale,
-                                      const BoneLineOptions& options) {
+                                      const BoneLineOptions& options = {}) {
     const std::vector<std::size_t> legs = find_legs(limbs, skeleton_template);
     if (legs.empty()) return limbs;
     const Scalar thigh = scale * rest_length_of_first_bone(limbs[legs[0]], skeleton_template);

@@ -2,8 +2,8 @@
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/shoulder_height.hpp>
+#include <skelgen/refinement/impl/shoulder_anchor.hpp>
 #include <skelgen/refinement/limb_joints.hpp>
-#include <skelgen/refinement/shoulder_anchor.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -11,15 +11,15 @@
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/parallel.hpp>
-#include <skelgen/refinement/bare_joints.hpp>
 #include <skelgen/refinement/cross_section.hpp>
 #include <skelgen/refinement/fork.hpp>
-#include <skelgen/refinement/headgear.hpp>
-#include <skelgen/refinement/hem.hpp>
-#include <skelgen/refinement/hip_anchor.hpp>
+#include <skelgen/refinement/impl/bare_joints.hpp>
+#include <skelgen/refinement/impl/headgear.hpp>
+#include <skelgen/refinement/impl/hem.hpp>
+#include <skelgen/refinement/impl/hip_anchor.hpp>
+#include <skelgen/refinement/impl/shoulder_anchor.hpp>
 #include <skelgen/refinement/limbs.hpp>
 #include <skelgen/refinement/placement.hpp>
-#include <skelgen/refinement/shoulder_anchor.hpp>
 #include <skelgen/refinement/trunk_axis.hpp>
 
 namespace skelgen::refinement {

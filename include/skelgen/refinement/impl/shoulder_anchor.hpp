@@ -1,14 +1,18 @@
 #pragma once
 
-#include <skelgen/refinement/shoulder_anchor.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/core/skeleton_template.hpp>
+#include <skelgen/refinement/bone_line.hpp>
+#include <skelgen/refinement/limbs.hpp>
+
 namespace skelgen::refinement {
+
 namespace detail {
 
 /// An upper arm's own thickness is that of its sections from here to there, as parts of it from the elbow on: above
@@ -58,6 +62,8 @@ std::optional<Scalar> becomes_thicker(const Limb<Scalar>& limb, Scalar most) {
 
 } // namespace detail
 
+/// Median thickness of an upper arm's own sections, between elbow and armpit; none with fewer than three of them. The
+/// limb must have two joints. O(sections).
 template <typename Scalar>
 std::optional<Scalar> upper_arm_thickness(const Limb<Scalar>& limb) {
     constexpr std::size_t fewest = 3;
@@ -74,10 +80,14 @@ std::optional<Scalar> upper_arm_thickness(const Limb<Scalar>& limb) {
     return *middle;
 }
 
+/// The limbs with `top_by_trunk` and `top_deviation` of the arms set: an upper arm is as thick all along, and grows
+/// where the armpit begins, a third of its length before the shoulder; raised, the skin goes along, and it begins
+/// nearer. `trunk_up`: from the fork of the legs to the head, a unit vector; without it arms count as held level. Left
+/// unset where an arm shows too little of its own, or does not grow. O(sections).
 template <typename Scalar>
-std::vector<Limb<Scalar>> anchor_shoulders(std::vector<Limb<Scalar>> limbs,
-                                           const std::optional<Vector3<Scalar>>& trunk_up,
-                                           const SkeletonTemplate& skeleton_template, const BoneLineOptions& options) {
+std::vector<Limb<Scalar>>
+anchor_shoulders(std::vector<Limb<Scalar>> limbs, const std::optional<Vector3<Scalar>>& trunk_up,
+                 const SkeletonTemplate& skeleton_template, const BoneLineOptions& options = {}) {
     for (Limb<Scalar>& limb : limbs) {
         if (!detail::has_upper_arm(limb, skeleton_template)) continue;
         const auto thickness = upper_arm_thickness(limb);

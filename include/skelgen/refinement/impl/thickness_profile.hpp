@@ -9,8 +9,8 @@
 #include <utility>
 
 #include <skelgen/core/parallel.hpp>
-#include <skelgen/refinement/flat_end.hpp>
-#include <skelgen/refinement/heel.hpp>
+#include <skelgen/refinement/impl/flat_end.hpp>
+#include <skelgen/refinement/impl/heel.hpp>
 
 namespace skelgen::refinement {
 namespace detail {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <skelgen/search/contacts.hpp>
-
 #include <algorithm>
 #include <numeric>
 #include <optional>
@@ -9,13 +7,22 @@
 #include <vector>
 
 #include <skelgen/core/curve_graph.hpp>
+#include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/skeleton_template.hpp>
 #include <skelgen/curve/regions.hpp>
 #include <skelgen/embedding/loop_cuts.hpp>
+#include <skelgen/embedding/spectral_matching.hpp>
+#include <skelgen/surface/body.hpp>
 #include <skelgen/surface/cut_surface.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
 
 namespace skelgen::search {
+
+/// Most places in which a body may touch itself: head, trunk, arms and legs, each two of them once. Torn surfaces have
+/// dozens of loops.
+inline constexpr int most_contacts = 15;
+
 namespace detail {
 
 /// Vertices that belong to these curve nodes, ascending; `nodes` are indices below `node_count`.
@@ -75,10 +82,15 @@ std::optional<Body<Scalar>> with_cuts(const Body<Scalar>& body, const CurveSkele
 
 } // namespace detail
 
+/// A body cut where it touches itself: at the loops of its `curve`, where the template then fits best (see
+/// embedding::find_loop_cuts). `curve` is connected and its regions index the body's vertices. Vertices along the cuts
+/// are there twice, and new ones close the holes. \returns a body for each way to cut, best first; not those where a
+/// cut takes off a limb; none when `curve` has no loop or more than `most_contacts`, or when no way to cut it lets the
+/// template in. As find_loop_cuts, and O(n log n) for each way. \throws Error usage when an option is out of its range.
 template <typename Scalar>
 std::vector<Body<Scalar>> cut_at_contacts(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve,
                                           const SkeletonTemplate& skeleton_template,
-                                          const embedding::MatchingOptions& matching) {
+                                          const embedding::MatchingOptions& matching = {}) {
     if (core::cycle_count(curve) > most_contacts) return {};
     std::vector<Body<Scalar>> out;
     for (const embedding::LoopCuts& cuts : embedding::find_loop_cuts(curve, skeleton_template, matching))

@@ -23,8 +23,8 @@
 #include <skelgen/embedding/proportions.hpp>
 #include <skelgen/quadruped/limbs.hpp>
 #include <skelgen/quadruped/place_joints.hpp>
-#include <skelgen/search/agreement.hpp>
-#include <skelgen/search/contacts.hpp>
+#include <skelgen/search/impl/agreement.hpp>
+#include <skelgen/search/impl/contacts.hpp>
 #include <skelgen/search/trust.hpp>
 #include <skelgen/surface/open_handles.hpp>
 #include <skelgen/surface/pockets.hpp>

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <skelgen/surface/bridges.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,13 +8,16 @@
 #include <numbers>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <nanoflann.hpp>
 
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/mesh.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
 
 namespace skelgen::surface {
+
 namespace detail {
 
 /// One of a body's closed parts, and what finds its vertices.
@@ -105,6 +106,12 @@ TriangleMesh<Scalar> prism(const Vector3<Scalar>& from, const Vector3<Scalar>& t
 
 } // namespace detail
 
+/// What joins the closed parts of a body that do not touch: legs of boxes below a trunk, a head that floats above it.
+/// The parts are taken into one from the largest on, always that with the narrowest gap, by a prism between the middles
+/// of the two sides where the gap is about as narrow as that, half as wide as the slighter part is thick. Parts of less
+/// than a hundredth of the largest one's volume, and gaps wider than a part is thick, stay. \returns the prisms, as
+/// closed surfaces that look outwards and reach into both parts; none where nothing is to be joined. Any unit.
+/// O(k^2 n log n) for the k <= 24 largest parts.
 template <typename Scalar>
 std::vector<TriangleMesh<Scalar>> bridges_between(const std::vector<TriangleMesh<Scalar>>& meshes) {
     constexpr std::size_t most_parts = 24;

@@ -12,8 +12,8 @@
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/parallel.hpp>
 #include <skelgen/surface/canonical_form.hpp>
-#include <skelgen/surface/orientation.hpp>
-#include <skelgen/surface/sound_faces.hpp>
+#include <skelgen/surface/impl/orientation.hpp>
+#include <skelgen/surface/impl/sound_faces.hpp>
 #include <skelgen/surface/weld.hpp>
 
 namespace skelgen::surface {

@@ -1,16 +1,17 @@
 #pragma once
 
-#include <skelgen/surface/distance_band.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include <skelgen/core/mesh.hpp>
 #include <skelgen/surface/face_tree.hpp>
+#include <skelgen/surface/lattice.hpp>
 #include <skelgen/surface/small_parts.hpp>
 
 namespace skelgen::surface {
+
 namespace detail {
 
 /// Those nodes of a row along x, from `first` on, that lie in a ball, or in none for rounding alone: the first and the
@@ -62,6 +63,7 @@ void lower_around(const Corners<Scalar>& t, const Lattice<Scalar>& lattice, Scal
 
 } // namespace detail
 
+/// A lattice around a mesh with `margin` cells to spare on each side.
 template <typename Scalar>
 Lattice<Scalar> lattice_around(const TriangleMesh<Scalar>& mesh, Scalar cell, int margin) {
     Lattice<Scalar> out;
@@ -76,6 +78,8 @@ Lattice<Scalar> lattice_around(const TriangleMesh<Scalar>& mesh, Scalar cell, in
     return out;
 }
 
+/// Distances to the nearest face at the lattice's nodes up to `reach` from one; infinity at the others. O(area of the
+/// faces in cells, but at least one for each face, times the nodes within reach).
 template <typename Scalar>
 SparseGrid<Scalar> distance_band(const TriangleMesh<Scalar>& mesh, const Lattice<Scalar>& lattice, Scalar reach) {
     SparseGrid<Scalar> distance(lattice.nodes, std::numeric_limits<Scalar>::infinity());

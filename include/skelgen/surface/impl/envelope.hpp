@@ -11,7 +11,7 @@
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/options.hpp>
 #include <skelgen/surface/denoise.hpp>
-#include <skelgen/surface/distance_band.hpp>
+#include <skelgen/surface/impl/distance_band.hpp>
 #include <skelgen/surface/lattice_surface.hpp>
 #include <skelgen/surface/winding_field.hpp>
 #include <skelgen/surface/winding_tree.hpp>

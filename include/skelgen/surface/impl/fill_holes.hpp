@@ -1,19 +1,30 @@
 #pragma once
 
-#include <skelgen/surface/fill_holes.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/surface/triangulate_rim.hpp>
+#include <skelgen/core/mesh.hpp>
+#include <skelgen/surface/impl/triangulate_rim.hpp>
 
 namespace skelgen::surface {
+
+/// A surface whose small holes are closed.
+template <typename Scalar = double>
+struct FilledSurface {
+    TriangleMesh<Scalar> mesh;          ///< the old vertices and faces first, as they were
+    int filled = 0;                     ///< holes closed
+    int open = 0;                       ///< holes left
+    double open_area = 0;               ///< of the lids that would close the holes left, part of the surface's area
+    std::vector<std::vector<int>> rims; ///< per hole closed the vertices around it, in order
+};
+
 namespace detail {
 
 /// The rims of a manifold surface's holes.
@@ -118,8 +129,14 @@ std::optional<Lid<Scalar>> triangles_across(const TriangleMesh<Scalar>& mesh, co
 
 } // namespace detail
 
+/// Closes the holes of a manifold surface but for those whose lids have more than `largest` of the surface's area. A
+/// lid goes on as the surface does around the hole (triangulate_rim); a fan around a new vertex in the middle of the
+/// rim closes holes with too many edges for that, more than 500 together, or where no such lid exists. O(n log n)
+/// besides. `at_holes`: per vertex, whether it is one around a hole that may be closed; holes around which there are
+/// others stay open. Empty: all may be.
 template <typename Scalar>
-FilledSurface<Scalar> fill_holes(const TriangleMesh<Scalar>& mesh, double largest, const std::vector<bool>& at_holes) {
+FilledSurface<Scalar> fill_holes(const TriangleMesh<Scalar>& mesh, double largest,
+                                 const std::vector<bool>& at_holes = {}) {
     const auto may_close = [&](const Rim& rim) {
         return at_holes.empty() || std::all_of(rim.vertices.begin(), rim.vertices.end(),
                                                [&](int v) { return at_holes[static_cast<std::size_t>(v)]; });

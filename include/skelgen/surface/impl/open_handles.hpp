@@ -14,7 +14,7 @@
 #include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/surface/cut_surface.hpp>
-#include <skelgen/surface/handle_loops.hpp>
+#include <skelgen/surface/impl/handle_loops.hpp>
 
 namespace skelgen::surface {
 namespace detail {

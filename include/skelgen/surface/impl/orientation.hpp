@@ -1,7 +1,5 @@
 #pragma once
 
-#include <skelgen/surface/orientation.hpp>
-
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -9,10 +7,19 @@
 
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/mesh.hpp>
 #include <skelgen/surface/face_tree.hpp>
-#include <skelgen/surface/visibility.hpp>
+#include <skelgen/surface/impl/visibility.hpp>
 
 namespace skelgen::surface {
+
+/// A mesh whose faces look outwards.
+template <typename Scalar = double>
+struct OrientedMesh {
+    TriangleMesh<Scalar> mesh; ///< faces in their order and, but for turned ones, as they were
+    int turned = 0;            ///< faces turned round
+};
+
 namespace detail {
 
 /// Across each of a face's edges the face that alone shares it, -1 where none or several do, and whether both run the
@@ -105,6 +112,9 @@ core::Accumulator volume_of(const TriangleMesh<Scalar>& mesh, const std::vector<
 
 } // namespace detail
 
+/// Turns faces until neighbours along edges of two faces agree, as few as possible by area, and then each piece
+/// outwards: a closed one by its volume, an open one by the side that more rays see (TPS14). A piece that has no two
+/// sides (a Moebius band) is left with a line where neighbours disagree. O(n log n).
 template <typename Scalar>
 OrientedMesh<Scalar> orient(TriangleMesh<Scalar> mesh) {
     constexpr int samples = 64; // per piece; four rays each from both sides

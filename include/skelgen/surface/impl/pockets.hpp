@@ -13,7 +13,7 @@
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/parallel.hpp>
-#include <skelgen/surface/without_faces.hpp>
+#include <skelgen/surface/impl/without_faces.hpp>
 
 namespace skelgen::surface {
 namespace detail {

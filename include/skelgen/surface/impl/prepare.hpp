@@ -21,11 +21,11 @@
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/options.hpp>
 #include <skelgen/core/parallel.hpp>
-#include <skelgen/surface/bridges.hpp>
 #include <skelgen/surface/canonical_form.hpp>
 #include <skelgen/surface/clean.hpp>
 #include <skelgen/surface/denoise.hpp>
-#include <skelgen/surface/fill_holes.hpp>
+#include <skelgen/surface/impl/bridges.hpp>
+#include <skelgen/surface/impl/fill_holes.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
 #include <skelgen/surface/pieces.hpp>
 #include <skelgen/surface/rounded.hpp>

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <skelgen/surface/sound_faces.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,10 +13,23 @@
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/core/mesh.hpp>
 #include <skelgen/surface/face_tree.hpp>
-#include <skelgen/surface/visibility.hpp>
+#include <skelgen/surface/impl/visibility.hpp>
 
 namespace skelgen::surface {
+
+/// Faces without those that bound nothing, and how many of each kind went.
+struct SoundFaces {
+    Triangles faces;    ///< those that stay, in their order
+    int degenerate = 0; ///< repeated a vertex
+    int duplicate = 0;  ///< had the same three vertices as an earlier one
+    int spikes = 0;     ///< reached far away with a corner of theirs alone, from an edge that is short beside that way
+    int fins = 0;       ///< stuck out of the surface: patches up to a hundredth of its area with a free edge, joined to
+                        ///< it where two other faces meet
+    int walls = 0;      ///< inside: patches that start where two other faces meet and that no ray from outside reaches
+};
+
 namespace detail {
 
 /// The rows of `faces` that are marked.
@@ -189,6 +200,8 @@ SoundFaces without_fins_and_walls(TriangleMesh<Scalar> mesh, SoundFaces counted)
 
 } // namespace detail
 
+/// Is a mesh one piece, each edge of which two faces share that run along it in opposite senses, with the inside behind
+/// them? Vertices where fans of faces touch are allowed. O(n).
 template <typename Scalar>
 bool is_sound(const TriangleMesh<Scalar>& mesh) {
     // The edges that leave each vertex, one list after the other.
@@ -232,6 +245,9 @@ bool is_sound(const TriangleMesh<Scalar>& mesh) {
     return 2 * upwards == edges.size() && joined.count() == 1 && core::enclosed_volume(mesh) > 0;
 }
 
+/// The faces of a welded mesh that can bound a body. Patches end where more than two faces share an edge. Of a surface
+/// without such edges nothing but degenerate and duplicate faces goes, and of one without free edges no spikes. O(n log
+/// n).
 template <typename Scalar>
 SoundFaces sound_faces(const TriangleMesh<Scalar>& mesh) {
     SoundFaces kept = detail::without_spikes(mesh.vertices, detail::distinct_faces(mesh.faces));

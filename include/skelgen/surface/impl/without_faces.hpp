@@ -1,15 +1,17 @@
 #pragma once
 
-#include <skelgen/surface/without_faces.hpp>
-
 #include <cstddef>
 #include <utility>
+#include <vector>
 
-#include <skelgen/surface/fill_holes.hpp>
+#include <skelgen/surface/body.hpp>
+#include <skelgen/surface/impl/fill_holes.hpp>
 #include <skelgen/surface/manifold_parts.hpp>
 
 namespace skelgen::surface {
 
+/// The body without some of its faces (`is_left_out`, one entry for each), the holes that they leave closed; others
+/// stay as they are. Of what is in pieces then the largest. O(n log n), and as fill_holes.
 template <typename Scalar>
 Body<Scalar> without_faces(const Body<Scalar>& body, const std::vector<bool>& is_left_out) {
     TriangleMesh<Scalar> open{body.mesh.vertices, Triangles(body.mesh.faces.rows(), 3)};

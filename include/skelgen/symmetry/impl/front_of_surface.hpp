@@ -9,8 +9,8 @@
 
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/precision.hpp>
+#include <skelgen/symmetry/impl/standing_pose.hpp>
 #include <skelgen/symmetry/joints_by_role.hpp>
-#include <skelgen/symmetry/standing_pose.hpp>
 
 namespace skelgen::symmetry {
 namespace detail {

@@ -10,9 +10,9 @@
 #include <string>
 
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/symmetry/impl/standing_pose.hpp>
 #include <skelgen/symmetry/joints_by_role.hpp>
 #include <skelgen/symmetry/sides_table.hpp>
-#include <skelgen/symmetry/standing_pose.hpp>
 
 namespace skelgen::symmetry {
 namespace detail {
