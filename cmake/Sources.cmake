@@ -120,7 +120,7 @@ set(skelgen_core_headers
     include/skelgen/curve/surgery.hpp
     include/skelgen/embedding/embed.hpp
     include/skelgen/embedding/loop_cuts.hpp
-    include/skelgen/embedding/proportions.hpp
+    include/skelgen/embedding/missing_limbs.hpp
     include/skelgen/embedding/reduced_graph.hpp
     include/skelgen/embedding/spectral_matching.hpp
     include/skelgen/extract.hpp
@@ -265,7 +265,6 @@ set(skelgen_core_definitions
     include/skelgen/embedding/impl/embed.hpp
     include/skelgen/embedding/impl/loop_cuts.hpp
     include/skelgen/embedding/impl/missing_limbs.hpp
-    include/skelgen/embedding/impl/proportions.hpp
     include/skelgen/embedding/impl/reduced_graph.hpp
     include/skelgen/embedding/impl/spectral_matching.hpp
     include/skelgen/hands/impl/digit_tubes.hpp

@@ -16,7 +16,7 @@ namespace skelgen::search {
                                   const anatomy::CompletedSkeleton<Scalar>&, const SkeletonTemplate&, Scalar);         \
     template KinematicSkeleton<Scalar> with_confidence(KinematicSkeleton<Scalar>, double, const std::vector<double>&); \
     template Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>&, const curve::CurveResult<Scalar>&,            \
-                                                    const embedding::FittingTemplate&, const ExtractOptions&);         \
+                                                    const embedding::LaidTemplate&, const ExtractOptions&);            \
     template Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>&, const curve::CurveResult<Scalar>&,            \
                                                     const SkeletonTemplate&, const ExtractOptions&);                   \
     template std::vector<MirrorPlane> mirror_planes(const Body<Scalar>&);                                              \
@@ -28,7 +28,7 @@ namespace skelgen::search {
     template Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>&, const curve::CurveResult<Scalar>&,            \
                                                     const PlacedJoints<Scalar>&);                                      \
     template PlacedJoints<Scalar> place_joints(                                                                        \
-        const Body<Scalar>&, const curve::CurveResult<Scalar>&, const embedding::FittingTemplate&,                     \
+        const Body<Scalar>&, const curve::CurveResult<Scalar>&, const embedding::LaidTemplate&,                        \
         const std::vector<refinement::EndPoint<Scalar>>&, const ExtractOptions&);                                      \
     template PlacedJoints<Scalar> place_joints(const Body<Scalar>&, const RestFit<Scalar>&, const ExtractOptions&);    \
     template PlacedJoints<Scalar> place_joints(const Body<Scalar>&, const PosedFit&, Scalar);                          \

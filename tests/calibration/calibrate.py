@@ -414,7 +414,6 @@ def ablate(meshes, witnesses, penalty):
         "envelopes": lambda row: row["hypothesis"][0] != "envelope",
         "rounded surfaces": lambda row: row["hypothesis"][0] != "rounded",
         "limbs that are lacking": lambda row: row["evidence"]["lacks_head"] + row["evidence"]["lacks_limbs"] == 0,
-        "adapted proportions": lambda row: row["evidence"]["adapted"] == 0 or row["evidence"]["fitted"] == 1,
     }
     right, false, loss = measures(meshes, penalty)
     print(f"left out: nothing: right {right}, things above .5: {false}, log loss {loss:.4f}")

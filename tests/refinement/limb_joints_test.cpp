@@ -184,46 +184,6 @@ TEST_CASE("a shoulder that would be far from its distance to the neck goes where
     CHECK((shoulder_with_neck_at(by_start + rest * apart) - by_start).norm() < 1e-12);
 }
 
-TEMPLATE_TEST_CASE("an adapted template's shoulder is on the arm's line, as far from the neck as the trunk says", "",
-                   float, double) {
-    using V = Vector3<TestType>;
-    SkeletonTemplate figure = builtin_template("human21");
-    figure.is_adapted = true;
-    const int top = joint_of(shoulder, Side::left), bend = joint_of(elbow, Side::left),
-              end = joint_of(wrist, Side::left);
-    // An arm down along -y at x = 0.1 from the neck, which is at the origin.
-    const auto limb = limb_along<TestType>({Vec3(0.1, 0.5, 0), Vec3(0.1, -1.5, 0)}, arm_joints(), {1.3, 1.0, 0.6, 0.5});
-    Placement<TestType> before(figure, TestType(1));
-    before = place_by_ratio(before, limb);
-    const double rest_trunk = rest_length(figure, joint_of(neck), 0), rest = rest_length(figure, top, joint_of(neck));
-    const double trunk = 0.8;
-    const V fork(0, static_cast<TestType>(-trunk), 0);
-    const double away = rest * trunk / rest_trunk; // of the shoulder from the neck
-    REQUIRE(away > 0.1);
-    const auto placed = place_shoulder_by_trunk(before, limb, fork);
-    const V wanted(TestType(0.1), static_cast<TestType>(-std::sqrt(away * away - 0.01)), 0);
-    CHECK((placed.at(top) - wanted).norm() < 5 * tolerance<TestType>());
-    CHECK(placed.at(end) == before.at(end));
-    const double fore = rest_length(figure, bend, end), part = fore / (rest_length(figure, top, bend) + fore);
-    const V elbow_place = before.at(bend) + static_cast<TestType>(part) * (wanted - before.at(top));
-    CHECK((placed.at(bend) - elbow_place).norm() < 5 * tolerance<TestType>());
-
-    // A line that stays farther off: at its nearest place.
-    const auto far = limb_along<TestType>({Vec3(0.9, 0.5, 0), Vec3(0.9, -1.5, 0)}, arm_joints(), {1.3, 1.0, 0.6, 0.5});
-    const auto nearest = place_shoulder_by_trunk(place_by_ratio(before, far), far, fork);
-    CHECK((nearest.at(top) - V(TestType(0.9), 0, 0)).norm() < 5 * tolerance<TestType>());
-
-    // Sections of no bone: the upper arm goes on as the forearm comes.
-    auto bare = limb;
-    bare.line.flatness.setConstant(1);
-    CHECK((place_shoulder_by_trunk(before, bare, fork).at(top) - wanted).norm() < 5 * tolerance<TestType>());
-
-    // Legs stay.
-    const auto leg = limb_along<TestType>({Vec3(0.1, 0.5, 0), Vec3(0.1, -1.5, 0)}, leg_joints(), {1.3, 1.0, 0.6, 0.5});
-    const auto leg_before = place_by_ratio(Placement<TestType>(figure, TestType(1)), leg);
-    CHECK(place_shoulder_by_trunk(leg_before, leg, fork).positions() == leg_before.positions());
-}
-
 TEMPLATE_TEST_CASE("a shoulder too far from the neck for a trunk that is longer than the limbs say comes nearer", "",
                    float, double) {
     using V = Vector3<TestType>;
@@ -296,11 +256,6 @@ TEMPLATE_TEST_CASE("shoulders come nearer to the height at which people hold the
     CHECK(height(0, 0.1, level, 1, false) == Approx(0.1).margin(1e-5));
     CHECK(height(0, usual + 0.04, level, 1, false) == Approx(usual).margin(1e-5));
 
-    SkeletonTemplate figure = human;
-    figure.is_adapted = true;
-    Placement<TestType> drawn(figure, TestType(1));
-    drawn.put(top, V(TestType(0.3), 0, 0));
-    CHECK(place_shoulder_by_height(drawn, limb).positions() == drawn.positions());
     const auto leg = limb_along<TestType>({Vec3::Zero(), Vec3::UnitX()}, leg_joints(), {0.8, 0.5, 0.2, 0.1});
     Placement<TestType> standing(human, TestType(1));
     standing.put(joint_of(hip, Side::left), V(0, TestType(-1), 0));

@@ -204,7 +204,7 @@ TEST_CASE("doubts and joints that were outside are means over the joints that ar
     CHECK(evidence[Witness::outside] == Approx(3.0 / 21));
 }
 
-TEST_CASE("what the template lacks is counted, the head apart, and adapted ones are known") {
+TEST_CASE("what the template lacks is counted, the head apart") {
     const auto lacks = [](const SkeletonTemplate& wanted) {
         KinematicSkeleton<double> skeleton = rest_pose();
         for (std::size_t j = 0; j < skeleton.joints.size(); ++j)
@@ -219,11 +219,6 @@ TEST_CASE("what the template lacks is counted, the head apart, and adapted ones 
     const SkeletonTemplate armless = without_limb(human(), find_joint(human(), JointRole::elbow, Side::left));
     CHECK(lacks(armless) == std::pair(0.0, 1.0));
     CHECK(lacks(without_limb(armless, find_joint(human(), JointRole::knee, Side::right))) == std::pair(0.0, 2.0));
-
-    SkeletonTemplate adapted = human();
-    adapted.is_adapted = true;
-    CHECK(evidence_of_skeleton(completed(rest_pose()))[Witness::adapted] == 0);
-    CHECK(evidence_of_skeleton(completed(rest_pose()), adapted)[Witness::adapted] == 1);
 }
 
 TEST_CASE("limbs whose ends the surface shows to be cut off are counted apart from those that the template lacks") {

@@ -416,8 +416,10 @@ TEST_CASE("where a body lies, and how large it is, does not change what is tried
     bool is_after_fit = false; // others agree with it, too
     for (std::size_t i = 0; i < expected.trail.size(); ++i) {
         CHECK(found.trail[i].hypothesis.effort == expected.trail[i].hypothesis.effort);
-        CHECK(found.trail[i].candidates == expected.trail[i].candidates);
         const Effort effort = expected.trail[i].hypothesis.effort; // fits are as far as they converge
+        INFO(to_string(effort));
+        const int apart = effort == Effort::posed_fit ? 2 : 0; // those that have come to lie alike count once
+        CHECK(std::abs(found.trail[i].candidates - expected.trail[i].candidates) <= apart);
         is_after_fit = is_after_fit || effort == Effort::rest_fit || effort == Effort::posed_fit;
         CHECK(found.trail[i].probability == Approx(expected.trail[i].probability).margin(is_after_fit ? 0.03 : 1e-6));
     }

@@ -142,10 +142,11 @@ TEST_CASE("a skeleton of the same body, curve and template is the same, to the l
 
 TEST_CASE("a template that was laid into the curve before gives the same skeleton") {
     const auto& [known, body, curve] = walker();
-    const auto laid = embedding::fitting_proportions(curve.curve, builtin_template("human21"));
-    REQUIRE(laid);
-    const auto from_laid = skeleton_of(body, curve, *laid);
-    const auto at_once = skeleton_of(body, curve, builtin_template("human21"));
+    const SkeletonTemplate& human = builtin_template("human21");
+    const auto embedding = embedding::embed(curve.curve, human);
+    REQUIRE(embedding);
+    const auto from_laid = skeleton_of(body, curve, embedding::LaidTemplate{human, *embedding});
+    const auto at_once = skeleton_of(body, curve, human);
     REQUIRE(from_laid);
     REQUIRE(at_once);
     for (std::size_t j = 0; j < at_once->skeleton.joints.size(); ++j)
@@ -255,17 +256,18 @@ TEST_CASE("a curve that no template can be laid into is refused for what it is")
 TEST_CASE("where both legs are one, the hips have no extent") {
     const auto& [known, body, curve] = walker();
     const SkeletonTemplate& human = builtin_template("human21");
-    auto laid = embedding::fitting_proportions(curve.curve, human);
-    REQUIRE(laid);
+    const auto embedding = embedding::embed(curve.curve, human);
+    REQUIRE(embedding);
+    embedding::LaidTemplate laid{human, *embedding};
     const auto leg_of = [&](Side side) -> embedding::Chain& {
         const int foot = find_joint(human, JointRole::foot, side);
-        return *std::find_if(laid->embedding.chains.begin(), laid->embedding.chains.end(),
+        return *std::find_if(laid.embedding.chains.begin(), laid.embedding.chains.end(),
                              [&](const embedding::Chain& chain) { return chain.joints.back() == foot; });
     };
     leg_of(Side::left).nodes = leg_of(Side::right).nodes;
-    laid->embedding.node_of_joint[static_cast<std::size_t>(find_joint(human, JointRole::foot, Side::left))] =
-        laid->embedding.node_of_joint[static_cast<std::size_t>(find_joint(human, JointRole::foot, Side::right))];
-    const auto found = skeleton_of(body, curve, *laid);
+    laid.embedding.node_of_joint[static_cast<std::size_t>(find_joint(human, JointRole::foot, Side::left))] =
+        laid.embedding.node_of_joint[static_cast<std::size_t>(find_joint(human, JointRole::foot, Side::right))];
+    const auto found = skeleton_of(body, curve, laid);
     REQUIRE_FALSE(found);
     CHECK(found.failure().reason == Refusal::flat_trunk);
 }

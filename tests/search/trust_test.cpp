@@ -168,7 +168,7 @@ TEST_CASE("the strongest doubt is the one of the witness that speaks most agains
                                                  {Witness::doubt, "unlikely lengths"},
                                                  {Witness::outside, "outside of it"},
                                                  {Witness::legs_go_on, "four legs"},
-                                                 {Witness::adapted, "no person's"}};
+                                                 {Witness::pairs_girths, "no person's"}};
     int heard = 0;
     for (const auto& [witness, clause] : clauses) {
         const auto w = static_cast<std::size_t>(witness);

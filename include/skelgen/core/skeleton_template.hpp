@@ -94,7 +94,7 @@ struct TemplateJoint {
 struct SkeletonTemplate {
     std::string name;
     std::vector<TemplateJoint> joints;
-    bool is_adapted = false; ///< head and limbs have lengths that were read off a curve, and are known as well as it is
+    bool is_adapted = false; ///< head and limbs have the lengths of a body that was laid into a surface
     BodyKind plan = BodyKind::human;
 
     [[nodiscard]] const TemplateJoint& joint(int j) const { return joints[static_cast<std::size_t>(j)]; }

@@ -37,20 +37,10 @@ template <typename Scalar>
 [[nodiscard]] Outcome<Embedding> embed(const CurveSkeleton<Scalar>& curve, const SkeletonTemplate& skeleton_template,
                                        const MatchingOptions& options = {});
 
-/// Per node of the curve, is it matched, or on a branch that ends within a limb or the trunk as these are matched: in
-/// the ball around one of their nodes? Such a branch is drawn by a bulge, as of a belly, and is no limb. O(k^2).
-template <typename Scalar>
-[[nodiscard]] std::vector<bool> matched_or_hidden(const CurveSkeleton<Scalar>& curve, const Embedding& embedding);
-
 /// How far the curve goes on beyond the chains, as a part of their total length: a person's arm is a sixth of it, and
 /// what fingers, hair and clothes add is less. O(k log k).
 template <typename Scalar>
 [[nodiscard]] Scalar unmatched_reach(const CurveSkeleton<Scalar>& curve, const Embedding& embedding);
-
-/// How long all is that the curve has beyond the chains, as a part of their total length: next to nothing on a person,
-/// up to a quarter with clothes and weapons. O(k).
-template <typename Scalar>
-[[nodiscard]] Scalar unmatched_share(const CurveSkeleton<Scalar>& curve, const Embedding& embedding);
 
 /// The longest way along the curve between two ends of the chains. O(k log k).
 template <typename Scalar>

@@ -85,17 +85,16 @@ template <typename Scalar>
 /// Shoulder: brought along the trunk nearer to the height below the neck at which people hold it, which rises with the
 /// arm (ISA44) and sinks on the side to which the head is leant; the sections of an upper arm lean towards the armpit.
 /// One that is farther from it than people's are is the end of a line that is wrong: turned to it about the elbow.
-/// Neck, head, hips, elbow and shoulder must have been placed. Other limbs, and those of an adapted template, stay, as
+/// Neck, head, hips, elbow and shoulder must have been placed. Other limbs stay, as
 /// do shoulders that would move farther than the upper arm is thick: no section leans so far.
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_shoulder_by_height(Placement<Scalar> placement, const Limb<Scalar>& limb,
                                                          const GirdleOptions& options = {});
 
-/// Shoulder of an adapted template, which tells no lengths, or one that lies far from the neck where the trunk is
-/// longer than the limbs say, as those of a body that folds up look shorter than they are: on the upper arm's line, as
-/// far from the neck, which must have been placed, as it is in the rest pose for the distance from neck to fork; where
-/// the line stays farther off, at the nearest place, unless that is far, too, and the template tells lengths. A
-/// straight arm's elbow goes with it by the forearm's part of the arm. Other limbs stay.
+/// Shoulder that lies far from the neck where the trunk is longer than the limbs say, as those of a body that folds up
+/// look shorter than they are: on the upper arm's line, as far from the neck, which must have been placed, as it is in
+/// the rest pose for the distance from neck to fork; where the line stays farther off, at the nearest place, unless
+/// that is far, too. A straight arm's elbow goes with it by the forearm's part of the arm. Other limbs stay.
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_shoulder_by_trunk(Placement<Scalar> placement, const Limb<Scalar>& limb,
                                                         const Vector3<Scalar>& fork, const BendOptions& bend = {},

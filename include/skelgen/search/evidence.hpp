@@ -21,7 +21,6 @@ enum class Witness {
     fitted,          ///< 1 where a body was laid into the surface, not a template into a curve
     posed,           ///< 1 where that may be in any pose, 0 for one at rest or none
     fit_cost,        ///< log of what the surface costs that this does not explain
-    adapted,         ///< 1 where the template's proportions had to be changed
     envelope,        ///< 1 where an envelope stands for the pieces
     lacks_head,      ///< 1 where the template lacks a head
     lacks_limbs,     ///< how many limbs it lacks

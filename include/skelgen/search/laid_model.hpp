@@ -19,7 +19,6 @@
 #include <skelgen/core/least_squares.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/core/skeleton_template.hpp>
-#include <skelgen/embedding/proportions.hpp>
 
 namespace skelgen::search::detail {
 
@@ -352,6 +351,30 @@ struct PartLengths {
     double trunk, head, arm, leg;
 };
 
+/// The template with its head from the joint on, arms below the shoulders and legs below the hips so many times as
+/// large.
+inline SkeletonTemplate with_sizes(const SkeletonTemplate& wanted, double head, double arms, double legs) {
+    SkeletonTemplate out = wanted;
+    out.is_adapted = true;
+    for (std::size_t j = 0; j < out.joints.size(); ++j) {
+        TemplateJoint& joint = out.joints[j];
+        const TemplateJoint& before = wanted.joints[j];
+        const BodyPart part = part_of(joint.role);
+        const double size = part == BodyPart::arm           ? arms
+                            : part == BodyPart::leg         ? legs
+                            : joint.role == JointRole::head ? head
+                                                            : 1;
+        const bool is_trunks =
+            joint.role == JointRole::shoulder || joint.role == JointRole::hip || joint.role == JointRole::head;
+        if (joint.parent >= 0)
+            joint.position = out.joint(joint.parent).position +
+                             (is_trunks ? 1 : size) * (before.position - wanted.joint(joint.parent).position);
+        joint.radius = size * before.radius;
+        if (before.tip) joint.tip = joint.position + size * (*before.tip - before.position);
+    }
+    return out;
+}
+
 /// The template with head, arms and legs as long beside the trunk.
 inline SkeletonTemplate with_lengths(const SkeletonTemplate& wanted, const PartLengths& lengths) {
     using enum JointRole;
@@ -370,8 +393,8 @@ inline SkeletonTemplate with_lengths(const SkeletonTemplate& wanted, const PartL
         const double rest = ((last.tip ? *last.tip : last.position) - *start).norm();
         return rest > 0 && unit > 0 ? length / (unit * rest) : 1;
     };
-    return embedding::with_proportions(wanted, {ratio(lengths.head, neck, head), ratio(lengths.arm, shoulder, hand),
-                                                ratio(lengths.leg, hip, foot), 1});
+    return with_sizes(wanted, ratio(lengths.head, neck, head), ratio(lengths.arm, shoulder, hand),
+                      ratio(lengths.leg, hip, foot));
 }
 
 /// Where a template's joint is on the model's half.

@@ -6,7 +6,7 @@
 #include <skelgen/core/outcome.hpp>
 #include <skelgen/core/stage_timings.hpp>
 #include <skelgen/curve/find_curve.hpp>
-#include <skelgen/embedding/proportions.hpp>
+#include <skelgen/embedding/missing_limbs.hpp>
 #include <skelgen/search/evidence.hpp>
 #include <skelgen/search/extract_options.hpp>
 #include <skelgen/search/posed_fit.hpp>
@@ -49,7 +49,7 @@ struct PlacedJoints {
 /// `ends`: as find_end_points() finds them for it.
 template <typename Scalar>
 [[nodiscard]] PlacedJoints<Scalar>
-place_joints(const Body<Scalar>& body, const curve::CurveResult<Scalar>& curve, const embedding::FittingTemplate& laid,
+place_joints(const Body<Scalar>& body, const curve::CurveResult<Scalar>& curve, const embedding::LaidTemplate& laid,
              const std::vector<refinement::EndPoint<Scalar>>& ends, const ExtractOptions& options = {});
 
 /// The joints of a body at rest that was laid into the surface (rest_fit.hpp): those at the ends of the limbs by
@@ -75,12 +75,12 @@ template <typename Scalar>
 /// that is a point, flat_trunk where trunk or hips have no extent.
 template <typename Scalar>
 [[nodiscard]] Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>& body, const curve::CurveResult<Scalar>& curve,
-                                                     const embedding::FittingTemplate& laid,
+                                                     const embedding::LaidTemplate& laid,
                                                      const ExtractOptions& options = {});
 
-/// The same with the template laid into the curve in the likeliest way (embedding::fitting_proportions): the paper's
-/// straight line from a body and its curve to its skeleton. \returns the failure of embed, too. \throws Error usage
-/// when an option is out of its range, bad_input when the template breaks a rule.
+/// The same with the template laid into the curve: the paper's straight line from a body and its curve to its skeleton.
+/// \returns the failure of embed, too. \throws Error usage when an option is out of its range, bad_input when the
+/// template breaks a rule.
 template <typename Scalar>
 [[nodiscard]] Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>& body, const curve::CurveResult<Scalar>& curve,
                                                      const SkeletonTemplate& skeleton_template,

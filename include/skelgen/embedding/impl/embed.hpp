@@ -136,36 +136,41 @@ Outcome<Embedding> embed(const CurveSkeleton<Scalar>& curve, const SkeletonTempl
     return out;
 }
 
+namespace detail {
+
+/// Per node of the curve, is it matched, or on a branch that ends within a limb or the trunk as these are matched: in
+/// the ball around one of their nodes? Such a branch is drawn by a bulge, as of a belly, and is no limb. O(k^2).
 template <typename Scalar>
 std::vector<bool> matched_or_hidden(const CurveSkeleton<Scalar>& curve, const Embedding& embedding) {
     const core::CurveGraph<Scalar> graph = core::curve_graph(curve);
     std::vector<bool> out(graph.neighbours.size(), false);
     for (const Chain& chain : embedding.chains)
-        for (const int node : chain.nodes) out[detail::at(node)] = true;
+        for (const int node : chain.nodes) out[at(node)] = true;
     const std::vector<bool> on_chain = out;
     const auto is_hidden = [&](int node) {
         for (int other = 0; other < graph.size(); ++other)
-            if (on_chain[detail::at(other)] &&
-                (core::point(curve.nodes, node) - core::point(curve.nodes, other)).norm() <
-                    curve.radii[detail::at(other)])
+            if (on_chain[at(other)] &&
+                (core::point(curve.nodes, node) - core::point(curve.nodes, other)).norm() < curve.radii[at(other)])
                 return true;
         return false;
     };
     for (int leaf = 0; leaf < graph.size(); ++leaf)
-        if (graph.degree(leaf) == 1 && !on_chain[detail::at(leaf)] && is_hidden(leaf))
-            for (const int node : core::branch(graph, leaf, graph.neighbours[detail::at(leaf)].front().first)) {
-                if (on_chain[detail::at(node)]) break;
-                out[detail::at(node)] = true;
+        if (graph.degree(leaf) == 1 && !on_chain[at(leaf)] && is_hidden(leaf))
+            for (const int node : core::branch(graph, leaf, graph.neighbours[at(leaf)].front().first)) {
+                if (on_chain[at(node)]) break;
+                out[at(node)] = true;
             }
     return out;
 }
+
+} // namespace detail
 
 template <typename Scalar>
 Scalar unmatched_reach(const CurveSkeleton<Scalar>& curve, const Embedding& embedding) {
     core::CurveGraph<Scalar> graph = core::curve_graph(curve);
     Scalar matched = 0;
     for (const Chain& chain : embedding.chains) matched += core::path_length(curve, chain.nodes);
-    const std::vector<bool> is_accounted = matched_or_hidden(curve, embedding);
+    const std::vector<bool> is_accounted = detail::matched_or_hidden(curve, embedding);
     std::vector<std::pair<int, Scalar>> on_chains;
     for (int node = 0; node < graph.size(); ++node)
         if (is_accounted[detail::at(node)]) on_chains.emplace_back(node, Scalar(0));
@@ -174,16 +179,6 @@ Scalar unmatched_reach(const CurveSkeleton<Scalar>& curve, const Embedding& embe
     for (const Scalar d : core::shortest_paths(graph, graph.size() - 1).distance)
         if (std::isfinite(d)) reach = std::max(reach, d);
     return matched > 0 ? reach / matched : Scalar(0);
-}
-
-template <typename Scalar>
-Scalar unmatched_share(const CurveSkeleton<Scalar>& curve, const Embedding& embedding) {
-    Scalar matched = 0, unmatched = 0;
-    for (const Chain& chain : embedding.chains) matched += core::path_length(curve, chain.nodes);
-    const std::vector<bool> is_accounted = matched_or_hidden(curve, embedding);
-    for (const auto& [a, b] : curve.edges)
-        if (!is_accounted[detail::at(a)] || !is_accounted[detail::at(b)]) unmatched += core::path_length(curve, {a, b});
-    return matched > 0 ? unmatched / matched : Scalar(0);
 }
 
 template <typename Scalar>

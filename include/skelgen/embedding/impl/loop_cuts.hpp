@@ -13,8 +13,7 @@
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/precision.hpp>
 #include <skelgen/embedding/embed.hpp>
-#include <skelgen/embedding/impl/missing_limbs.hpp>
-#include <skelgen/embedding/proportions.hpp>
+#include <skelgen/embedding/missing_limbs.hpp>
 #include <skelgen/embedding/reduced_graph.hpp>
 
 namespace skelgen::embedding {
@@ -164,15 +163,15 @@ double graded_distortion(const CurveSkeleton<Scalar>& curve, const std::set<Edge
     return std::floor(embedding->distortion / static_cast<double>(core::rounding<Scalar>()));
 }
 
-/// Whether a body cut so may yet be fitted: what the template, in proportions of whatever kind, fits badly without
-/// these edges it fits badly when the surface is cut there, too, whose curve takes its time.
+/// Whether a body cut so may yet be fitted: what the template fits badly without these edges it fits badly when the
+/// surface is cut there, too, whose curve takes its time.
 template <typename Scalar>
 bool may_fit(const CurveSkeleton<Scalar>& curve, const std::set<Edge>& removed,
              const SkeletonTemplate& skeleton_template, const MatchingOptions& options) {
     constexpr double worst = 0.012; // per pair, twice what fits well; cut bodies that were found had half of that
     const CurveSkeleton<Scalar> opened = without_lone_nodes(without_edges(curve, removed));
-    const Outcome<FittingTemplate> fitting = fitting_proportions(opened, skeleton_template, options);
-    return fitting && (fitting->is_odd || distortion_per_pair(fitting->embedding) <= worst);
+    const Outcome<Embedding> embedding = embed(opened, skeleton_template, options);
+    return embedding && distortion_per_pair(*embedding) <= worst;
 }
 
 /// Some loops opened.

@@ -148,7 +148,7 @@ Placement<Scalar> place_shoulder_by_height(Placement<Scalar> placement, const Li
     const bool is_arm = limb.joints.size() > 1 && placement.role(limb.joints[0]) == JointRole::shoulder;
     const bool has_trunk = placement.find(JointRole::neck) >= 0 && placement.find(JointRole::head) >= 0 &&
                            placement.middle(JointRole::hip).has_value();
-    if (!is_arm || !has_trunk || placement.skeleton_template().is_adapted) return placement;
+    if (!is_arm || !has_trunk) return placement;
     const Vector3<Scalar> shoulder = placement.at(limb.joints[0]), elbow = placement.at(limb.joints[1]);
     auto height = detail::shoulder_height(placement, limb);
     if (std::abs(height.missing) > static_cast<Scalar>(options.farthest_height) * height.trunk) {
@@ -188,12 +188,11 @@ Placement<Scalar> place_shoulder_by_trunk(Placement<Scalar> placement, const Lim
     const Scalar trunk = (placement.at(neck) - fork).norm() / placement.rest_distance(neck, 0);
     const Scalar breadth = trunk * placement.rest_distance(shoulder, neck);
     const auto is_far = [&](Scalar distance) { return distance > clearly * breadth; };
-    const bool has_lengths = !placement.skeleton_template().is_adapted;
-    if (has_lengths && !(trunk > 1 && is_far((placement.at(shoulder) - placement.at(neck)).norm()))) return placement;
+    if (!(trunk > 1 && is_far((placement.at(shoulder) - placement.at(neck)).norm()))) return placement;
     // An upper arm that shows too little of itself goes on as the forearm comes.
     const Vector3<Scalar> onwards = (placement.at(wrist) - placement.at(elbow)).stableNormalized();
     const Line<Scalar> line = fit_first_bone(limb, bone_line).value_or(Line<Scalar>{placement.at(elbow), onwards});
-    if (has_lengths && is_far(distance_to(line, placement.at(neck)))) return placement; // no upper arm's
+    if (is_far(distance_to(line, placement.at(neck)))) return placement; // no upper arm's
     const Vector3<Scalar> place = detail::farther_place_at(line, placement.at(neck), breadth);
     const Vector3<Scalar> moved = place - placement.at(shoulder);
     const Vector3<Scalar> upper = placement.at(elbow) - place, lower = placement.at(wrist) - placement.at(elbow);

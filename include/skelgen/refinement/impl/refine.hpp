@@ -110,14 +110,12 @@ Scalar distance_to_arms(const EndPoint<Scalar>& head, const std::vector<Limb<Sca
     return least;
 }
 
-/// The head's limb, of a head that may be larger than the template's, or wear something; an adapted template, which
-/// tells no lengths, does not show the latter.
+/// The head's limb, of a head that may be larger than the template's, or wear something.
 template <typename Scalar>
 Limb<Scalar> head_limb(const Limb<Scalar>& limb, const Slicer<Scalar>& slicer, const EndPoint<Scalar>& end,
                        Scalar lowest, const CurveSkeleton<Scalar>& curve, const embedding::Embedding& embedding,
-                       const SkeletonTemplate& skeleton_template, const RefinementOptions& options) {
+                       const RefinementOptions& options) {
     Limb<Scalar> fitting = with_fitting_head(limb, slicer, end, lowest, options);
-    if (skeleton_template.is_adapted) return fitting;
     const auto throat = find_throat_on_curve(limb.joints.back(), curve, embedding, slicer);
     if (throat && has_neck_in_head(fitting, *throat, limb.from_tip.front()))
         return without_headgear(limb, *throat, slicer, options.centreline);
@@ -223,7 +221,7 @@ ScaledLimbs<Scalar> find_limbs(const Slicer<Scalar>& slicer, const std::vector<E
         if (!is_head(limbs[i], skeleton_template)) continue;
         for (Scalar& from_tip : limbs[i].from_tip) from_tip *= ratio;
         const Scalar lowest = distance_to_arms(ends[i], limbs, slicer, skeleton_template);
-        limbs[i] = head_limb(limbs[i], slicer, ends[i], lowest, curve, embedding, skeleton_template, options);
+        limbs[i] = head_limb(limbs[i], slicer, ends[i], lowest, curve, embedding, options);
     }
     return {std::move(limbs), ratio * scale, axis};
 }
@@ -282,8 +280,6 @@ RefinedJoints<Scalar> refine(const Body<Scalar>& body, const std::vector<EndPoin
     }
     for (const Limb<Scalar>& limb : limbs)
         placement = place_girdle(std::move(placement), limb, options.girdle, options.bone_line);
-    if (axis && skeleton_template.is_adapted)
-        placement = detail::place_shoulders_by_trunk(std::move(placement), limbs, axis->fork, body, options);
     placement = place_bare_joints(std::move(placement), curve, embedding);
     placement = narrow_hips(std::move(placement), limbs);
     const auto with_pelvis =
@@ -296,7 +292,7 @@ RefinedJoints<Scalar> refine(const Body<Scalar>& body, const std::vector<EndPoin
     placement = raise_crotch(std::move(placement), limbs, body.mesh, options.crotch);
     // Where the limbs look shorter than they are, as those of a body that sits, its fork may be the seat: not so its
     // crotch.
-    if (axis && !skeleton_template.is_adapted) {
+    if (axis) {
         const Vector3<Scalar> crotch = placement.at(0); // before it is moved from: arguments are evaluated in any order
         placement = detail::place_shoulders_by_trunk(std::move(placement), limbs, crotch, body, options);
     }

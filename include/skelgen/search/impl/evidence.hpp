@@ -243,10 +243,10 @@ void add_pose(Evidence& out, const KinematicSkeleton<Scalar>& skeleton, const Sk
 
 SKELGEN_INLINE std::string_view to_string(Witness witness) {
     constexpr std::array<std::string_view, witness_count> names{
-        "unmatched_reach", "fitted",      "posed",      "fit_cost",  "adapted",    "envelope",    "lacks_head",
-        "lacks_limbs",     "cut_limbs",   "reach",      "doubt",     "outside",    "apart",       "unexplained",
-        "pairs_girths",    "arm_length",  "leg_length", "hip_width", "below_hips", "neck_height", "sides",
-        "legs_go_on",      "others_lack", "agreed",     "heard"};
+        "unmatched_reach", "fitted",       "posed",      "fit_cost",    "envelope",  "lacks_head",
+        "lacks_limbs",     "cut_limbs",    "reach",      "doubt",       "outside",   "apart",
+        "unexplained",     "pairs_girths", "arm_length", "leg_length",  "hip_width", "below_hips",
+        "neck_height",     "sides",        "legs_go_on", "others_lack", "agreed",    "heard"};
     return names[static_cast<std::size_t>(witness)];
 }
 
@@ -258,7 +258,6 @@ Evidence evidence_of(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curv
     const KinematicSkeleton<Scalar>& skeleton = completed.skeleton;
     Evidence out;
     if (embedding) out[Witness::unmatched_reach] = static_cast<double>(embedding::unmatched_reach(curve, *embedding));
-    out[Witness::adapted] = wanted.is_adapted ? 1 : 0;
     for (std::size_t j = 0; j < wanted.joints.size(); ++j) {
         const TemplateJoint& joint = wanted.joints[j];
         if (!ends_limb(joint.role) || skeleton.joints[j].is_present) continue;

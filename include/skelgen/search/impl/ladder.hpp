@@ -20,7 +20,7 @@
 #include <skelgen/core/precision.hpp>
 #include <skelgen/core/stopwatch.hpp>
 #include <skelgen/embedding/loop_cuts.hpp>
-#include <skelgen/embedding/proportions.hpp>
+#include <skelgen/embedding/missing_limbs.hpp>
 #include <skelgen/quadruped/limbs.hpp>
 #include <skelgen/quadruped/place_joints.hpp>
 #include <skelgen/search/impl/agreement.hpp>
@@ -188,17 +188,16 @@ private:
                            [](const Tried& each) { return each.hypothesis.effort == Effort::posed_fit; });
     }
 
-    /// Of the candidates that agree with the likeliest one the first that is nearly as likely and was found in a curve,
-    /// with the template's own proportions: of a person cross-sections along a curve place joints better than fits do,
-    /// on FAUST's bodies to 0.005 instead of 0.015. The likeliest itself where there is none.
+    /// Of the candidates that agree with the likeliest one the first that is nearly as likely and was found in a curve:
+    /// of a person cross-sections along a curve place joints better than fits do, on FAUST's bodies to 0.005 instead of
+    /// 0.015. The likeliest itself where there is none.
     [[nodiscard]] std::size_t best_placed() const {
         constexpr double alike = 0.6, nearly_as_likely = 2; // in log odds
         const auto log_odds = [&](std::size_t i) { return core::log_odds(out_.found[i].candidate.probability); };
         const auto best = static_cast<std::size_t>(likeliest() - out_.found.begin());
         if (out_.found[best].plan != BodyKind::human) return best;
         for (std::size_t i = 0; i < out_.found.size(); ++i)
-            if (is_in_curve(out_.found[i]) && out_.found[i].candidate.evidence[Witness::adapted] == 0 &&
-                log_odds(i) >= log_odds(best) - nearly_as_likely &&
+            if (is_in_curve(out_.found[i]) && log_odds(i) >= log_odds(best) - nearly_as_likely &&
                 agreement(places_[i], places_[best], extent_) >= alike)
                 return i;
         return best;
@@ -284,31 +283,26 @@ private:
         out_.trail.push_back(entry);
     }
 
-    /// The template in the curve, in the likeliest way and, where that is not sure, in others.
+    /// The template in the curve and, where that is not sure, in a body that lacks a limb.
     void try_templates(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
                        const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
-        constexpr std::size_t most_others = 4;
+        constexpr std::size_t most_partial = 4;
         core::Stopwatch stage;
-        auto first = embedding::fitting_proportions(curve->curve, wanted_, options_.matching);
+        if (curve->is_point) return refuse(entry, too_compact());
+        const auto whole = embedding::embed(curve->curve, wanted_, options_.matching);
         out_.timings.embed += stage.lap();
         double likeliest = 0;
-        if (first || curve->is_point)
-            likeliest = try_laid(lead, surface, curve, first ? *first : embedding::FittingTemplate{}, entry);
+        if (whole)
+            likeliest = try_laid(lead, surface, curve, {wanted_, *whole}, entry);
         else
-            refuse(entry, first.failure());
-        if (curve->is_point || (lead.what.effort == Effort::draft && first) ||
+            refuse(entry, whole.failure());
+        if ((lead.what.effort == Effort::draft && whole) ||
             (likeliest >= likely_enough && thoroughness_ == Thoroughness::until_sure))
             return;
         stage.lap();
-        std::vector<embedding::FittingTemplate> others =
-            embedding::other_fitting_templates(curve->curve, wanted_, most_others, options_.matching);
+        const auto partial = embedding::without_a_limb(curve->curve, wanted_, most_partial, options_.matching);
         out_.timings.embed += stage.lap();
-        for (const embedding::FittingTemplate& other : others) {
-            if (first && first->embedding.node_of_joint == other.embedding.node_of_joint &&
-                first->is_odd == other.is_odd)
-                continue;
-            try_laid(lead, surface, curve, other, entry);
-        }
+        for (const embedding::LaidTemplate& laid : partial) try_laid(lead, surface, curve, laid, entry);
     }
 
     void try_at_rest(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
@@ -379,12 +373,8 @@ private:
     }
 
     double try_laid(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
-                    const std::shared_ptr<const curve::CurveResult<Scalar>>& curve,
-                    const embedding::FittingTemplate& laid, Tried& entry) {
-        if (curve->is_point) {
-            refuse(entry, too_compact());
-            return 0;
-        }
+                    const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, const embedding::LaidTemplate& laid,
+                    Tried& entry) {
         const auto ends = refinement::find_end_points(*lead.body, curve->curve, laid.embedding, laid.skeleton_template);
         const auto placed = [&](const ExtractOptions& options) {
             return place_joints(*lead.body, *curve, laid, ends, options);
@@ -597,8 +587,9 @@ std::vector<std::string> warnings_of(const Found<Scalar>& found, const SkeletonT
                                                                             ? "an arm or part of it"
                                                                             : "a leg or part of it"));
     }
-    if (evidence[Witness::adapted] > 0) out.push_back("unusual proportions: it may be none of a human body");
     const bool is_fitted = evidence[Witness::fitted] > 0;
+    if (is_fitted)
+        out.push_back("its curve skeleton does not show it all: a model of a body was laid into the surface");
     const int contacts = (is_fitted ? 0 : embedding::contact_count(found.curve->curve)) + found.hypothesis.cuts;
     if (contacts > 0)
         out.push_back("the body touches itself in " + std::to_string(contacts) +

@@ -19,7 +19,7 @@ namespace skelgen::search {
 
 template <typename Scalar>
 PlacedJoints<Scalar>
-place_joints(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found, const embedding::FittingTemplate& laid,
+place_joints(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found, const embedding::LaidTemplate& laid,
              const std::vector<refinement::EndPoint<Scalar>>& ends, const ExtractOptions& options) {
     const SkeletonTemplate& wanted = laid.skeleton_template;
     return {wanted,
@@ -96,7 +96,7 @@ Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>& body, const curve::Cu
 
 template <typename Scalar>
 Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>& body, const curve::CurveResult<Scalar>& found,
-                                       const embedding::FittingTemplate& laid, const ExtractOptions& options) {
+                                       const embedding::LaidTemplate& laid, const ExtractOptions& options) {
     if (found.is_point) return too_compact();
     core::Stopwatch stage;
     const auto ends = refinement::find_end_points(body, found.curve, laid.embedding, laid.skeleton_template);
@@ -113,10 +113,11 @@ Outcome<Candidate<Scalar>> skeleton_of(const Body<Scalar>& body, const curve::Cu
     validate(options);
     validate_template(skeleton_template);
     core::Stopwatch stage;
-    const auto laid = embedding::fitting_proportions(found.curve, skeleton_template, options.matching);
-    if (!laid && !found.is_point) return laid.failure();
+    if (found.is_point) return too_compact();
+    const auto embedding = embedding::embed(found.curve, skeleton_template, options.matching);
+    if (!embedding) return embedding.failure();
     const double embedding_time = stage.lap();
-    auto out = skeleton_of(body, found, laid ? *laid : embedding::FittingTemplate{}, options);
+    auto out = skeleton_of(body, found, embedding::LaidTemplate{skeleton_template, *embedding}, options);
     if (out) out->timings.embed = embedding_time;
     return out;
 }

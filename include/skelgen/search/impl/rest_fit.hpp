@@ -15,7 +15,6 @@
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/least_squares.hpp>
-#include <skelgen/embedding/proportions.hpp>
 #include <skelgen/search/laid_model.hpp>
 
 namespace skelgen::search {
