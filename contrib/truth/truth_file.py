@@ -68,15 +68,26 @@ def largest_distance(vertices: Array, faces: npt.NDArray[np.int64]) -> float:
 
 
 def write_truth(
-    path: Path, mesh: str, scale: float, source: str, joints: dict[str, Array], markers: dict[str, Array]
+    path: Path,
+    mesh: str,
+    scale: float,
+    source: str,
+    joints: dict[str, Array],
+    markers: dict[str, Array],
+    digits: dict[str, dict[str, Array]] | None = None,
+    fused: dict[str, list[str]] | None = None,
 ) -> None:
     """A truth file, after what `skelgen evaluate` reads."""
-    document = {
+    document: dict[str, object] = {
         "mesh": mesh,
         "scale": scale,
         "source": source,
         "joints": {name: place.tolist() for name, place in joints.items()},
         "markers": {name: place.tolist() for name, place in markers.items()},
     }
+    for kind, of_kind in (digits or {}).items():  # fingers, toes
+        document[kind] = {name: place.tolist() for name, place in of_kind.items()}
+    if fused:
+        document["fused"] = fused
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
