@@ -140,8 +140,10 @@ private:
             const double slope = k < 3 * posed_nodes ? prior_weight / near_start : prior_weight;
             out.add(slope * (x[k] - start[k]), k, slope);
         }
-        for (const auto& [part, place] : known_) {
-            const auto off = [&](const PosedNumbers& at) -> Vec3d { return (place_of(at, part) - place) / at_known; };
+        for (const auto& known : known_) {
+            const auto off = [&](const PosedNumbers& at) -> Vec3d {
+                return (place_of(at, known.first) - known.second) / at_known;
+            };
             out.add(off(x), core::derivatives_of(off, x));
         }
         return out;
