@@ -156,7 +156,7 @@ def palm_axes(places: dict[str, Array], side: str) -> tuple[Array, Array]:
 
 
 def bend_fingers(pose: Pose, side: str) -> None:
-    """A fist: fingers curled into the palm, the thumb laid before them."""
+    """A fist: fingers curled into the palm, the thumb beside them."""
     across, out_of_palm = palm_axes(pose.places, side)
     for digit in ("index", "middle", "ring", "little"):
         bones = digit_bones(side, digit)

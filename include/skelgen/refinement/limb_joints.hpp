@@ -85,8 +85,8 @@ template <typename Scalar>
 /// Shoulder: brought along the trunk nearer to the height below the neck at which people hold it, which rises with the
 /// arm (ISA44) and sinks on the side to which the head is leant; the sections of an upper arm lean towards the armpit.
 /// One that is farther from it than people's are is the end of a line that is wrong: turned to it about the elbow.
-/// Neck, head, hips, elbow and shoulder must have been placed. Other limbs stay, as
-/// do shoulders that would move farther than the upper arm is thick: no section leans so far.
+/// Neck, head, hips, elbow and shoulder must have been placed. Other limbs stay, as do shoulders that would move
+/// farther than the upper arm is thick: no section leans so far.
 template <typename Scalar>
 [[nodiscard]] Placement<Scalar> place_shoulder_by_height(Placement<Scalar> placement, const Limb<Scalar>& limb,
                                                          const GirdleOptions& options = {});

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <skelgen/core/error.hpp>
-#include <skelgen/core/header_only.hpp>
 #include <skelgen/core/kinematic_skeleton.hpp>
 #include <skelgen/core/skeleton_template.hpp>
 

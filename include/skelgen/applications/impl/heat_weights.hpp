@@ -17,7 +17,6 @@
 #include <skelgen/applications/surface_laplacian.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/core/header_only.hpp>
 #include <skelgen/core/outcome.hpp>
 #include <skelgen/core/precision.hpp>
 #include <skelgen/core/skeleton_template.hpp>

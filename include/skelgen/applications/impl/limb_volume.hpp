@@ -12,7 +12,6 @@
 
 #include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/core/header_only.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/core/precision.hpp>
 

@@ -7,7 +7,6 @@
 
 #include <skelgen/applications/impl/part_shares.hpp>
 #include <skelgen/applications/impl/short_borders.hpp>
-#include <skelgen/core/header_only.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/core/precision.hpp>
 #include <skelgen/surface/body.hpp>

@@ -9,7 +9,6 @@
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/core/header_only.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/core/precision.hpp>
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <skelgen/core/header_only.hpp>
 #include <skelgen/core/mesh.hpp>
 #include <skelgen/surface/body.hpp>
 
