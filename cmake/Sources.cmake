@@ -156,6 +156,7 @@ set(skelgen_core_headers
     include/skelgen/search/laid_model.hpp
     include/skelgen/search/line.hpp
     include/skelgen/search/posed_fit.hpp
+    include/skelgen/search/proportions_table.hpp
     include/skelgen/search/rest_fit.hpp
     include/skelgen/search/trail.hpp
     include/skelgen/search/trust.hpp
@@ -308,6 +309,7 @@ set(skelgen_core_definitions
     include/skelgen/search/impl/ladder.hpp
     include/skelgen/search/impl/line.hpp
     include/skelgen/search/impl/posed_fit.hpp
+    include/skelgen/search/impl/proportions.hpp
     include/skelgen/search/impl/rest_fit.hpp
     include/skelgen/search/impl/trust.hpp
     include/skelgen/surface/impl/body.hpp

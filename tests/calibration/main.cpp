@@ -1,8 +1,10 @@
 // Writes what the search finds in a mesh, all of it: of each candidate the evidence, the probability and the joints, as
-// one line of JSON. `./dev calibrate` judges them by the true joints and fits the trust table.
+// one line of JSON. `./dev calibrate` judges them by the true joints and fits the trust table. With `known` instead:
+// the proportions of a body in any pose, laid into the mesh with its joints where they are known to be.
 
 #include <array>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -16,7 +18,9 @@
 #include <skelgen/quadruped/limbs.hpp>
 #include <skelgen/search/impl/agreement.hpp>
 #include <skelgen/search/ladder.hpp>
+#include <skelgen/search/posed_fit.hpp>
 #include <skelgen/surface/body.hpp>
+#include <skelgen/surface/prepare.hpp>
 
 using namespace skelgen;
 using Json = nlohmann::ordered_json;
@@ -95,20 +99,48 @@ void describe_animals(const search::Found<double>& found, const SkeletonTemplate
     }
 }
 
+/// `places`: of all joints of human21 where a fit starts from, and `known` of those that are certain, in the mesh's
+/// coordinates.
+void describe_proportions(const TriangleMesh<double>& mesh, const Json& places) {
+    const SkeletonTemplate& wanted = builtin_template("human21");
+    surface::BodyMaterial<double> material = surface::gather(mesh);
+    const surface::Remedy remedy = material.remedies.front();
+    const Outcome<Body<double>> body = surface::make_body_by(remedy, std::move(material));
+    if (!body) return;
+    const auto place = [&](const Json& of) {
+        return body->similarity.to_canonical(Vector3<double>(of.at(0), of.at(1), of.at(2)));
+    };
+    Points<double> start(static_cast<Eigen::Index>(wanted.joints.size()), 3);
+    std::vector<search::KnownPlace> known;
+    for (int j = 0; j < static_cast<int>(wanted.joints.size()); ++j) {
+        const std::string& name = wanted.joint(j).name;
+        start.row(j) = place(places.at("start").at(name)).transpose();
+        if (places.at("known").contains(name)) known.push_back({j, place(places.at("known").at(name))});
+    }
+    const auto fits = search::fit_posed(*body, wanted, {start}, known);
+    if (!fits.empty()) std::cout << Json(fits.front().proportions).dump() << '\n';
+}
+
 } // namespace
 
 int main(int argc, char** argv) try {
     if (argc < 2 || argc > 6) {
-        std::cerr << "usage: skelgen-candidates MESH [until_sure|exhaustive [TEMPLATE [ANIMATION TIME]]]\n";
+        std::cerr << "usage: skelgen-candidates MESH [until_sure|exhaustive [TEMPLATE [ANIMATION TIME]]]\n"
+                     "       skelgen-candidates MESH known PLACES.json [ANIMATION TIME]\n";
         return 2;
     }
-    const bool is_exhaustive = argc > 2 && std::string(argv[2]) == "exhaustive";
+    const std::string what = argc > 2 ? argv[2] : "";
+    const bool is_exhaustive = what == "exhaustive";
     io::ReadMeshOptions options;
     if (argc == 6) {
         options.animation = argv[4];
         options.time = std::strtod(argv[5], nullptr);
     }
     const TriangleMesh<double> mesh = io::read_mesh<double>(argv[1], options);
+    if (what == "known") {
+        describe_proportions(mesh, Json::parse(std::ifstream(argc > 3 ? argv[3] : "")));
+        return 0;
+    }
     const SkeletonTemplate& wanted = builtin_template(argc > 3 ? argv[3] : "human21");
     const search::Climb<double> climb = search::climb(
         mesh, wanted, {}, is_exhaustive ? search::Thoroughness::exhaustive : search::Thoroughness::until_sure);

@@ -1,12 +1,16 @@
 // Bodies in any pose, laid into their surface.
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
 
+#include <Eigen/Eigenvalues>
+
 #include <skelgen/core/builtin_templates.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/search/impl/proportions.hpp>
 #include <skelgen/search/posed_fit.hpp>
 #include <skelgen/surface/body.hpp>
 
@@ -130,4 +134,41 @@ TEST_CASE("fit_posed: what is known is met, the cheapest of several starts comes
     CHECK(mean_error(fits.front().joints, truth) < 0.03 * size);
     CHECK(fit_posed(body, person(), {}).empty());
     CHECK(fit_posed(body, builtin_template("quadruped"), {truth}).empty());
+}
+
+TEST_CASE("proportions: a body's own are its lengths and radii, whatever its size; radii follow from lengths") {
+    const FixtureBody known = load_fixture_body("standing-man");
+    const Body<double> body = prepare(known.mesh);
+    const PosedFit fit = fit_posed(body, person(), {true_joints(known, body)}).front();
+    REQUIRE(fit.proportions.size() == search::detail::proportion_count);
+    double sum = 0;
+    for (int i = 0; i < search::detail::lengths; ++i) sum += fit.proportions[static_cast<std::size_t>(i)];
+    CHECK(sum == Approx(0).margin(1e-9));
+    for (const double proportion : fit.proportions) CHECK(std::abs(proportion) < 4);
+
+    const auto& prior = search::detail::ProportionsPrior::get();
+    const search::detail::Lengths mean =
+        Eigen::Map<const search::detail::Lengths>(search::detail::proportion_means.data());
+    for (int i = search::detail::lengths; i < search::detail::proportion_count; ++i)
+        CHECK(prior.radii_with(mean)[i - search::detail::lengths] ==
+              Approx(search::detail::proportion_means[static_cast<std::size_t>(i)]).margin(1e-12));
+}
+
+TEST_CASE("proportions: deviations are of unit variance, so that the mean of their squares over the table's is one") {
+    const auto& prior = search::detail::ProportionsPrior::get();
+    search::detail::Proportions mean;
+    for (int i = 0; i < search::detail::proportion_count; ++i)
+        mean[i] = search::detail::proportion_means[static_cast<std::size_t>(i)];
+    CHECK(prior.deviations(mean).norm() == Approx(0).margin(1e-12));
+    // One row of the covariance's root added to the mean is one deviation off.
+    Eigen::Matrix<double, search::detail::proportion_count, search::detail::proportion_count> covariance;
+    std::size_t next = 0;
+    for (int i = 0; i < search::detail::proportion_count; ++i)
+        for (int j = 0; j <= i; ++j)
+            covariance(i, j) = covariance(j, i) = search::detail::proportion_covariance[next++];
+    const Eigen::SelfAdjointEigenSolver<decltype(covariance)> axes(covariance);
+    CHECK(axes.eigenvalues().minCoeff() > 0);
+    for (int k = 0; k < search::detail::proportion_count; ++k)
+        CHECK(prior.deviations(mean + std::sqrt(axes.eigenvalues()[k]) * axes.eigenvectors().col(k)).norm() ==
+              Approx(1).epsilon(1e-6));
 }

@@ -26,9 +26,6 @@ inline constexpr double least_probability = 0.1;
 /// Where one way to lay the template into a curve is likelier, no other one is tried.
 inline constexpr double likely_enough = 0.5;
 
-/// Where no skeleton is likelier, no body in any pose is laid in.
-inline constexpr double hopeless = 0.01;
-
 /// So many that disagree with it are thought beside all candidates: that one other agrees says little by itself.
 inline constexpr double dissenters = 3;
 

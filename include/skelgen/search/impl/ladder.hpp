@@ -179,9 +179,6 @@ private:
         return std::any_of(out_.found.begin(), out_.found.end(), is_in_curve);
     }
 
-    /// Whether a curve shows a person at all, and anything is likely: a body in any pose can be laid into a torus, too.
-    [[nodiscard]] bool may_be_person() const { return likeliest_yet() >= hopeless && is_any_in_curve(); }
-
     /// Bodies in any pose that are laid into a second surface have shown nothing more.
     [[nodiscard]] bool is_posed_fit_tried() const {
         return std::any_of(out_.trail.begin(), out_.trail.end(),
@@ -237,7 +234,7 @@ private:
     }
 
     void try_lead(Lead<Scalar> lead) {
-        if (lead.what.effort == Effort::posed_fit && (is_posed_fit_tried() || !may_be_person())) return;
+        if (lead.what.effort == Effort::posed_fit && is_posed_fit_tried()) return;
         core::Stopwatch whole, stage;
         Tried entry{lead.what};
         const Outcome<PreparedSurface<Scalar>>& surface = surface_by(lead.what.surface);

@@ -13,6 +13,7 @@
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/least_squares.hpp>
+#include <skelgen/search/impl/proportions.hpp>
 #include <skelgen/search/laid_model.hpp>
 
 namespace skelgen::search {
@@ -30,12 +31,6 @@ using PosedNumbers = Eigen::Matrix<double, posed_numbers, 1>;
 inline constexpr int node_of(Node node, int side) { return node < at_shoulder ? node : node + side * limb_nodes; }
 inline Vec3d place_at(const PosedNumbers& x, Node node, int side = 0) { return x.segment<3>(3 * node_of(node, side)); }
 
-/// Radii that a fit starts from: an adult's, a figure's of four heads, one's of two, as rest_starts has them.
-inline constexpr std::array<std::array<double, posed_radii>, 3> posed_starts{
-    {{.08, .07, .07, .03, .025, .05, .035, .03},
-     {.14, .09, .09, .035, .03, .055, .045, .04},
-     {.24, .11, .11, .04, .035, .06, .05, .045}}};
-
 /// Where a template's joint is: so much of the way from one node to another, as place_of() has it of bodies at rest.
 struct NodePart {
     Node from, to;
@@ -45,8 +40,7 @@ struct NodePart {
 
 inline NodePart node_part_of(const TemplateJoint& joint) {
     using enum JointRole;
-    constexpr double hand_of_forearm = 0.79, shoulder_of_upper_arm = 0.08, hip_of_thigh = 0.07;
-    constexpr double wrist_of_forearm = (wrist_at - elbow_at) / (1 - elbow_at);
+    constexpr double hand_of_forearm = 0.79;
     const int side = joint.side == Side::right ? 1 : 0;
     switch (joint.role) {
     case waist:
@@ -83,6 +77,30 @@ inline Vec3d place_of(const PosedNumbers& x, const NodePart& part) {
     return from + part.part * (place_at(x, part.to, part.side) - from);
 }
 
+static_assert(lengths + posed_radii == proportion_count);
+
+inline double log_length(const Vec3d& way) {
+    constexpr double least = 0.01; // of the height: a bone may have no length at all
+    return std::log(way.norm() + least);
+}
+
+/// The model's proportions, lengths as the mean of both sides. `mean_length`: gets the logarithm of their geometric
+/// mean.
+inline Proportions proportions_of(const PosedNumbers& x, double* mean_length = nullptr) {
+    const auto length = [&](Node from, int side_from, Node to, int side_to) {
+        return log_length(place_at(x, to, side_to) - place_at(x, from, side_from));
+    };
+    const auto both = [&](Node from, Node to) { return (length(from, 0, to, 0) + length(from, 1, to, 1)) / 2; };
+    Proportions out;
+    out << length(at_neck, 0, at_top, 0), both(at_shoulder, at_elbow), both(at_elbow, at_fingertip),
+        length(at_pelvis, 0, at_neck, 0), both(at_hip, at_knee), both(at_knee, at_ankle), both(at_ankle, at_toe),
+        length(at_shoulder, 0, at_shoulder, 1), length(at_hip, 0, at_hip, 1), x.tail<posed_radii>();
+    const double mean = out.head<lengths>().mean();
+    if (mean_length) *mean_length = mean;
+    out.array() -= mean;
+    return out;
+}
+
 /// A body in some pose and what it is measured by, in units of its height.
 class PosedSolver {
 public:
@@ -99,7 +117,7 @@ public:
 
 private:
     static constexpr std::size_t bones = 12;
-    static constexpr int prior_count = 36;
+    static constexpr int prior_count = 24 + proportion_count;
 
     static std::array<ModelBone, bones> model_of(const PosedNumbers& x) {
         const auto radius = [&](PosedRadius which) { return std::exp(x[3 * posed_nodes + which]); };
@@ -156,11 +174,9 @@ private:
         Eigen::Matrix<double, prior_count, 1> out;
         Eigen::Index count = 0;
         const auto add = [&](double off, double deviation) { out[count++] = prior_weight * off / deviation; };
-        const auto log_length = [](const Vec3d& way) { return std::log(way.norm() + 1e-6); };
         const auto length = [&](Node from, Node to, int side) {
             return log_length(place_at(x, to, side) - place_at(x, from, side));
         };
-        const auto both = [&](Node from, Node to) { return (length(from, to, 0) + length(from, to, 1)) / 2; };
         const Vec3d pelvis = place_at(x, at_pelvis), neck = place_at(x, at_neck);
         const Vec3d trunk = neck - pelvis, up = trunk.normalized(), head = place_at(x, at_top) - neck;
         const Vec3d shoulders = place_at(x, at_shoulder, 0) - place_at(x, at_shoulder, 1);
@@ -184,24 +200,9 @@ private:
         add(to_shoulders.dot(up) + .03, .03);
         add(1 - shoulders.normalized().dot(hips.normalized()), .2);
         add(1 - head.normalized().dot(up), .5);
-        // Proportions: within limbs, and of head, arms, trunk, legs, shoulders and hips whatever the height.
-        const double forearm = std::log(elbow_at / (1 - elbow_at)), calf = std::log(.52 / .48);
-        for (int side = 0; side < 2; ++side) {
-            add(length(at_shoulder, at_elbow, side) - length(at_elbow, at_fingertip, side) - forearm, .12);
-            add(length(at_hip, at_knee, side) - length(at_knee, at_ankle, side) - calf, .12);
-            add(length(at_ankle, at_toe, side) - std::log(.1), .5);
-        }
-        const std::array<double, 6> proportions{
-            log_length(head) - std::log(.17),
-            (both(at_shoulder, at_elbow) + both(at_elbow, at_fingertip)) / 2 - std::log(.21),
-            log_length(trunk) - std::log(.36),
-            (both(at_hip, at_knee) + both(at_knee, at_ankle)) / 2 - std::log(.225),
-            log_length(shoulders) - std::log(.2),
-            log_length(hips) - std::log(.11)};
-        constexpr std::array<double, 6> deviations{.5, .3, .3, .3, .4, .5};
-        double mean = 0;
-        for (const double one : proportions) mean += one / 6;
-        for (std::size_t i = 0; i < proportions.size(); ++i) add(proportions[i] - mean, deviations[i]);
+        constexpr double far_off = 2; // deviations, beyond which these count less: there are figures of all kinds
+        for (const double off : ProportionsPrior::get().deviations(proportions_of(x)))
+            add(far_off * robust(off / far_off).first, 1);
         // Knees bend forward, elbows backward, and toes point ahead.
         const Vec3d ahead = (shoulders.normalized() + hips.normalized()).normalized().cross(up);
         const auto off_line = [](const Vec3d& place, const Vec3d& from, const Vec3d& to) -> Vec3d {
@@ -270,6 +271,8 @@ inline PosedFit posed_fit_of(const PosedNumbers& x, double height, const Skeleto
         return sum / 2;
     };
     PosedFit out;
+    const Proportions proportions = proportions_of(x);
+    out.proportions.assign(proportions.begin(), proportions.end());
     out.joints.resize(static_cast<Eigen::Index>(wanted.joints.size()), 3);
     for (int j = 0; j < static_cast<int>(wanted.joints.size()); ++j) {
         const TemplateJoint& joint = wanted.joint(j);
@@ -285,14 +288,11 @@ inline PosedFit posed_fit_of(const PosedNumbers& x, double height, const Skeleto
     return out;
 }
 
-/// The nodes with the radii that a fit starts from: those of the figure whose head is as large, beside its height.
+/// The nodes with the likeliest radii for their lengths, which a fit starts from.
 inline PosedNumbers with_radii(PosedNumbers nodes) {
-    const double head = (place_at(nodes, at_top) - place_at(nodes, at_neck)).norm() / height_of(nodes);
-    std::size_t nearest = 0;
-    for (std::size_t k = 1; k < rest_starts.size(); ++k)
-        if (std::abs(1 - rest_starts[k].neck - head) < std::abs(1 - rest_starts[nearest].neck - head)) nearest = k;
-    for (int r = 0; r < posed_radii; ++r)
-        nodes[3 * posed_nodes + r] = std::log(posed_starts[nearest][static_cast<std::size_t>(r)]);
+    double mean = 0;
+    const Proportions proportions = proportions_of(nodes, &mean);
+    nodes.tail<posed_radii>() = ProportionsPrior::get().radii_with(proportions.head<lengths>()).array() + mean;
     return nodes;
 }
 
