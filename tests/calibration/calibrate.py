@@ -17,8 +17,8 @@ The sides are fitted first, on candidates whose limbs are right, as they are or 
 sides are right are linear in what tells left from right, each bounded. The trust is then fitted with the sides that the other folds decide.
 
 What is printed is of folds: fitted without the makers that it is then judged on; how often the likeliest candidate is right,
-and how often those of each tenth of probability are. --ablate leaves out each kind of hypothesis and each witness in turn,
-and prints what that changes, by folds. Needs python3-numpy.
+and how often those of each tenth of probability are. Of each way to find candidates: how often these are right, and how far off.
+--ablate leaves out each kind of hypothesis and each witness in turn, and prints what that changes, by folds. Needs python3-numpy.
 """
 import argparse
 import copy
@@ -37,6 +37,7 @@ OF_A_MAKER = 3  # how often a mesh of a named maker counts: such meshes are the 
 ENDS = ["left_hand", "right_hand", "left_foot", "right_foot", "head"]
 JOINTS = 21  # of human21
 LIMBS_ARE_RIGHT = 0.08  # median error of joints, of the scale, below which a candidate tells what witnesses of the sides are worth
+FARTHEST_OFF = 0.15  # of the scale: a joint that is farther off counts no more
 BOUND = 3  # root mean squares of a witness of the sides that count at most
 PAIRS = ["hand", "foot", "elbow", "knee", "shoulder"]
 
@@ -293,6 +294,24 @@ def by_folds(meshes, penalty):
     return chosen
 
 
+def report_kinds(meshes):
+    """Prints, per way to find candidates, on how many bodies one of its is right, and its likeliest and its cheapest one, and how far
+    off these are: the joints' mean error, each at most FARTHEST_OFF of the scale. A body that it finds none of counts as that."""
+    bodies = [m for m in meshes if m.is_body and "joints" in m.truth]
+    off = lambda m, i: float(np.mean(np.minimum(list(m.errors[i].values()) or [FARTHEST_OFF], FARTHEST_OFF)))
+    for kind in sorted({row["hypothesis"][3] for m in bodies for row in m.rows}):
+        found = [(m, which) for m in bodies if (which := [i for i, row in enumerate(m.rows) if row["hypothesis"][3] == kind])]
+        means = lambda offs: f"off {(sum(offs) + FARTHEST_OFF * (len(bodies) - len(found))) / len(bodies):.4f}"
+        text = f"some right {sum(m.right[which].any() for m, which in found)}, the best {means([min(off(m, i) for i in which) for m, which in found])}"
+        picked = {"likeliest": lambda m, i: -m.rows[i]["probability"], "cheapest": lambda m, i: m.rows[i]["evidence"]["fit_cost"]}
+        for name, value in picked.items():
+            if name == "cheapest" and not all(m.rows[i]["evidence"]["fitted"] for m, which in found for i in which):
+                continue  # a template in a curve has no cost
+            chosen = [(m, min(which, key=lambda i: value(m, i))) for m, which in found]
+            text += f"; {name} right {sum(m.right[i] for m, i in chosen)}, {means([off(m, i) for m, i in chosen])}"
+        print(f"  {kind}: on {len(found)} of {len(bodies)} bodies, {text}")
+
+
 def log_odds(p):
     p = np.clip(p, 1e-6, 1 - 1e-6)
     return np.log(p / (1 - p))
@@ -437,6 +456,7 @@ def main():
     sides, side_names, told = fit_sides_by_folds(meshes)
     chosen = by_folds(meshes, a.penalty)
     report(meshes, chosen)
+    report_kinds(meshes)
     joint = fit_joints(meshes, chosen)
     table = fit(meshes, a.penalty)
     spread = np.std(np.concatenate([m.evidence for m in meshes if len(m.rows)]), axis=0)

@@ -142,15 +142,15 @@ TEST_CASE("proportions: a body's own are its lengths and radii, whatever its siz
     const PosedFit fit = fit_posed(body, person(), {true_joints(known, body)}).front();
     REQUIRE(fit.proportions.size() == search::detail::proportion_count);
     double sum = 0;
-    for (int i = 0; i < search::detail::lengths; ++i) sum += fit.proportions[static_cast<std::size_t>(i)];
+    for (int i = 0; i < search::detail::length_count; ++i) sum += fit.proportions[static_cast<std::size_t>(i)];
     CHECK(sum == Approx(0).margin(1e-9));
     for (const double proportion : fit.proportions) CHECK(std::abs(proportion) < 4);
 
     const auto& prior = search::detail::ProportionsPrior::get();
     const search::detail::Lengths mean =
         Eigen::Map<const search::detail::Lengths>(search::detail::proportion_means.data());
-    for (int i = search::detail::lengths; i < search::detail::proportion_count; ++i)
-        CHECK(prior.radii_with(mean)[i - search::detail::lengths] ==
+    for (int i = search::detail::length_count; i < search::detail::proportion_count; ++i)
+        CHECK(prior.radii_with(mean)[i - search::detail::length_count] ==
               Approx(search::detail::proportion_means[static_cast<std::size_t>(i)]).margin(1e-12));
 }
 

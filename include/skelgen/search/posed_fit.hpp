@@ -31,10 +31,9 @@ template <typename Scalar>
 /// them and their axes in its middle, both robust against what the body wears and holds. Broad priors hold both sides
 /// alike, lengths and radii as people and figures have them, knees and elbows bent as they can be. `starts`: places of
 /// the template's joints in the body's coordinates, each with the likeliest radii for its lengths. `known`: joints'
-/// places there. All starts are fitted by few places, the cheapest of those that
-/// differ by more. \returns the cheapest fits that differ, at most twelve, the cheapest first; none where `wanted` is
-/// no person's template with all limbs, or the surface encloses nothing. O(n log n) for the surface, and a millisecond
-/// for each start.
+/// places there. All starts are fitted by few places, the cheapest of those that differ by more. \returns the cheapest
+/// fits that differ, at most twelve, the cheapest first; none where `wanted` is no person's template with all limbs, or
+/// the surface encloses nothing. O(n log n) for the surface, and a millisecond for each start.
 template <typename Scalar>
 [[nodiscard]] std::vector<PosedFit> fit_posed(const Body<Scalar>& body, const SkeletonTemplate& wanted,
                                               const std::vector<Points<double>>& starts,

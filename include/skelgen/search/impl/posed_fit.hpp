@@ -40,7 +40,8 @@ struct NodePart {
 
 inline NodePart node_part_of(const TemplateJoint& joint) {
     using enum JointRole;
-    constexpr double hand_of_forearm = 0.79;
+    constexpr double shoulder_of_upper_arm = 0.08, hip_of_thigh = 0.07, hand_of_forearm = 0.79;
+    constexpr double wrist_of_forearm = (wrist_at - elbow_at) / (1 - elbow_at);
     const int side = joint.side == Side::right ? 1 : 0;
     switch (joint.role) {
     case waist:
@@ -77,7 +78,7 @@ inline Vec3d place_of(const PosedNumbers& x, const NodePart& part) {
     return from + part.part * (place_at(x, part.to, part.side) - from);
 }
 
-static_assert(lengths + posed_radii == proportion_count);
+static_assert(length_count + posed_radii == proportion_count);
 
 inline double log_length(const Vec3d& way) {
     constexpr double least = 0.01; // of the height: a bone may have no length at all
@@ -95,7 +96,7 @@ inline Proportions proportions_of(const PosedNumbers& x, double* mean_length = n
     out << length(at_neck, 0, at_top, 0), both(at_shoulder, at_elbow), both(at_elbow, at_fingertip),
         length(at_pelvis, 0, at_neck, 0), both(at_hip, at_knee), both(at_knee, at_ankle), both(at_ankle, at_toe),
         length(at_shoulder, 0, at_shoulder, 1), length(at_hip, 0, at_hip, 1), x.tail<posed_radii>();
-    const double mean = out.head<lengths>().mean();
+    const double mean = out.head<length_count>().mean();
     if (mean_length) *mean_length = mean;
     out.array() -= mean;
     return out;
@@ -292,7 +293,7 @@ inline PosedFit posed_fit_of(const PosedNumbers& x, double height, const Skeleto
 inline PosedNumbers with_radii(PosedNumbers nodes) {
     double mean = 0;
     const Proportions proportions = proportions_of(nodes, &mean);
-    nodes.tail<posed_radii>() = ProportionsPrior::get().radii_with(proportions.head<lengths>()).array() + mean;
+    nodes.tail<posed_radii>() = ProportionsPrior::get().radii_with(proportions.head<length_count>()).array() + mean;
     return nodes;
 }
 

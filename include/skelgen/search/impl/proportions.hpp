@@ -5,21 +5,17 @@
 #include <cstddef>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Core>
 
-#include <skelgen/search/laid_model.hpp>
 #include <skelgen/search/proportions_table.hpp>
 
 namespace skelgen::search::detail {
 
 /// The logarithms of nine lengths and of the radii, in the order of proportions_table.hpp, beside the mean of the
 /// lengths, so that they say nothing of size.
-inline constexpr int lengths = 9;
+inline constexpr int length_count = 9;
 using Proportions = Eigen::Matrix<double, proportion_count, 1>;
-using Lengths = Eigen::Matrix<double, lengths, 1>;
-
-/// Where joints are on the way from the end of a limb's bone to the next.
-inline constexpr double shoulder_of_upper_arm = 0.08, hip_of_thigh = 0.07;
-inline constexpr double wrist_of_forearm = (wrist_at - elbow_at) / (1 - elbow_at);
+using Lengths = Eigen::Matrix<double, length_count, 1>;
 
 /// A normal distribution, fitted to people and figures.
 class ProportionsPrior {
@@ -33,8 +29,8 @@ public:
     [[nodiscard]] Proportions deviations(const Proportions& of) const { return factor_.matrixL().solve(of - mean_); }
 
     /// The likeliest radii with these lengths.
-    [[nodiscard]] Eigen::Matrix<double, proportion_count - lengths, 1> radii_with(const Lengths& of) const {
-        return mean_.tail<proportion_count - lengths>() + radii_by_lengths_ * (of - mean_.head<lengths>());
+    [[nodiscard]] Eigen::Matrix<double, proportion_count - length_count, 1> radii_with(const Lengths& of) const {
+        return mean_.tail<proportion_count - length_count>() + radii_by_lengths_ * (of - mean_.head<length_count>());
     }
 
 private:
@@ -46,14 +42,16 @@ private:
             for (int j = 0; j <= i; ++j) covariance(i, j) = covariance(j, i) = proportion_covariance[next++];
         }
         factor_.compute(covariance);
-        const Eigen::Matrix<double, lengths, lengths> of_lengths = covariance.topLeftCorner<lengths, lengths>();
-        radii_by_lengths_ =
-            of_lengths.llt().solve(covariance.topRightCorner<lengths, proportion_count - lengths>()).transpose();
+        const Eigen::Matrix<double, length_count, length_count> of_lengths =
+            covariance.topLeftCorner<length_count, length_count>();
+        radii_by_lengths_ = of_lengths.llt()
+                                .solve(covariance.topRightCorner<length_count, proportion_count - length_count>())
+                                .transpose();
     }
 
     Proportions mean_;
     Eigen::LLT<Eigen::Matrix<double, proportion_count, proportion_count>> factor_;
-    Eigen::Matrix<double, proportion_count - lengths, lengths> radii_by_lengths_;
+    Eigen::Matrix<double, proportion_count - length_count, length_count> radii_by_lengths_;
 };
 
 } // namespace skelgen::search::detail
