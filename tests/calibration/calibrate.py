@@ -17,8 +17,9 @@ The sides are fitted first, on candidates whose limbs are right, as they are or 
 sides are right are linear in what tells left from right, each bounded. The trust is then fitted with the sides that the other folds decide.
 
 What is printed is of folds: fitted without the makers that it is then judged on; how often the likeliest candidate is right,
-and how often those of each tenth of probability are. Of each way to find candidates: how often these are right, and how far off.
---ablate leaves out each kind of hypothesis and each witness in turn, and prints what that changes, by folds. Needs python3-numpy.
+and how often those of each tenth of probability are. Of each way to find candidates: how often these are right, and how far off, not by
+folds: the likeliest are so by the table that was compiled in. --ablate leaves out each kind of hypothesis and each
+witness in turn, and prints what that changes, by folds. Needs python3-numpy.
 """
 import argparse
 import copy
