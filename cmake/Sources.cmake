@@ -302,6 +302,7 @@ set(skelgen_core_definitions
     include/skelgen/refinement/impl/trunk_axis.hpp
     include/skelgen/refinement/impl/trunk_joints.hpp
     include/skelgen/search/impl/agreement.hpp
+    include/skelgen/search/impl/consensus.hpp
     include/skelgen/search/impl/contacts.hpp
     include/skelgen/search/impl/evidence.hpp
     include/skelgen/search/impl/extract_options.hpp

@@ -9,7 +9,10 @@ namespace skelgen::anatomy {
     template std::vector<double> joint_doubts(const KinematicSkeleton<Scalar>&, const SkeletonTemplate&,               \
                                               const std::vector<Scalar>&);                                             \
     template CompletedSkeleton<Scalar> complete_skeleton(KinematicSkeleton<Scalar>, const Body<Scalar>&,               \
-                                                         const CurveSkeleton<Scalar>&, const SkeletonTemplate&);
+                                                         const CurveSkeleton<Scalar>&, const SkeletonTemplate&);       \
+    template KinematicSkeleton<Scalar> with_joints_at(const Points<Scalar>&, KinematicSkeleton<Scalar>,                \
+                                                      const Body<Scalar>&, const CurveSkeleton<Scalar>&,               \
+                                                      const SkeletonTemplate&);
 
 SKELGEN_INSTANTIATE(SKELGEN_SCALAR)
 

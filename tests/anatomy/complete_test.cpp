@@ -1,3 +1,4 @@
+#include <limits>
 #include <vector>
 
 #include <skelgen/anatomy/complete.hpp>
@@ -79,4 +80,37 @@ TEST_CASE("a skeleton that lies beside its body is brought in, every joint of it
     const auto found = complete_skeleton(sided, body, curve_of_joints(), builtin_template("human21"));
     CHECK(found.moved.size() == 21);
     for (const Joint<double>& joint : found.skeleton.joints) CHECK(surface::is_inside(body, joint.position));
+}
+
+TEST_CASE("joints are put at other places: inside, as long on both sides, and the ends of limbs go along") {
+    const SkeletonTemplate& human = builtin_template("human21");
+    const Body<double> body = tube_body();
+    KinematicSkeleton<double> before = complete_skeleton(rest_skeleton(), body, curve_of_joints(), human).skeleton;
+    before.end_points = {{"left_fingertip", at(before, "left_hand")}, {"right_fingertip", at(before, "right_hand")}};
+    before.joints[static_cast<std::size_t>(find_joint(before, "right_foot"))].is_present = false;
+    Points<double> places(static_cast<Eigen::Index>(before.joints.size()), 3);
+    for (std::size_t j = 0; j < before.joints.size(); ++j)
+        places.row(static_cast<Eigen::Index>(j)) = before.joints[j].position.transpose();
+    const Vec3 along = (at(before, "left_hand") - at(before, "left_wrist")) / 2;
+    places.row(find_joint(before, "left_hand")) -= along.transpose();
+    places.row(find_joint(before, "head")) += Vec3(0, 0, 0.5).transpose();
+    places.row(find_joint(before, "right_foot")).setConstant(std::numeric_limits<double>::quiet_NaN());
+    const KinematicSkeleton<double> after = with_joints_at(places, before, body, curve_of_joints(), human);
+
+    for (const char* same : {"left_wrist", "right_hand", "left_knee", "right_ankle"}) {
+        INFO(same);
+        CHECK((at(after, same) - at(before, same)).norm() < 1e-12);
+    }
+    CHECK((at(after, "left_hand") - (at(before, "left_hand") - along)).norm() < 1e-12); // a third shorter: left alone
+    CHECK(surface::is_inside(body, at(after, "head")));
+    CHECK(after.quality.warnings.size() == 1); // of the head
+    CHECK_FALSE(joint_named(after, "right_foot").is_present);
+    CHECK(at(after, "right_foot") == at(before, "right_foot"));
+    const Vec3 left_end = after.end_points[0].second;
+    CHECK((left_end - at(after, "left_hand")).norm() < 0.12); // a corner of the tube around it
+    CHECK((body.mesh.vertices.rowwise() - left_end.transpose()).rowwise().norm().minCoeff() < 1e-12);
+    CHECK(after.end_points[1].second == before.end_points[1].second);
+
+    const KinematicSkeleton<double> again = with_joints_at(places, after, body, curve_of_joints(), human);
+    CHECK(again.quality.warnings.size() == 1); // what is known is not said again
 }

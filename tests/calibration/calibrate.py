@@ -18,7 +18,8 @@ sides are right are linear in what tells left from right, each bounded. The trus
 
 What is printed is of folds: fitted without the makers that it is then judged on; how often the likeliest candidate is right,
 and how often those of each tenth of probability are. Of each way to find candidates: how often these are right, and how far off, not by
-folds: the likeliest are so by the table that was compiled in. --ablate leaves out each kind of hypothesis and each
+folds: the likeliest are so by the table that was compiled in. And it is printed how often the likeliest is right with its joints where all
+candidates together expect them. --ablate leaves out each kind of hypothesis and each
 witness in turn, and prints what that changes, by folds. Needs python3-numpy.
 """
 import argparse
@@ -33,7 +34,8 @@ import numpy as np
 CURVED = ["arm_length", "leg_length", "hip_width", "below_hips", "neck_height", "reach"]
 MOST_CURVED = 1.5
 TRIES = (1, 4, None)  # after which the evidence of what was found until then is fitted; None: after all
-NEAR, FARTHEST, DISSENTERS = 0.05, 0.3, 3  # as search/agreement.hpp and search/trust.hpp have them
+NEAR, FARTHEST, DISSENTERS = 0.05, 0.3, 3  # as search/impl/agreement.hpp and search/trust.hpp have them
+EXACTNESS_IN_CURVES, SUREST = 3.3, 0.9999  # as search/impl/ladder.hpp has them
 OF_A_MAKER = 3  # how often a mesh of a named maker counts: such meshes are the harder ones, and the fewer
 ENDS = ["left_hand", "right_hand", "left_foot", "right_foot", "head"]
 JOINTS = 21  # of human21
@@ -170,10 +172,45 @@ def fit_sides_by_folds(meshes):
     return fit_sides(told), names, told
 
 
-def agreement(a, b, extent):
-    """As search::agreement."""
-    distances = [min(float(np.linalg.norm(np.subtract(a[joint], b[joint]))) / extent, FARTHEST) for joint in a if joint in b]
-    return np.exp(-((np.mean(distances) / NEAR) ** 2)) if 2 * len(distances) >= JOINTS else 0.0
+def places_of(rows):
+    """Joints' places, candidates x joints x 3, and the joints' names; not a number where a joint is absent."""
+    names = sorted({name for row in rows for name in row["joints"]})
+    absent = [np.nan] * 3
+    return np.array([[row["joints"].get(name, absent) for name in names] for row in rows]), names
+
+
+def agreements_of(rows):
+    """search::agreement of each candidate with each, 0 with itself."""
+    places, _ = places_of(rows)
+    out = np.zeros((len(rows), len(rows)))
+    for i, row in enumerate(rows):
+        distances = np.minimum(np.linalg.norm(places - places[i], axis=2) / row["extent"], FARTHEST)
+        both = np.isfinite(distances).sum(axis=1)
+        mean = np.nansum(distances, axis=1) / np.maximum(both, 1)
+        out[i] = np.where(2 * both >= JOINTS, np.exp(-((mean / NEAR) ** 2)), 0)
+        out[i, i] = 0
+    return out
+
+
+def expected_joints(mesh, p, best):
+    """One candidate's joints where all together expect them, as search/impl/consensus.hpp has it."""
+    places, names = places_of(mesh.rows)
+    p = np.minimum(p, SUREST)
+    weights = p / (1 - p) * np.where([row["evidence"]["fitted"] == 0 for row in mesh.rows], EXACTNESS_IN_CURVES, 1)
+    pairs = [(k, names.index("right" + name[4:])) for k, name in enumerate(names) if name.startswith("left_") and "right" + name[4:] in names]
+    across = np.nan_to_num(np.stack([places[:, a] - places[:, b] for a, b in pairs], axis=1)) if pairs else np.zeros((len(places), 1, 3))
+    heard = (across * across[best]).sum(axis=(1, 2)) >= 0
+    out = {}
+    for k, name in enumerate(names):
+        at, seen = places[best, k], heard & np.isfinite(places[:, k, 0])
+        if not np.isfinite(at[0]):
+            continue
+        span = np.linalg.norm(places[seen, k] - at, axis=1).max()
+        for _ in range(30 if span > 0 else 0):
+            share = weights[seen] / np.maximum(np.linalg.norm(places[seen, k] - at, axis=1), 1e-4 * span)
+            at = share @ places[seen, k] / share.sum()
+        out[name] = at
+    return out
 
 
 def states_of(mesh):
@@ -184,7 +221,7 @@ def states_of(mesh):
     names = list(rows[0]["evidence"])
     column = {name: names.index(name) for name in ("agreed", "heard", "others_lack", "fitted")}
     lacking = mesh.evidence[:, [names.index(name) for name in ("lacks_head", "lacks_limbs", "cut_limbs")]].sum(axis=1)
-    agreements = np.array([[agreement(a["joints"], b["joints"], a["extent"]) if a is not b else 0 for b in rows] for a in rows])
+    agreements = agreements_of(rows)
     tries = sorted({row["try"] for row in rows})
     for count in dict.fromkeys(len(tries) if most is None else min(most, len(tries)) for most in TRIES):
         which = [i for i, row in enumerate(rows) if row["try"] <= tries[count - 1]]
@@ -273,7 +310,10 @@ def report(meshes, chosen):
     bodies = [m for m in meshes if m.is_body]
     right = sum(i >= 0 and m.right[i] for m, (i, _) in zip(meshes, chosen) if m.is_body)
     possible = sum(m.right.any() for m in bodies)
+    together = [judge(m.truth, expected_joints(m, m.by_folds, i)) for m, (i, _) in zip(meshes, chosen) if m.is_body and i >= 0 and "joints" in m.truth]
+    off = np.mean([np.mean(np.minimum(list(errors.values()) or [FARTHEST_OFF], FARTHEST_OFF)) for _, errors in together])
     print(f"bodies {len(bodies)}: likeliest candidate right {right}, some candidate right {possible}")
+    print(f"  with its joints where all together expect them: right {sum(r for r, _ in together)}, off {off:.4f}")
     none = [(m, p) for m, (i, p) in zip(meshes, chosen) if not m.is_body and i >= 0]
     print(f"no bodies {sum(not m.is_body for m in meshes)}: above .5 {[m.name for m, p in none if p >= 0.5]}")
     print("wrong above .8:", [m.name for m, (i, p) in zip(meshes, chosen) if i >= 0 and p > 0.8 and not m.right[i]])
@@ -291,6 +331,7 @@ def by_folds(meshes, penalty):
             if fold_of(m.group) == fold:
                 p = probability(table, m.evidence) if len(m.rows) else np.array([])
                 i = choose(m, p)
+                m.by_folds = p
                 chosen[k] = (i, float(p[i]) if i >= 0 else 0.0)
     return chosen
 

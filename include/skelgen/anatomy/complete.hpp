@@ -25,6 +25,14 @@ template <typename Scalar>
                                                           const CurveSkeleton<Scalar>& curve,
                                                           const SkeletonTemplate& skeleton_template);
 
+/// A completed skeleton with its joints at other places, a row each, in the body's coordinates: with like bones on both
+/// sides, inside and with radii measured anew. Ends of limbs go along to the nearest corner of the surface. What is
+/// absent stays so. O(joints (n + m)).
+template <typename Scalar>
+[[nodiscard]] KinematicSkeleton<Scalar> with_joints_at(const Points<Scalar>& places, KinematicSkeleton<Scalar> skeleton,
+                                                       const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve,
+                                                       const SkeletonTemplate& skeleton_template);
+
 } // namespace skelgen::anatomy
 
 #ifdef SKELGEN_HEADER_ONLY

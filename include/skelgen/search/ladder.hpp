@@ -38,7 +38,7 @@ template <typename Scalar>
 template <typename Scalar = double>
 struct Climb {
     std::vector<Found<Scalar>>
-        found;       ///< the best placed of those that agree with the likeliest; all, in order, for an exhaustive one
+        found;       ///< the likeliest, its joints where all together expect them; all, as found, for an exhaustive one
     Failure failure; ///< where none was found: of what came nearest
     Trail trail;
     StageTimings timings;

@@ -26,4 +26,24 @@ CompletedSkeleton<Scalar> complete_skeleton(KinematicSkeleton<Scalar> sided, con
     return {std::move(skeleton), std::move(doubt), std::move(inside.moved)};
 }
 
+template <typename Scalar>
+KinematicSkeleton<Scalar> with_joints_at(const Points<Scalar>& places, KinematicSkeleton<Scalar> skeleton,
+                                         const Body<Scalar>& body, const CurveSkeleton<Scalar>& curve,
+                                         const SkeletonTemplate& skeleton_template) {
+    for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+        Joint<Scalar>& joint = skeleton.joints[j];
+        if (!joint.is_present) continue;
+        const Vector3<Scalar> place = core::point(places, static_cast<Eigen::Index>(j)), shift = place - joint.position;
+        joint.position = place;
+        for (auto& [name, end] : skeleton.end_points)
+            if (shift.norm() > 0 && name == end_point_name(skeleton_template, skeleton_template.joints[j]))
+                end =
+                    core::point(body.mesh.vertices, body.tree.nearest_corner(body.mesh, Vector3<Scalar>(end + shift)));
+    }
+    skeleton = equalise_bones(std::move(skeleton), skeleton_template).skeleton;
+    skeleton = measure_radii(move_inside(std::move(skeleton), body, curve).skeleton, body);
+    skeleton.frame.origin = skeleton.joints.front().position;
+    return skeleton;
+}
+
 } // namespace skelgen::anatomy

@@ -52,8 +52,9 @@ MovedInside<Scalar> move_inside(KinematicSkeleton<Scalar> skeleton, const Body<S
         Joint<Scalar>& joint = joints[static_cast<std::size_t>(j)];
         const Vector3<Scalar> nearest = curve.nodes.row(core::nearest_node(curve, joint.position));
         joint.position = detail::first_place_inside(body, joint.position, nearest);
-        out.skeleton.quality.warnings.push_back("joint " + joint.name +
-                                                " was outside the surface and has been moved in");
+        const std::string warning = "joint " + joint.name + " was outside the surface and has been moved in";
+        std::vector<std::string>& warnings = out.skeleton.quality.warnings;
+        if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
     }
     return out;
 }
