@@ -24,8 +24,8 @@ inline bool have_same_sides(const Points<double>& a, const Points<double>& b, co
 }
 
 /// The place whose expected distance to a joint is least that is at each of `places` with these odds: their geometric
-/// median, by Weiszfeld's iteration from `start`. One row each; those that are not finite do not count. `start` where
-/// none does. O(places).
+/// median, by Weiszfeld's iteration (Wei37) from `start`. One row each; those that are not finite do not count. `start`
+/// where none does. O(places).
 inline Vector3<double> expected_place(const Points<double>& places, const std::vector<double>& odds,
                                       const Vector3<double>& start) {
     constexpr int rounds = 30;

@@ -127,7 +127,7 @@ public:
             try_lead(lead);
         }
         if (thoroughness_ == Thoroughness::until_sure && !out_.found.empty()) {
-            Found<Scalar> best = placed_by_all(static_cast<std::size_t>(likeliest() - out_.found.begin()));
+            Found<Scalar> best = placed_by_all();
             best.candidate.probability = likeliest_yet();
             // A body can be laid into anything: where no curve shows one, why it does not is the answer.
             const bool is_answer = best.candidate.probability >= least_probability ||
@@ -187,18 +187,20 @@ private:
                            [](const Tried& each) { return each.hypothesis.effort == Effort::posed_fit; });
     }
 
-    /// A candidate with its joints where all of them together expect these, each counted by its odds.
-    [[nodiscard]] Found<Scalar> placed_by_all(std::size_t index) const {
+    /// The candidate that counts most, each by its odds, with its joints where all of them together expect these.
+    [[nodiscard]] Found<Scalar> placed_by_all() const {
         constexpr double exactness_in_curves = 3.3; // times that of fits, on the bodies of FAUST: 0.005 beside 0.0166
         constexpr double surest = 0.9999;
-        Found<Scalar> out = out_.found[index];
-        if (out.plan != BodyKind::human || out_.found.size() == 1) return out;
+        if (likeliest()->plan != BodyKind::human || out_.found.size() == 1) return *likeliest();
         std::vector<double> weights;
         for (const Found<Scalar>& each : out_.found) {
             const double probability = std::min(each.candidate.probability, surest);
-            weights.push_back(probability / (1 - probability) * (is_in_curve(each) ? exactness_in_curves : 1));
+            const double exactness = is_in_curve(each) ? exactness_in_curves : 1;
+            weights.push_back(each.plan == BodyKind::human ? exactness * probability / (1 - probability) : 0);
         }
-        Points<Scalar> places = expected_places(places_, weights, index, wanted_).template cast<Scalar>();
+        const auto best = static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) - weights.begin());
+        Found<Scalar> out = out_.found[best];
+        Points<Scalar> places = expected_places(places_, weights, best, wanted_).template cast<Scalar>();
         for (Eigen::Index j = 0; j < places.rows(); ++j)
             places.row(j) = out.body->similarity.to_canonical(core::point(places, j)).transpose();
         KinematicSkeleton<Scalar>& skeleton = out.candidate.skeleton;
