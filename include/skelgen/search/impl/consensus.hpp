@@ -23,6 +23,11 @@ inline bool have_same_sides(const Points<double>& a, const Points<double>& b, co
     return along >= 0;
 }
 
+/// Do two skeletons lack the same joints, or none? Rows as before.
+inline bool have_same_joints(const Points<double>& a, const Points<double>& b) {
+    return (a.col(0).array().isFinite() == b.col(0).array().isFinite()).all();
+}
+
 /// The place whose expected distance to a joint is least that is at each of `places` with these odds: their geometric
 /// median, by Weiszfeld's iteration (Wei37) from `start`. One row each; those that are not finite do not count. `start`
 /// where none does. O(places).
@@ -51,14 +56,17 @@ inline Vector3<double> expected_place(const Points<double>& places, const std::v
     return out;
 }
 
-/// Each joint of one skeleton where all together expect it, those that have left and right on its sides. `weights`: of
-/// each skeleton. One row per joint of the template, not finite where it is absent. O(skeletons x joints).
+/// Each joint of one skeleton where all together expect it that have the same joints, and left and right on its sides:
+/// where a limb is lacking, those that have it have put it elsewhere. `weights`: of each skeleton. One row per joint of
+/// the template, not finite where it is absent. O(skeletons x joints).
 inline Points<double> expected_places(const std::vector<Points<double>>& skeletons, const std::vector<double>& weights,
                                       std::size_t of, const SkeletonTemplate& wanted) {
     std::vector<const Points<double>*> heard;
     std::vector<double> odds;
     for (std::size_t i = 0; i < skeletons.size(); ++i) {
-        if (skeletons[i].rows() == 0 || !have_same_sides(skeletons[i], skeletons[of], wanted)) continue;
+        if (skeletons[i].rows() == 0 || !have_same_joints(skeletons[i], skeletons[of]) ||
+            !have_same_sides(skeletons[i], skeletons[of], wanted))
+            continue;
         heard.push_back(&skeletons[i]);
         odds.push_back(weights[i]);
     }
