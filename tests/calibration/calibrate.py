@@ -199,17 +199,16 @@ def expected_joints(mesh, p, best):
     weights = p / (1 - p) * np.where([row["evidence"]["fitted"] == 0 for row in mesh.rows], EXACTNESS_IN_CURVES, 1)
     pairs = [(k, names.index("right" + name[4:])) for k, name in enumerate(names) if name.startswith("left_") and "right" + name[4:] in names]
     across = np.nan_to_num(np.stack([places[:, a] - places[:, b] for a, b in pairs], axis=1)) if pairs else np.zeros((len(places), 1, 3))
-    heard = (across * across[best]).sum(axis=(1, 2)) >= 0
+    present = np.isfinite(places[:, :, 0])
+    heard = ((across * across[best]).sum(axis=(1, 2)) >= 0) & (present == present[best]).all(axis=1)
     out = {}
-    for k, name in enumerate(names):
-        at, seen = places[best, k], heard & np.isfinite(places[:, k, 0])
-        if not np.isfinite(at[0]):
-            continue
-        span = np.linalg.norm(places[seen, k] - at, axis=1).max()
+    for k in np.flatnonzero(present[best]):
+        at, seen = places[best, k], places[heard, k]
+        span = np.linalg.norm(seen - at, axis=1).max()
         for _ in range(30 if span > 0 else 0):
-            share = weights[seen] / np.maximum(np.linalg.norm(places[seen, k] - at, axis=1), 1e-4 * span)
-            at = share @ places[seen, k] / share.sum()
-        out[name] = at
+            share = weights[heard] / np.maximum(np.linalg.norm(seen - at, axis=1), 1e-4 * span)
+            at = share @ seen / share.sum()
+        out[names[k]] = at
     return out
 
 

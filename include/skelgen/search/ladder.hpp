@@ -38,7 +38,7 @@ template <typename Scalar>
 template <typename Scalar = double>
 struct Climb {
     std::vector<Found<Scalar>>
-        found; ///< the one that counts most, its joints where all expect them; all, in order, for an exhaustive one
+        found;       ///< the best, its joints where all together expect them; all, in order, for an exhaustive one
     Failure failure; ///< where none was found: of what came nearest
     Trail trail;
     StageTimings timings;
