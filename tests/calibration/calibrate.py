@@ -444,9 +444,9 @@ def without(mesh, keep=None, witness=None):
         kept = [i for i, row in enumerate(mesh.rows) if keep(row)]
         out.rows, out.errors = [mesh.rows[i] for i in kept], [mesh.errors[i] for i in kept]
         out.right, out.evidence = mesh.right[kept], mesh.evidence[kept] if kept else np.array([])
-        place = {i: k for k, i in enumerate(kept)}
-        parts = [([k for k, i in enumerate(which) if i in place], which, evidence) for which, evidence in mesh.states]
-        out.states = [([place[which[k]] for k in part], evidence[part]) for part, which, evidence in parts if part]
+        out.states = states_of(out)  # those left out say nothing of the others any more
+        if kept:
+            out.evidence = out.states[-1][1]
     elif len(mesh.rows):
         out.evidence = mesh.evidence.copy()
         out.evidence[:, witness] = 0

@@ -5,6 +5,7 @@ usage: calibrate_proportions.py SKELGEN_CANDIDATES FOLDER... --table FILE [--ske
 
 Each FOLDER holds truth/NAME.json, with joints as calibrate.py says, and the meshes in files/ or meshes/. Into each body
 whose rig has shoulders, elbows, wrists, hips, knees and ankles a body in any pose is laid whose joints are held to them.
+A rig's head is where its neck ends, so the head starts from the surface above that.
 `--skeletons`: SET/NAME.json as `skelgen batch` writes them, of research bodies in FOLDER/meshes/SET, whose truths say less
 than what is found in them. The mean and the covariance of all their proportions are written. The prior that the
 fits have is the table's that is compiled in: to be repeated until it does not change. A maker's meshes count
@@ -44,7 +45,6 @@ def places_of_rig(truth):
     up = shoulders - hips
     for name, part in (("crotch", 0), ("waist", 0.33), ("chest", 0.7), ("neck", 1.05)):
         start[name] = hips + part * up
-    start["head"] = (start["neck"] + markers["head"]) / 2 if "head" in markers else start["neck"] + 0.2 * up
     return start, known
 
 

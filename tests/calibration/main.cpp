@@ -2,6 +2,7 @@
 // one line of JSON. `./dev calibrate` judges them by the true joints and fits the trust table. With `known` instead:
 // the proportions of a body in any pose, laid into the mesh with its joints where they are known to be.
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <fstream>
@@ -18,6 +19,7 @@
 #include <skelgen/quadruped/limbs.hpp>
 #include <skelgen/search/impl/agreement.hpp>
 #include <skelgen/search/ladder.hpp>
+#include <skelgen/search/laid_model.hpp>
 #include <skelgen/search/posed_fit.hpp>
 #include <skelgen/surface/body.hpp>
 #include <skelgen/surface/prepare.hpp>
@@ -99,8 +101,22 @@ void describe_animals(const search::Found<double>& found, const SkeletonTemplate
     }
 }
 
-/// `places`: of all joints of human21 where a fit starts from, and `known` of those that are certain, in the mesh's
-/// coordinates.
+/// Where a head starts from whose rig says nothing of its top: that is the highest place of the surface above the neck.
+Vector3<double> head_above(const TriangleMesh<double>& mesh, const Vector3<double>& crotch,
+                           const Vector3<double>& neck) {
+    constexpr double beside = 0.12; // of the extent: so far from the trunk's line there are hands and hats
+    const Vector3<double> up = (neck - crotch).normalized();
+    const double extent = (mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff()).maxCoeff();
+    double top = 0;
+    for (const auto& vertex : mesh.vertices.rowwise()) {
+        const Vector3<double> off = vertex.transpose() - neck;
+        if (off.cross(up).norm() < beside * extent) top = std::max(top, off.dot(up));
+    }
+    return neck + search::detail::head_at * top * up;
+}
+
+/// `places`: of all joints of human21 but the head where a fit starts from, and `known` of those that are certain, in
+/// the mesh's coordinates.
 void describe_proportions(const TriangleMesh<double>& mesh, const Json& places) {
     const SkeletonTemplate& wanted = builtin_template("human21");
     surface::BodyMaterial<double> material = surface::gather(mesh);
@@ -114,7 +130,10 @@ void describe_proportions(const TriangleMesh<double>& mesh, const Json& places) 
     std::vector<search::KnownPlace> known;
     for (int j = 0; j < static_cast<int>(wanted.joints.size()); ++j) {
         const std::string& name = wanted.joint(j).name;
-        start.row(j) = place(places.at("start").at(name)).transpose();
+        start.row(j) = name == "head" ? head_above(body->mesh, place(places.at("start").at("crotch")),
+                                                   place(places.at("start").at("neck")))
+                                            .transpose()
+                                      : place(places.at("start").at(name)).transpose();
         if (places.at("known").contains(name)) known.push_back({j, place(places.at("known").at(name))});
     }
     const auto fits = search::fit_posed(*body, wanted, {start}, known);
