@@ -5,7 +5,7 @@ usage: calibrate_proportions.py SKELGEN_CANDIDATES FOLDER... --table FILE [--ske
 
 Each FOLDER holds truth/NAME.json, with joints as calibrate.py says, and the meshes in files/ or meshes/. Into each body
 whose rig has shoulders, elbows, wrists, hips, knees and ankles a body in any pose is laid whose joints are held to them.
-A rig's head is where its neck ends, so the head starts from the surface above that.
+A rig's head joint is where its neck ends, so the head starts from the surface's top above that.
 `--skeletons`: SET/NAME.json as `skelgen batch` writes them, of research bodies in FOLDER/meshes/SET, whose truths say less
 than what is found in them. The mean and the covariance of all their proportions are written. The prior that the
 fits have is the table's that is compiled in: to be repeated until it does not change. A maker's meshes count

@@ -115,8 +115,8 @@ Vector3<double> head_above(const TriangleMesh<double>& mesh, const Vector3<doubl
     return neck + search::detail::head_at * top * up;
 }
 
-/// `places`: of all joints of human21 but the head where a fit starts from, and `known` of those that are certain, in
-/// the mesh's coordinates.
+/// `places`: of all joints of human21, perhaps but the head, where a fit starts from, and `known` of those that are
+/// certain, in the mesh's coordinates.
 void describe_proportions(const TriangleMesh<double>& mesh, const Json& places) {
     const SkeletonTemplate& wanted = builtin_template("human21");
     surface::BodyMaterial<double> material = surface::gather(mesh);
@@ -126,14 +126,15 @@ void describe_proportions(const TriangleMesh<double>& mesh, const Json& places) 
     const auto place = [&](const Json& of) {
         return body->similarity.to_canonical(Vector3<double>(of.at(0), of.at(1), of.at(2)));
     };
+    const Json& starts = places.at("start");
     Points<double> start(static_cast<Eigen::Index>(wanted.joints.size()), 3);
     std::vector<search::KnownPlace> known;
     for (int j = 0; j < static_cast<int>(wanted.joints.size()); ++j) {
         const std::string& name = wanted.joint(j).name;
-        start.row(j) = name == "head" ? head_above(body->mesh, place(places.at("start").at("crotch")),
-                                                   place(places.at("start").at("neck")))
-                                            .transpose()
-                                      : place(places.at("start").at(name)).transpose();
+        const Vector3<double> from = name == "head" && !starts.contains(name)
+                                         ? head_above(body->mesh, place(starts.at("crotch")), place(starts.at("neck")))
+                                         : place(starts.at(name));
+        start.row(j) = from.transpose();
         if (places.at("known").contains(name)) known.push_back({j, place(places.at("known").at(name))});
     }
     const auto fits = search::fit_posed(*body, wanted, {start}, known);

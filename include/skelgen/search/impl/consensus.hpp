@@ -29,15 +29,13 @@ inline bool have_same_joints(const Points<double>& a, const Points<double>& b) {
 }
 
 /// The place whose expected distance to a joint is least that is at each of `places` with these odds: their geometric
-/// median, by Weiszfeld's iteration (Wei37) from `start`. One row each; those that are not finite do not count. `start`
-/// where none does. O(places).
+/// median, by Weiszfeld's iteration (Wei37) from `start`. One finite row each. `start` where none has odds. O(places).
 inline Vector3<double> expected_place(const Points<double>& places, const std::vector<double>& odds,
                                       const Vector3<double>& start) {
     constexpr int rounds = 30;
     constexpr double smallest = 1e-4; // of what the places span: a distance that divides
     double span = 0;
-    for (const auto& place : places.rowwise())
-        if (place.allFinite()) span = std::max(span, (place.transpose() - start).norm());
+    for (const auto& place : places.rowwise()) span = std::max(span, (place.transpose() - start).norm());
     if (!(span > 0)) return start;
     Vector3<double> out = start;
     for (int round = 0; round < rounds; ++round) {
@@ -45,7 +43,6 @@ inline Vector3<double> expected_place(const Points<double>& places, const std::v
         double weights = 0;
         for (Eigen::Index i = 0; i < places.rows(); ++i) {
             const Vector3<double> place = places.row(i).transpose();
-            if (!place.allFinite()) continue;
             const double weight = odds[static_cast<std::size_t>(i)] / std::max((place - out).norm(), smallest * span);
             sum += weight * place;
             weights += weight;
