@@ -562,6 +562,7 @@ set(skelgen_synth_sources
     src/synth/anatomy_trunk.cpp
     src/synth/body.cpp
     src/synth/body_surface.cpp
+    src/synth/characters.cpp
     src/synth/clothing.cpp
     src/synth/geodesic.cpp
     src/synth/held_things.cpp

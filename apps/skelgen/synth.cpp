@@ -182,7 +182,7 @@ void add_synth_command(CLI::App& app) {
     std::string poses = "Pose: random, a JSON file, or";
     for (const std::string& name : synth::pose_names()) poses += " " + name;
     sub->add_option("--pose", command->pose, poses)->capture_default_str();
-    sub->add_option("--seed", command->seed, "Of the random poses and faults")->capture_default_str();
+    sub->add_option("--seed", command->seed, "Of random poses, faults and characters")->capture_default_str();
     sub->add_option("--faces", command->faces, "Number of triangles, 5000 to 3000000, kept within 2 %")
         ->capture_default_str();
     std::string clothes = "What the body wears, one or more of";

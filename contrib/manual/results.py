@@ -60,6 +60,7 @@ SETS = {
     "curled": "squatting, kneeling, folded, touching or grown together",
     "armed": "figures that hold a sword, an axe or a staff",
     "hands": "hands of two to five digits, gloved, holding things, grown together, missing",
+    "characters": "proportions, poses, things worn and held, kinds of pieces, drawn at random",
     "not-a-body": "animals, furniture, two people: solved is what is refused",
 }
 

@@ -68,6 +68,16 @@ double stand_on_ground(SynthBody& body) {
     return ground;
 }
 
+/// A robot's hands are balls, and its end points are those of its boxes.
+void take_robots_ends(SynthBody& body) {
+    body.truth.digits.clear();
+    for (auto& [name, place] : body.truth.end_points) {
+        Eigen::Index nearest = 0;
+        (body.mesh.vertices.rowwise() - place.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+        place = body.mesh.vertices.row(nearest).transpose();
+    }
+}
+
 nlohmann::ordered_json to_json(const Vector3<double>& p) { return {p.x(), p.y(), p.z()}; }
 
 } // namespace
@@ -96,9 +106,11 @@ SynthBody synthesize_body(const BodyPlan& plan) {
         if (!beyond_any(end_points[i].beyond, plan.missing))
             body.truth.end_points.emplace_back(end_points[i].name, body.mesh.vertices.row(tips[i]).transpose());
     if (plan.pieces.any()) {
-        body.mesh = put_together(naked_field(plan, proportions), field, proportions, plan.pieces, plan.faces);
+        body.mesh =
+            put_together(naked_field(plan, proportions), field, proportions, plan.pieces, plan.faces, !plan.may_touch);
         body.mesh.vertices.col(2).array() -= ground;
     }
+    if (plan.pieces.limbs == LimbPieces::apart) take_robots_ends(body);
     body.mesh = with_held_things(body.mesh, field, plan, ground);
     if (plan.faults.any()) body.mesh = with_scan_faults(body.mesh, plan.faults);
     return body;

@@ -8,23 +8,33 @@
 #include <skelgen/core/error.hpp>
 
 #include "anatomy.hpp"
+#include "lines.hpp"
 
 namespace skelgen::synth {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Garment>, 13> garments{{{"axe", Garment::axe},
+constexpr std::array<std::pair<std::string_view, Garment>, 22> garments{{{"axe", Garment::axe},
                                                                          {"boots", Garment::boots},
+                                                                         {"bow", Garment::bow},
+                                                                         {"bun", Garment::bun},
+                                                                         {"cape", Garment::cape},
                                                                          {"coat", Garment::coat},
                                                                          {"hat", Garment::hat},
+                                                                         {"helmet", Garment::helmet},
                                                                          {"horns", Garment::horns},
                                                                          {"long-hair", Garment::long_hair},
+                                                                         {"long-pony-tail", Garment::long_pony_tail},
                                                                          {"mittens", Garment::mittens},
+                                                                         {"pony-tail", Garment::pony_tail},
                                                                          {"rucksack", Garment::rucksack},
+                                                                         {"shield", Garment::shield},
                                                                          {"skirt", Garment::skirt},
                                                                          {"staff", Garment::staff},
                                                                          {"sword", Garment::sword},
                                                                          {"tail", Garment::tail},
-                                                                         {"trousers", Garment::trousers}}};
+                                                                         {"trousers", Garment::trousers},
+                                                                         {"wide-skirt", Garment::wide_skirt},
+                                                                         {"wings", Garment::wings}}};
 
 } // namespace
 
@@ -175,12 +185,16 @@ void add_strand(std::vector<Blob>& strands, const ImplicitBody& body, const Prop
         strands.push_back({RoundCone{path[i - 1], path[i], radii[i - 1], radii[i]}, 0.010 * k});
 }
 
-void put_on_long_hair(ImplicitBody& body, const Proportions& p) {
-    const double h = p.head_scale;
+/// Around skull and nape, the face left free.
+std::vector<Blob> hair_on_head(double h) {
     std::vector<Blob> hair{{Ellipsoid{Vec3(0, -0.004 * h, 0.078 * h), h * Vec3(0.090, 0.108, 0.100)}, 0}};
     hair.push_back({Ellipsoid{Vec3(0, 0.03 * h, 0.01 * h), h * Vec3(0.086, 0.080, 0.090)}, 0.02 * h});
     hair.push_back({Ellipsoid{Vec3(0, -0.125 * h, 0.0), h * Vec3(0.075, 0.085, 0.110)}, 0.02 * h, Use::carve});
-    body.wear(PartName::head, std::move(hair), 0.03 * h);
+    return hair;
+}
+
+void put_on_long_hair(ImplicitBody& body, const Proportions& p) {
+    body.wear(PartName::head, hair_on_head(p.head_scale), 0.03 * p.head_scale);
 
     std::vector<Blob> strands;
     constexpr int count = 7;
@@ -236,6 +250,55 @@ std::vector<Blob> chain(const std::vector<Vec3>& path, const std::vector<double>
     return blobs;
 }
 
+/// Likewise, in pieces of this length at most: blobs are bounded by balls, small ones for short pieces.
+std::vector<Blob> fine_chain(const std::vector<Vec3>& path, const std::vector<double>& radii, double longest,
+                             double blend) {
+    std::vector<Vec3> fine_path{path.front()};
+    std::vector<double> fine_radii{radii.front()};
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const int pieces = static_cast<int>(std::ceil((path[i] - path[i - 1]).norm() / longest));
+        for (int piece = 1; piece <= pieces; ++piece) {
+            const double u = static_cast<double>(piece) / pieces;
+            fine_path.emplace_back((1 - u) * path[i - 1] + u * path[i]);
+            fine_radii.push_back(std::lerp(radii[i - 1], radii[i], u));
+        }
+    }
+    return chain(fine_path, fine_radii, blend);
+}
+
+/// How far behind a point of the spine what hangs down is clear of a standing body, metres.
+double behind_body(const Proportions& p) { return (0.20 + 0.12 * std::max(0.0, p.fat)) * p.scale; }
+
+void put_on_bun(ImplicitBody& body, double h) {
+    std::vector<Blob> hair = hair_on_head(h);
+    hair.push_back({Ellipsoid{Vec3(0, 0.100 * h, 0.145 * h), h * Vec3(0.050, 0.045, 0.045)}, 0.008 * h});
+    body.wear(PartName::head, std::move(hair), 0.12 * h);
+}
+
+/// From the back of the head straight down to a joint's height.
+void put_on_pony_tail(ImplicitBody& body, const Proportions& p, BodyJoint lowest) {
+    const double h = p.head_scale, k = p.scale;
+    const PosedSkeleton& s = body.skeleton();
+    body.wear(PartName::head, hair_on_head(h), 0.03 * h);
+    const Part& head = body.part(PartName::head);
+    const Vec3 root = head.to_world(h * Vec3(0, 0.075, 0.135)), out = head.to_world(h * Vec3(0, 0.150, 0.140));
+    const double behind = std::max(out.y() + 0.02 * h, s.position(BodyJoint::waist).y() + behind_body(p));
+    const double low = s.position(lowest).z() + 0.05 * k, top = out.z() - 0.12 * h;
+    const std::vector<Vec3> path{
+        root, out, {out.x(), behind, top}, {out.x(), behind, std::lerp(top, low, 0.5)}, {out.x(), behind, low}};
+    body.carry(Eigen::Isometry3d::Identity(),
+               fine_chain(path, {0.026 * h, 0.034 * h, 0.040 * h, 0.038 * h, 0.016 * h}, 0.15 * k, 0.010 * h));
+}
+
+void put_on_helmet(ImplicitBody& body, double h) {
+    std::vector<Blob> helmet{{Ellipsoid{Vec3(0, -0.006 * h, 0.060 * h), h * Vec3(0.104, 0.126, 0.126)}, 0}};
+    helmet.push_back({Ellipsoid{Vec3(0, -0.140 * h, -0.010 * h), h * Vec3(0.066, 0.075, 0.075)}, 0.01 * h, Use::carve});
+    helmet.push_back(
+        {RoundCone{h * Vec3(0, -0.070, 0.172), h * Vec3(0, 0.090, 0.155), 0.022 * h, 0.022 * h}, 0.01 * h});
+    helmet.push_back(cut_below(-0.045 * h));
+    body.wear(PartName::head, std::move(helmet), 0.10 * h);
+}
+
 /// From the sides of the skull outwards, then up.
 void put_on_horns(ImplicitBody& body, double h) {
     std::vector<Blob> horns;
@@ -264,6 +327,99 @@ void put_on_tail(ImplicitBody& body, double k) {
     body.carry(Eigen::Isometry3d::Identity(),
                chain({start, at(0.20, -0.02), at(0.36, -0.09), at(0.50, -0.12), at(0.62, -0.06), at(0.67, 0.05)},
                      {0.048 * k, 0.042 * k, 0.036 * k, 0.031 * k, 0.026 * k, 0.020 * k}, 0.010 * k));
+}
+
+/// An oval plate across x, its rim as thick as its middle: thinner ones need finer meshes.
+Blob plate(double thickness, double wide, double high) {
+    std::vector<Ring> rings;
+    constexpr int steps = 4;
+    for (int i = -steps; i <= steps; ++i) {
+        const double angle = 1.3 * i / steps, width = wide * std::cos(angle);
+        rings.push_back({high * std::sin(angle), thickness / 2, width, width});
+    }
+    return {Tube(std::move(rings), 5, thickness / 2, thickness / 2), 0};
+}
+
+/// A large pair up and outwards, a small one below it, on short stems.
+void put_on_wings(ImplicitBody& body, const Proportions& p) {
+    const double k = p.scale, back = (0.130 + 0.07 * std::max(0.0, p.fat)) * k;
+    const Eigen::Isometry3d chest = body.skeleton().frame(BodyJoint::chest);
+    for (const double side : {1.0, -1.0}) {
+        const auto add = [&](const Vec3& centre, double wide, double high, double degrees) {
+            const Eigen::Quaterniond turn = Eigen::AngleAxisd(side * 0.30, Vec3::UnitZ()) *
+                                            Eigen::AngleAxisd(side * degrees * pi / 180, Vec3::UnitY()) *
+                                            Eigen::AngleAxisd(pi / 2, Vec3::UnitZ());
+            const Vec3 middle(side * centre.x() * k, back + centre.y() * k, centre.z() * k);
+            body.carry(chest * Eigen::Translation3d(middle) * turn, {plate(0.044 * k, wide * k, high * k)});
+        };
+        body.carry(chest, {{RoundCone{Vec3(side * 0.05 * k, back - 0.06 * k, 0.10 * k),
+                                      Vec3(side * 0.16 * k, back + 0.07 * k, 0.14 * k), 0.035 * k, 0.028 * k},
+                            0}});
+        add({0.42, 0.15, 0.27}, 0.15, 0.37, 62);
+        add({0.28, 0.11, 0.04}, 0.10, 0.21, 112);
+    }
+}
+
+/// Cloth that falls from the shoulders past the buttocks, wider below.
+void put_on_cape(ImplicitBody& body, const Proportions& p) {
+    const double k = p.scale;
+    const PosedSkeleton& s = body.skeleton();
+    const Vec3 waist = s.position(BodyJoint::waist), neck = s.rest_position(BodyJoint::neck);
+    const double wide = 0.75 * p.shoulder_half_width, behind = waist.y() + behind_body(p);
+    const double middle = s.position(BodyJoint::crotch).z();
+    const double low = std::max(s.position(BodyJoint::left_knee).z(), s.position(BodyJoint::right_knee).z());
+    constexpr int folds = 14;
+    std::vector<Blob> cloth;
+    for (int i = 0; i <= folds; ++i) {
+        const double u = 2.0 * i / folds - 1; // -1 to 1 from right to left
+        const Vec3 top = body.onto_trunk(body.trunk_to_world({u * wide, 0.10 * k, neck.z() - 0.06 * k}));
+        const Vec3 hip(waist.x() + 1.3 * u * wide, behind, middle),
+            hem(waist.x() + 1.6 * u * wide, behind + 0.04 * k, low);
+        const double radius = std::max(0.020 * k, 0.13 * wide);
+        const std::vector<Blob> fold = fine_chain({top, hip, hem}, {radius, radius, radius}, 0.2 * k, 0.01 * k);
+        cloth.insert(cloth.end(), fold.begin(), fold.end());
+    }
+    body.carry(Eigen::Isometry3d::Identity(), std::move(cloth));
+}
+
+/// A bell from the hips to the ankles, as wide as the stance needs.
+void put_on_wide_skirt(ImplicitBody& body, const Proportions& p) {
+    const double k = p.scale;
+    const PosedSkeleton& s = body.skeleton();
+    cover_hips(body, 0.010 * k);
+    const Vec3 left = s.position(BodyJoint::left_ankle), right = s.position(BodyJoint::right_ankle);
+    const Vec3 top = s.position(BodyJoint::crotch);
+    Vec3 hem = (left + right) / 2;
+    hem.z() = std::min(left.z(), right.z());
+    const double waist = (0.165 + 0.10 * std::max(0.0, p.fat)) * k * p.hip_factor;
+    const double stance = (left - right).norm() / 2 + 0.09 * p.limb_scale;
+    const double wide = std::min(std::max(0.32 * k, stance), waist + 0.8 * (top - hem).norm());
+    body.carry(Eigen::Isometry3d::Identity(),
+               {{RoundCone{top, hem, waist, wide}, 0},
+                {HalfSpace{-Vec3::UnitZ(), -hem.z()}, 0.01 * k, Use::keep},
+                {HalfSpace{Vec3::UnitZ(), s.position(BodyJoint::waist).z()}, 0.01 * k, Use::keep}});
+}
+
+/// A disc outside of the left forearm.
+void take_shield(ImplicitBody& body, const Proportions& p) {
+    const Part& fore = body.part(PartName::left_forearm);
+    const double size = std::min(p.scale, 1.2 * fore.length / 0.249), middle = 0.6 * fore.length;
+    const double off = outline(fore.blobs).ring(middle).side + 0.035 * size;
+    const Eigen::Isometry3d frame = fore.frame * Eigen::Translation3d(off, 0, -middle);
+    body.carry(frame, {plate(0.044 * size, 0.24 * size, 0.30 * size),
+                       {RoundCone{Vec3(-off, 0, 0), Vec3::Zero(), 0.03 * size, 0.03 * size}, 0.006 * size}});
+}
+
+/// A bent staff through the left palm, its ends towards the body.
+void take_bow(ImplicitBody& body, double k) {
+    const Part& hand = body.part(PartName::left_hand);
+    std::vector<Vec3> path;
+    std::vector<double> radii;
+    for (const double along : {-0.55, -0.38, -0.20, 0.0, 0.20, 0.38, 0.55}) {
+        path.push_back(hand.to_world(k * Vec3(0, -along, 0.075 - 0.7 * along * along)));
+        radii.push_back(k * (0.023 - 0.014 * along * along));
+    }
+    body.carry(Eigen::Isometry3d::Identity(), fine_chain(path, radii, 0.15 * k, 0.006 * k));
 }
 
 /// A knot of a thing that the right hand grips: how far beyond the thumb, and how thick there; for an adult, in metres.
@@ -319,18 +475,32 @@ void put_on(ImplicitBody& body, const Proportions& p, Garment garment) {
         return take_axe(body, p.scale);
     case Garment::boots:
         return put_on_boots(body, p);
+    case Garment::bow:
+        return take_bow(body, p.scale);
+    case Garment::bun:
+        return put_on_bun(body, p.head_scale);
+    case Garment::cape:
+        return put_on_cape(body, p);
     case Garment::coat:
         return put_on_coat(body, p.scale);
     case Garment::hat:
         return put_on_hat(body, p);
+    case Garment::helmet:
+        return put_on_helmet(body, p.head_scale);
     case Garment::horns:
         return put_on_horns(body, p.head_scale);
     case Garment::long_hair:
         return put_on_long_hair(body, p);
+    case Garment::long_pony_tail:
+        return put_on_pony_tail(body, p, BodyJoint::left_ankle);
     case Garment::mittens:
         return put_on_mittens(body, p.hand_scale);
+    case Garment::pony_tail:
+        return put_on_pony_tail(body, p, BodyJoint::left_hip);
     case Garment::rucksack:
         return put_on_rucksack(body, p);
+    case Garment::shield:
+        return take_shield(body, p);
     case Garment::skirt:
         cover_hips(body, 0.010 * p.scale);
         return add_skirt(body, 0.92, 0.016 * p.scale, 0.045 * p.scale);
@@ -342,6 +512,10 @@ void put_on(ImplicitBody& body, const Proportions& p, Garment garment) {
         return put_on_tail(body, p.scale);
     case Garment::trousers:
         return put_on_trousers(body, p.scale);
+    case Garment::wide_skirt:
+        return put_on_wide_skirt(body, p);
+    case Garment::wings:
+        return put_on_wings(body, p);
     }
 }
 

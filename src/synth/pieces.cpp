@@ -72,12 +72,12 @@ double share(PartName name) {
     return std::array{0.06, 0.045, 0.045}[static_cast<std::size_t>(step)];
 }
 
-Mesh mesh_part(const ImplicitBody& body, PartName name, double scale, int faces) {
+Mesh mesh_part(const ImplicitBody& body, PartName name, double scale, int faces, bool one_body) {
     const Ball around = body.part_bound(name);
     const ImplicitSurface surface{[&](const Vec3& p) { return body.part_alone(name, p); },
                                   [&](const Vec3& p) { return body.grain(p); }, body.part_middle(name),
                                   around.radius + 0.02 * scale};
-    return mesh_surface(surface, static_cast<int>(share(name) * faces), true);
+    return mesh_surface(surface, static_cast<int>(share(name) * faces), one_body);
 }
 
 /// How deep inside another part: negative there.
@@ -88,12 +88,12 @@ double other_parts(const ImplicitBody& body, PartName name, const Vec3& p) {
     return least;
 }
 
-Mesh separate_limbs(const ImplicitBody& body, double scale, bool is_open, int faces) {
+Mesh separate_limbs(const ImplicitBody& body, double scale, bool is_open, int faces, bool one_body) {
     const double deep = -0.01 * scale;
     Mesh out;
     out.vertices.resize(0, 3), out.faces.resize(0, 3);
     for (const PartName name : all_parts) {
-        const Mesh part = mesh_part(body, name, scale, faces);
+        const Mesh part = mesh_part(body, name, scale, faces, one_body);
         const auto is_seen = [&](const auto&... corners) {
             return ((other_parts(body, name, corners.transpose()) > deep) || ...);
         };
@@ -102,16 +102,148 @@ Mesh separate_limbs(const ImplicitBody& body, double scale, bool is_open, int fa
     return out;
 }
 
-Mesh whole(const ImplicitBody& body, const Proportions& proportions, int faces) {
-    return mesh_surface(surface_of(body, proportions), faces, true);
+Mesh whole(const ImplicitBody& body, const Proportions& proportions, int faces, bool one_body) {
+    return mesh_surface(surface_of(body, proportions), faces, one_body);
 }
 
 /// The clothes alone: what of the dressed body's surface is off the naked one's.
-Mesh shells(const ImplicitBody& naked, const ImplicitBody& dressed, const Proportions& proportions, int faces) {
+Mesh shells(const ImplicitBody& naked, const ImplicitBody& dressed, const Proportions& proportions, int faces,
+            bool one_body) {
     const double off = 0.003 * proportions.scale;
-    return faces_where(whole(dressed, proportions, faces),
+    return faces_where(whole(dressed, proportions, faces, one_body),
                        [&](const auto&... corners) { return ((naked(corners.transpose()) > off) && ...); });
 }
+
+// ------------------------------------------------------------------------------------------------------------- robot
+
+/// The surface of the cube from -1 to 1, outwards; each side is a grid of `cells` by `cells` squares.
+Mesh cube(int cells) {
+    std::map<std::array<int, 3>, int> known;
+    std::vector<std::array<int, 3>> corners, faces;
+    const auto corner = [&](int axis, int end, int u, int v) {
+        std::array<int, 3> at{};
+        at[static_cast<std::size_t>(axis)] = end;
+        at[static_cast<std::size_t>((axis + 1) % 3)] = u, at[static_cast<std::size_t>((axis + 2) % 3)] = v;
+        const auto [place, is_new] = known.try_emplace(at, static_cast<int>(corners.size()));
+        if (is_new) corners.push_back(at);
+        return place->second;
+    };
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int end : {0, cells})
+            for (int u = 0; u < cells; ++u)
+                for (int v = 0; v < cells; ++v) {
+                    const int a = corner(axis, end, u, v), b = corner(axis, end, u + 1, v);
+                    const int c = corner(axis, end, u + 1, v + 1), d = corner(axis, end, u, v + 1);
+                    faces.push_back(end > 0 ? std::array{a, b, c} : std::array{a, c, b});
+                    faces.push_back(end > 0 ? std::array{a, c, d} : std::array{a, d, c});
+                }
+    Mesh mesh;
+    mesh.vertices.resize(static_cast<Eigen::Index>(corners.size()), 3);
+    mesh.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+    for (std::size_t v = 0; v < corners.size(); ++v)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            mesh.vertices(static_cast<Eigen::Index>(v), static_cast<Eigen::Index>(axis)) =
+                2.0 * corners[v][axis] / cells - 1;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+        mesh.faces.row(static_cast<Eigen::Index>(f)) << faces[f][0], faces[f][1], faces[f][2];
+    return mesh;
+}
+
+/// Boxes around the bones, balls for head and hands.
+class Robot {
+public:
+    Robot(const ImplicitBody& body, const Proportions& p, double gap, int faces)
+        : body_(body), p_(p), gap_(gap),
+          cube_(cube(std::max(2, static_cast<int>(std::sqrt(faces / (12.0 * pieces)))))) {
+        mesh_.vertices.resize(0, 3), mesh_.faces.resize(0, 3);
+        add_trunk();
+        const double h = p.head_scale;
+        add_ball(PartName::head, {0, -0.01 * h, 0.060 * h}, h * Vec3(0.090, 0.105, 0.105));
+        for (const PartName limb :
+             {PartName::left_upper_arm, PartName::right_upper_arm, PartName::left_thigh, PartName::right_thigh}) {
+            add_limb(limb), add_limb(next(limb, 1));
+            if (limb < PartName::left_thigh)
+                add_hand(limb);
+            else
+                add_foot(limb);
+        }
+    }
+
+    [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+
+private:
+    static constexpr int pieces = 15;
+
+    /// `place` maps the cube's points to coordinates of the part.
+    template <typename Place>
+    void add(PartName name, const Place& place) {
+        Mesh piece = cube_;
+        for (Eigen::Index v = 0; v < piece.vertices.rows(); ++v) {
+            const Vec3 p = place(Vec3(piece.vertices.row(v).transpose()));
+            piece.vertices.row(v) = name == PartName::trunk ? body_.trunk_to_world(p) : body_.part(name).to_world(p);
+        }
+        const Part& part = body_.part(name);
+        if (name != PartName::trunk && part.limb != (part.side < 0)) // mirrored: turned inside out
+            piece.faces.col(1).swap(piece.faces.col(2));
+        mesh_ = joined(mesh_, piece);
+    }
+
+    void add_box(PartName name, const Vec3& low, const Vec3& high) {
+        add(name, [&](const Vec3& p) -> Vec3 { return (low + high) / 2 + p.cwiseProduct(high - low) / 2; });
+    }
+
+    void add_ball(PartName name, const Vec3& centre, const Vec3& radii) {
+        add(name, [&](const Vec3& p) -> Vec3 { return centre + p.normalized().cwiseProduct(radii); });
+    }
+
+    /// Half the thickness of a limb, as far as there is room for it beside the other one.
+    [[nodiscard]] double radius(PartName name) const {
+        const Part& part = body_.part(name);
+        const Ring ring = outline(part.blobs).ring(part.length / 2);
+        const double mean = (ring.side + ring.front) / 2;
+        return name < PartName::left_thigh ? mean : std::min(mean, 0.85 * p_.hip_half_width);
+    }
+
+    /// Half of the gap at a joint, a quarter of the limb at most.
+    [[nodiscard]] double half_gap(PartName limb) const {
+        return std::min(gap_ * radius(limb), 0.25 * body_.part(limb).length);
+    }
+
+    /// Pelvis and chest.
+    void add_trunk() {
+        const PosedSkeleton& s = body_.skeleton();
+        const double waist = s.rest_position(BodyJoint::waist).z(), neck = s.rest_position(BodyJoint::neck).z();
+        const double hip = s.rest_position(BodyJoint::left_hip).z(), k = p_.scale;
+        const double arm = radius(PartName::left_upper_arm), thigh = radius(PartName::left_thigh);
+        const double slit = std::min(gap_ * arm, 0.25 * (waist - hip)), wide = p_.hip_half_width + thigh;
+        const double chest = p_.shoulder_half_width - arm - slit;
+        const double lowest = std::min(hip + 0.6 * thigh, (hip + waist) / 2);
+        add_box(PartName::trunk, {-wide, -0.10 * k, lowest}, {wide, 0.10 * k, waist - slit});
+        add_box(PartName::trunk, {-chest, -0.11 * k, waist + slit}, {chest, 0.11 * k, neck - slit / 2});
+    }
+
+    void add_limb(PartName name) {
+        const double free = half_gap(name), r = radius(name);
+        add_box(name, {-r, -r, free}, {r, r, body_.part(name).length - free});
+    }
+
+    void add_hand(PartName upper_arm) {
+        const double free = half_gap(next(upper_arm, 1)), h = p_.hand_scale, end = 0.18 * h;
+        add_ball(next(upper_arm, 2), {0, 0, (free + end) / 2}, {0.045 * h, 0.06 * h, (end - free) / 2});
+    }
+
+    void add_foot(PartName thigh) {
+        const double f = p_.foot_scale, sole = -p_.ankle_height;
+        const double top = std::max(-half_gap(next(thigh, 1)), sole / 2);
+        add_box(next(thigh, 2), {-0.045 * f, -0.17 * f, sole}, {0.045 * f, 0.05 * f, top});
+    }
+
+    const ImplicitBody& body_;
+    const Proportions& p_;
+    double gap_;
+    Mesh cube_;
+    Mesh mesh_;
+};
 
 // ------------------------------------------------------------------------------------------------------------- seams
 
@@ -207,12 +339,13 @@ Mesh eyes_and_teeth(const ImplicitBody& body, double h) {
 } // namespace
 
 Mesh put_together(const ImplicitBody& naked, const ImplicitBody& dressed, const Proportions& proportions,
-                  const BodyPieces& pieces, int faces) {
+                  const BodyPieces& pieces, int faces, bool one_body) {
+    if (pieces.limbs == LimbPieces::apart) return Robot(naked, proportions, pieces.gap, faces).mesh();
     const ImplicitBody& body = pieces.clothes ? naked : dressed;
     Mesh mesh = pieces.limbs == LimbPieces::whole
-                    ? whole(body, proportions, faces)
-                    : separate_limbs(body, proportions.scale, pieces.limbs == LimbPieces::open, faces);
-    if (pieces.clothes) mesh = joined(mesh, shells(naked, dressed, proportions, faces));
+                    ? whole(body, proportions, faces, one_body)
+                    : separate_limbs(body, proportions.scale, pieces.limbs == LimbPieces::open, faces, one_body);
+    if (pieces.clothes) mesh = joined(mesh, shells(naked, dressed, proportions, faces, one_body));
     if (pieces.seams) mesh = split_at_seams(body, mesh);
     if (pieces.face) mesh = joined(mesh, eyes_and_teeth(body, proportions.head_scale));
     return mesh;

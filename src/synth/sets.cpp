@@ -10,6 +10,7 @@
 #include <skelgen/core/error.hpp>
 
 #include "anatomy.hpp"
+#include "characters.hpp"
 #include "lines.hpp"
 
 namespace skelgen::synth {
@@ -575,12 +576,19 @@ Plans hands(std::uint64_t seed) {
     return plans;
 }
 
+Plans characters(std::uint64_t seed) {
+    constexpr std::uint64_t bodies = 100;
+    Plans plans;
+    for (std::uint64_t i = 0; i < bodies; ++i) plans.push_back(character(seed, i));
+    return plans;
+}
+
 struct NamedSet {
     const char* name;
     Plans (*plans)(std::uint64_t seed);
 };
 
-constexpr std::array<NamedSet, 13> sets{{{"scape", scape},
+constexpr std::array<NamedSet, 14> sets{{{"scape", scape},
                                          {"faust", faust},
                                          {"proportions", proportions},
                                          {"partial", partial},
@@ -592,7 +600,8 @@ constexpr std::array<NamedSet, 13> sets{{{"scape", scape},
                                          {"curled", curled},
                                          {"mouths", mouths},
                                          {"armed", armed},
-                                         {"hands", hands}}};
+                                         {"hands", hands},
+                                         {"characters", characters}}};
 
 } // namespace
 

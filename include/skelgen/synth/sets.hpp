@@ -26,6 +26,8 @@ namespace skelgen::synth {
 /// - hands: of two to five digits, open, curled and spread, grown together, in gloves, as fists, missing, or around a
 ///   rod, a staff or a ball. The left one and the right one are drawn by themselves; a third is beside the thighs
 /// - armed: staff, sword or axe in the right hand of people and figures, and a stout figure without
+/// - characters: 100 drawn at random from proportions, poses, what can be worn and held, and kinds of pieces. Their
+///   names say what they are
 [[nodiscard]] std::vector<std::string> set_names();
 
 /// What to synthesize for a set, in order. The same seed gives the same plans.
