@@ -116,10 +116,8 @@ set(skelgen_core_headers
     include/skelgen/curve/medial_balls.hpp
     include/skelgen/curve/proxy.hpp
     include/skelgen/curve/pruning.hpp
-    include/skelgen/curve/regions.hpp
     include/skelgen/curve/surgery.hpp
     include/skelgen/embedding/embed.hpp
-    include/skelgen/embedding/loop_cuts.hpp
     include/skelgen/embedding/missing_limbs.hpp
     include/skelgen/embedding/reduced_graph.hpp
     include/skelgen/embedding/spectral_matching.hpp
@@ -165,7 +163,6 @@ set(skelgen_core_headers
     include/skelgen/surface/canonical_form.hpp
     include/skelgen/surface/clean.hpp
     include/skelgen/surface/contours.hpp
-    include/skelgen/surface/cut_surface.hpp
     include/skelgen/surface/denoise.hpp
     include/skelgen/surface/envelope.hpp
     include/skelgen/surface/face_tree.hpp
@@ -264,7 +261,6 @@ set(skelgen_core_definitions
     include/skelgen/curve/impl/smoothing_spline.hpp
     include/skelgen/curve/impl/surgery.hpp
     include/skelgen/embedding/impl/embed.hpp
-    include/skelgen/embedding/impl/loop_cuts.hpp
     include/skelgen/embedding/impl/missing_limbs.hpp
     include/skelgen/embedding/impl/reduced_graph.hpp
     include/skelgen/embedding/impl/spectral_matching.hpp
@@ -303,7 +299,6 @@ set(skelgen_core_definitions
     include/skelgen/refinement/impl/trunk_joints.hpp
     include/skelgen/search/impl/agreement.hpp
     include/skelgen/search/impl/consensus.hpp
-    include/skelgen/search/impl/contacts.hpp
     include/skelgen/search/impl/evidence.hpp
     include/skelgen/search/impl/extract_options.hpp
     include/skelgen/search/impl/hypothesis.hpp

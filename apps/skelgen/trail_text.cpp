@@ -15,10 +15,7 @@ std::string outcome_text(const search::Tried& tried) {
 }
 
 std::string hypothesis_text(const search::Hypothesis& what) {
-    std::string text =
-        std::string(search::to_string(what.surface)) + ", " + std::string(search::to_string(what.opening));
-    if (what.cuts > 0) text += ", cut " + std::to_string(what.cuts) + (what.cuts == 1 ? " time" : " times");
-    return text + ", " + std::string(search::to_string(what.effort)) + " curve";
+    return std::string(search::to_string(what.surface)) + ", " + std::string(search::to_string(what.effort));
 }
 
 } // namespace

@@ -49,11 +49,10 @@ export function told_error(name, { code, message, refusal }) {
 
 const surfaces = {
   largest_piece: "the largest piece", rounded: "the largest piece made rounder", envelope: "an envelope around all",
-  alike_pieces: "an envelope without lone pieces", mirrored_pieces: "an envelope of mirrored pieces",
+  alike_pieces: "an envelope without lone pieces",
 };
 const curves = {
-  draft: "a quick curve", quick: "a centred curve", whole: "a whole curve", finer: "a finer curve",
-  detailed: "a curve with tails and horns", more_detailed: "a finer curve with tails and horns",
+  draft: "a curve", detailed: "a curve with tails and horns", more_detailed: "a finer curve with tails and horns",
   rest_fit: "a body at rest laid in", posed_fit: "bodies in any pose laid in",
 };
 const outcomes = {
@@ -64,9 +63,8 @@ const outcomes = {
 const spaced = (code) => String(code).replaceAll("_", " ");
 
 /// One try of the search, in words.
-export function told_try({ surface, cuts, curve, outcome, probability, seconds }) {
+export function told_try({ surface, curve, outcome, probability, seconds }) {
   const what = [surfaces[surface] ?? spaced(surface), curves[curve] ?? spaced(curve)];
-  if (cuts > 0) what.push(cuts === 1 ? "cut open once" : `cut open ${cuts} times`);
   const came = outcome === "found" ? `${outcomes.found}, right with ${percent(probability)}` : outcomes[outcome] ?? spaced(outcome);
   return `${sentence(what.join(", ")).slice(0, -1)}: ${came} (${seconds < 0.095 ? "under 0.1" : seconds.toFixed(1)} s)`;
 }

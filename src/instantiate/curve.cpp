@@ -10,7 +10,6 @@
 #include <skelgen/curve/impl/medial_balls.hpp>
 #include <skelgen/curve/impl/proxy.hpp>
 #include <skelgen/curve/impl/pruning.hpp>
-#include <skelgen/curve/impl/regions.hpp>
 #include <skelgen/curve/impl/surgery.hpp>
 
 namespace skelgen::curve {
@@ -38,9 +37,6 @@ namespace skelgen::curve {
                                                   const BranchCentringOptions&);                                       \
     template CurveSkeleton<Scalar> connectivity_surgery(const Points<Scalar>&, const Triangles&,                       \
                                                         const SurgeryOptions&);                                        \
-    template std::vector<int> nearest_of_proxy(const Proxy<Scalar>&, const Body<Scalar>&);                             \
-    template CurveSkeleton<Scalar> spread_regions(CurveSkeleton<Scalar>, const std::vector<int>&,                      \
-                                                  const Proxy<Scalar>&);                                               \
     template CurveSkeleton<Scalar> extend_leaves(const CurveSkeleton<Scalar>&, const Body<Scalar>&,                    \
                                                  const LeafExtensionOptions&);                                         \
     template CurveSkeleton<Scalar> prune(const CurveSkeleton<Scalar>&, const PruningOptions&);                         \

@@ -1,7 +1,6 @@
 // The embedding compiled once, for float and double.
 
 #include <skelgen/embedding/impl/embed.hpp>
-#include <skelgen/embedding/impl/loop_cuts.hpp>
 #include <skelgen/embedding/impl/missing_limbs.hpp>
 #include <skelgen/embedding/impl/reduced_graph.hpp>
 #include <skelgen/embedding/impl/spectral_matching.hpp>
@@ -23,9 +22,6 @@ namespace skelgen::embedding {
     template Outcome<Embedding> embed(const CurveSkeleton<Scalar>&, const SkeletonTemplate&, const MatchingOptions&);  \
     template Scalar unmatched_reach(const CurveSkeleton<Scalar>&, const Embedding&);                                   \
     template Scalar matched_diameter(const CurveSkeleton<Scalar>&, const Embedding&);                                  \
-    template int contact_count(const CurveSkeleton<Scalar>&);                                                          \
-    template std::vector<LoopCuts> find_loop_cuts(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,               \
-                                                  const MatchingOptions&);                                             \
     template std::vector<LaidTemplate> without_a_limb(const CurveSkeleton<Scalar>&, const SkeletonTemplate&,           \
                                                       std::size_t, const MatchingOptions&);
 

@@ -4,7 +4,6 @@
 #include <skelgen/surface/impl/canonical_form.hpp>
 #include <skelgen/surface/impl/clean.hpp>
 #include <skelgen/surface/impl/contours.hpp>
-#include <skelgen/surface/impl/cut_surface.hpp>
 #include <skelgen/surface/impl/denoise.hpp>
 #include <skelgen/surface/impl/envelope.hpp>
 #include <skelgen/surface/impl/face_tree.hpp>
@@ -44,7 +43,7 @@ namespace skelgen::surface {
     template class WindingTree<Scalar>;                                                                                \
     template TriangleMesh<Scalar> lattice_surface(const Lattice<Scalar>&, const std::vector<LatticeNode>&,             \
                                                   const LatticeShape<Scalar>&);                                        \
-    template std::map<Twins, PairedPieces> without_lone_pieces(const TriangleMesh<Scalar>&);                           \
+    template std::optional<PairedPieces> without_lone_pieces(const TriangleMesh<Scalar>&);                             \
     template TriangleMesh<Scalar> side_by_side(const TriangleMesh<Scalar>&, const TriangleMesh<Scalar>&);              \
     template TriangleMesh<Scalar> winding_envelope(const TriangleMesh<Scalar>&, const EnvelopeOptions&);               \
     template TriangleMesh<Scalar> smoothed(TriangleMesh<Scalar>, int, const DenoiseOptions&);                          \
@@ -57,10 +56,6 @@ namespace skelgen::surface {
     template std::vector<ManifoldParts<Scalar>> manifold_parts(const TriangleMesh<Scalar>&, double);                   \
     template ManifoldParts<Scalar> largest_manifold_part(const TriangleMesh<Scalar>&);                                 \
     template ManifoldParts<Scalar> manifold_part_of_sound(const TriangleMesh<Scalar>&);                                \
-    template CutSurface<Scalar> cut_surface(const TriangleMesh<Scalar>&, const std::vector<int>&,                      \
-                                            const std::vector<int>&);                                                  \
-    template CutSurface<Scalar> cut_along(const TriangleMesh<Scalar>&, const Triangles&,                               \
-                                          const std::vector<std::vector<int>>&);                                       \
     template std::optional<Body<Scalar>> open_handles(const Body<Scalar>&);                                            \
     template std::optional<Body<Scalar>> close_pockets(const Body<Scalar>&);                                           \
     template Body<Scalar> make_body(TriangleMesh<Scalar>, const Similarity<Scalar>&, std::vector<int>, int);           \

@@ -12,9 +12,9 @@ std::string trail_to_json(const search::Trail& trail) {
     for (const search::Tried& each : trail) {
         const search::Hypothesis& what = each.hypothesis;
         tried.push_back({{"surface", search::to_string(what.surface)},
-                         {"opened", search::to_string(what.opening)},
-                         {"cuts", what.cuts},
-                         {"held", "nothing"}, // what hands hold is not taken off; the format has the key
+                         {"opened", "opened"}, // always, and neither cut nor freed of what hands hold: the format's
+                         {"cuts", 0},          // keys stay
+                         {"held", "nothing"},
                          {"lacking", each.lacks_limb},
                          {"curve", search::to_string(what.effort)},
                          {"outcome", each.candidates > 0 ? "found" : to_string(each.refusal)},

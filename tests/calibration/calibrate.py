@@ -340,8 +340,8 @@ def report_kinds(meshes):
     off these are: the joints' mean error, each at most FARTHEST_OFF of the scale. A body that it finds none of counts as that."""
     bodies = [m for m in meshes if m.is_body and "joints" in m.truth]
     off = lambda m, i: float(np.mean(np.minimum(list(m.errors[i].values()) or [FARTHEST_OFF], FARTHEST_OFF)))
-    for kind in sorted({row["hypothesis"][3] for m in bodies for row in m.rows}):
-        found = [(m, which) for m in bodies if (which := [i for i, row in enumerate(m.rows) if row["hypothesis"][3] == kind])]
+    for kind in sorted({row["hypothesis"][1] for m in bodies for row in m.rows}):
+        found = [(m, which) for m in bodies if (which := [i for i, row in enumerate(m.rows) if row["hypothesis"][1] == kind])]
         means = lambda offs: f"off {(sum(offs) + FARTHEST_OFF * (len(bodies) - len(found))) / len(bodies):.4f}"
         text = f"some right {sum(m.right[which].any() for m, which in found)}, the best {means([min(off(m, i) for i in which) for m, which in found])}"
         picked = {"likeliest": lambda m, i: -m.rows[i]["probability"], "cheapest": lambda m, i: m.rows[i]["evidence"]["fit_cost"]}
@@ -465,13 +465,10 @@ def measures(meshes, penalty):
 
 def ablate(meshes, witnesses, penalty):
     kinds = {
-        "bodies at rest": lambda row: row["hypothesis"][3] != "rest_fit",
-        "bodies in any pose": lambda row: row["hypothesis"][3] != "posed_fit",
-        "whole curves": lambda row: row["hypothesis"][3] in ("draft", "quick", "rest_fit", "posed_fit"),
-        "finer curves": lambda row: row["hypothesis"][3] != "finer",
-        "cuts at contacts": lambda row: row["hypothesis"][2] == 0,
-        "surfaces as given": lambda row: row["hypothesis"][1] != "as_given",
+        "bodies at rest": lambda row: row["hypothesis"][1] != "rest_fit",
+        "bodies in any pose": lambda row: row["hypothesis"][1] != "posed_fit",
         "envelopes": lambda row: row["hypothesis"][0] != "envelope",
+        "envelopes without lone pieces": lambda row: row["hypothesis"][0] != "alike_pieces",
         "rounded surfaces": lambda row: row["hypothesis"][0] != "rounded",
         "limbs that are lacking": lambda row: row["evidence"]["lacks_head"] + row["evidence"]["lacks_limbs"] == 0,
     }

@@ -36,8 +36,7 @@ Json described(const search::Found<double>& found, const SkeletonTemplate& wante
     const KinematicSkeleton<double> skeleton = surface::to_input(*found.body, candidate.skeleton);
     Json out;
     const search::Hypothesis& what = found.hypothesis;
-    out["hypothesis"] = {std::string(search::to_string(what.surface)), std::string(search::to_string(what.opening)),
-                         what.cuts, std::string(search::to_string(what.effort))};
+    out["hypothesis"] = {std::string(search::to_string(what.surface)), std::string(search::to_string(what.effort))};
     for (std::size_t w = 0; w < search::witness_count; ++w)
         out["evidence"][std::string(to_string(static_cast<search::Witness>(w)))] = candidate.evidence.values[w];
     for (std::size_t w = 0; w < symmetry::side_witness_count; ++w)

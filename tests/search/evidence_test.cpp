@@ -1,5 +1,6 @@
 // What a skeleton shows by itself, in closed forms: on the template's own bones, as a curve, as tubes, as a skeleton.
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <set>
@@ -256,6 +257,23 @@ TEST_CASE("a limb's joint in another limb or in the trunk lies there as deep as 
     CHECK(evidence_of_pose(elbow)[Witness::apart] == Approx(1));
     elbow.joints[static_cast<std::size_t>(find_joint(elbow, "right_elbow"))].is_present = false;
     CHECK(evidence_of_pose(elbow)[Witness::apart] == 0);
+}
+
+TEST_CASE("a limb that comes back to its own upper bone is folded as far as it is near") {
+    CHECK(evidence_of_pose(rest_pose())[Witness::folded] == 0);
+    for (const auto& [root, middle, outer] : {std::array{"left_shoulder", "left_elbow", "left_wrist"},
+                                              std::array{"right_hip", "right_knee", "right_ankle"}}) {
+        INFO(outer);
+        KinematicSkeleton<double> skeleton = rest_pose();
+        const Vec3 from = at(skeleton, root), bone = at(skeleton, middle) - from;
+        at(skeleton, outer) = from + 0.3 * bone;
+        CHECK(evidence_of_pose(skeleton)[Witness::folded] == Approx(1));
+        const Vec3 across = bone.cross(Vec3(1, 2, 3)).normalized();
+        at(skeleton, outer) += 0.125 * bone.norm() * across; // a quarter of half the bone
+        CHECK(evidence_of_pose(skeleton)[Witness::folded] == Approx(0.75));
+        skeleton.joints[static_cast<std::size_t>(find_joint(skeleton, outer))].is_present = false;
+        CHECK(evidence_of_pose(skeleton)[Witness::folded] == 0);
+    }
 }
 
 TEST_CASE("the legs of who stands go on from the trunk, those of an animal or of who sits do not") {

@@ -12,8 +12,8 @@ using namespace skelgen::search;
 
 namespace {
 
-constexpr std::array efforts{Effort::draft,    Effort::quick,         Effort::whole,    Effort::finer,
-                             Effort::detailed, Effort::more_detailed, Effort::rest_fit, Effort::posed_fit};
+constexpr std::array efforts{Effort::draft, Effort::detailed, Effort::more_detailed, Effort::rest_fit,
+                             Effort::posed_fit};
 
 /// How many different spellings these values have, empty ones not counted.
 template <typename Values>
@@ -39,34 +39,6 @@ TEST_CASE("a draft has half as many vertices, but no fewer than a body's, and is
     }
 }
 
-TEST_CASE("a quick curve has a draft's proxy and is centred") {
-    const curve::CurveOptions draft = curve_options(Effort::draft, {}), quick = curve_options(Effort::quick, {});
-    CHECK_FALSE(quick.is_draft);
-    CHECK(quick.proxy.vertices == draft.proxy.vertices);
-    CHECK(quick.contraction.medial_weight == draft.contraction.medial_weight);
-}
-
-TEST_CASE("a whole curve is as the options have it") {
-    curve::CurveOptions options;
-    options.proxy.vertices = 2222;
-    options.contraction.medial_weight *= 2;
-    options.is_draft = true; // a draft that nobody asked for
-    const curve::CurveOptions whole = curve_options(Effort::whole, options);
-    CHECK(whole.proxy.vertices == 2222);
-    CHECK(whole.contraction.medial_weight == options.contraction.medial_weight);
-    CHECK(whole.centring.rounds == options.centring.rounds);
-    CHECK_FALSE(whole.is_draft);
-}
-
-TEST_CASE("finer curves have proxies half as fine again, as far as proxies go") {
-    curve::CurveOptions options;
-    options.proxy.vertices = 2000;
-    CHECK(curve_options(Effort::finer, options).proxy.vertices == 3000);
-    options.proxy.vertices = curve::most_proxy_vertices - 1;
-    CHECK(curve_options(Effort::finer, options).proxy.vertices == curve::most_proxy_vertices);
-    CHECK(curve_options(Effort::finer, options).contraction.medial_weight == options.contraction.medial_weight);
-}
-
 TEST_CASE("whatever is allowed to be wanted, every effort's options are allowed, too") {
     curve::CurveOptions least, most;
     least.proxy.vertices = 100;
@@ -84,33 +56,26 @@ TEST_CASE("whatever is allowed to be wanted, every effort's options are allowed,
 TEST_CASE("a curve costs a draft or more, and the more the finer it is") {
     for (const Effort effort : efforts) CHECK((cost_of(effort) >= 1 || effort == Effort::posed_fit));
     CHECK(cost_of(Effort::posed_fit) == 0); // is always tried last, and needs no curve
-    CHECK(curve_options(Effort::whole, {}).detail == curve::Detail::limbs);
     for (const Effort effort : {Effort::detailed, Effort::more_detailed}) {
-        const curve::CurveOptions detailed = curve_options(effort, {}), whole = curve_options(Effort::whole, {});
+        const curve::CurveOptions detailed = curve_options(effort, {}), wanted;
         CHECK(detailed.is_draft);
-        CHECK(detailed.pruning.branch < whole.pruning.branch);
-        CHECK(detailed.proxy.vertices == (effort == Effort::detailed ? 1 : 3) * whole.proxy.vertices);
+        CHECK(detailed.pruning.branch < wanted.pruning.branch);
+        CHECK(detailed.proxy.vertices == (effort == Effort::detailed ? 1 : 3) * wanted.proxy.vertices);
     }
     CHECK(cost_of(Effort::draft) == 1);
-    CHECK(cost_of(Effort::draft) < cost_of(Effort::quick));
-    CHECK(cost_of(Effort::quick) < cost_of(Effort::whole));
-    CHECK(cost_of(Effort::whole) < cost_of(Effort::finer));
+    CHECK(cost_of(Effort::draft) < cost_of(Effort::detailed));
+    CHECK(cost_of(Effort::detailed) < cost_of(Effort::more_detailed));
 }
 
 TEST_CASE("every part of a hypothesis has a name of its own, as trails spell it") {
     using surface::Remedy;
     CHECK(spellings(efforts) == efforts.size());
-    CHECK(spellings(std::array{Remedy::largest_piece, Remedy::envelope, Remedy::rounded, Remedy::alike_pieces,
-                               Remedy::mirrored_pieces}) == 5);
-    CHECK(spellings(std::array{Opening::opened, Opening::as_given}) == 2);
+    CHECK(spellings(std::array{Remedy::largest_piece, Remedy::envelope, Remedy::rounded, Remedy::alike_pieces}) == 4);
     CHECK(to_string(Remedy::largest_piece) == "largest_piece");
-    CHECK(to_string(Opening::as_given) == "as_given");
 }
 
-TEST_CASE("what is assumed first is the gentlest: a draft of the largest piece, nothing cut") {
+TEST_CASE("what is assumed first is the gentlest: a draft of the largest piece") {
     constexpr Hypothesis first;
     CHECK(first.surface == surface::Remedy::largest_piece);
-    CHECK(first.opening == Opening::opened);
-    CHECK(first.cuts == 0);
     CHECK(first.effort == Effort::draft);
 }

@@ -1,6 +1,7 @@
 // The loop that tries what may be true of a mesh: its order, its budget, its trail.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -34,9 +35,9 @@ Climb<double> climbed(const Mesh& mesh, int budget, Thoroughness thoroughness = 
     return climb(mesh, builtin_template("human21"), options, thoroughness);
 }
 
-/// The standing man with everything tried that eleven drafts' time is enough for.
+/// The standing man with everything tried.
 const Climb<double>& thorough() {
-    static const Climb<double> made = climbed(standing_man(), 11, Thoroughness::exhaustive);
+    static const Climb<double> made = climbed(standing_man(), 24, Thoroughness::exhaustive);
     return made;
 }
 
@@ -52,8 +53,7 @@ Mesh two_balls() {
 }
 
 bool is_same(const Tried& a, const Tried& b) {
-    return a.hypothesis.surface == b.hypothesis.surface && a.hypothesis.opening == b.hypothesis.opening &&
-           a.hypothesis.cuts == b.hypothesis.cuts && a.hypothesis.effort == b.hypothesis.effort &&
+    return a.hypothesis.surface == b.hypothesis.surface && a.hypothesis.effort == b.hypothesis.effort &&
            a.refusal == b.refusal && a.candidates == b.candidates && a.probability == b.probability &&
            a.lacks_limb == b.lacks_limb;
 }
@@ -75,21 +75,14 @@ TEST_CASE("a body that stands free is sure by its draft, or when other ways to f
     CHECK(climb.failure.reason == Refusal::none);
 }
 
-TEST_CASE("a thorough climb goes on from a draft to whole curves, and to finer ones after all else") {
+TEST_CASE("a thorough climb goes on from a draft to a body at rest and to bodies in any pose") {
     const Trail& trail = thorough().trail;
-    REQUIRE(trail.size() >= 3);
-    CHECK(trail.front().hypothesis.effort == Effort::draft);
-    CHECK(trail.front().hypothesis.surface == surface::Remedy::largest_piece);
-    const auto place_of = [&](Effort effort) {
-        return std::find_if(trail.begin(), trail.end(),
-                            [&](const Tried& each) { return each.hypothesis.effort == effort; }) -
-               trail.begin();
-    };
-    CHECK(place_of(Effort::draft) < place_of(Effort::whole));
-    CHECK(place_of(Effort::whole) < place_of(Effort::finer));
-    CHECK(place_of(Effort::finer) < static_cast<std::ptrdiff_t>(trail.size()));
-    for (std::size_t i = 0; i < trail.size(); ++i)
-        if (trail[i].hypothesis.effort == Effort::finer) CHECK(i == trail.size() - 1);
+    REQUIRE(trail.size() == 3);
+    constexpr std::array efforts{Effort::draft, Effort::rest_fit, Effort::posed_fit};
+    for (std::size_t i = 0; i < trail.size(); ++i) {
+        CHECK(trail[i].hypothesis.effort == efforts[i]);
+        CHECK(trail[i].hypothesis.surface == surface::Remedy::largest_piece);
+    }
 }
 
 TEST_CASE("no hypothesis is tried twice") {
@@ -97,20 +90,19 @@ TEST_CASE("no hypothesis is tried twice") {
     for (std::size_t i = 0; i < trail.size(); ++i)
         for (std::size_t k = 0; k < i; ++k) {
             const Hypothesis &a = trail[i].hypothesis, &b = trail[k].hypothesis;
-            CHECK((a.surface != b.surface || a.opening != b.opening || a.cuts != b.cuts || a.effort != b.effort));
+            CHECK((a.surface != b.surface || a.effort != b.effort));
         }
 }
 
 TEST_CASE("the budget is kept, and used where there is something to try") {
-    for (const int budget : {1, 2, 5}) {
+    for (const int budget : {1, 2}) {
         INFO(budget);
         const Trail trail = climbed(standing_man(), budget, Thoroughness::exhaustive).trail;
-        CHECK(spent_on(trail) <= budget);
-        // a draft, one at rest, a whole curve; and whatever the budget bodies in any pose
-        CHECK(trail.size() == (budget < 5 ? static_cast<std::size_t>(budget) : 3) + 1);
+        CHECK(spent_on(trail) == budget);
+        // a draft, one at rest; and whatever the budget bodies in any pose
+        CHECK(trail.size() == static_cast<std::size_t>(budget) + 1);
     }
-    CHECK(spent_on(thorough().trail) <= 11);
-    CHECK(spent_on(thorough().trail) > 5); // and with five more a finer one
+    CHECK(spent_on(thorough().trail) == 2);
 }
 
 TEST_CASE("a thorough climb keeps all candidates, in the order of the trail") {
@@ -136,9 +128,7 @@ TEST_CASE("every candidate of a climb is likely as its evidence says, and comes 
         REQUIRE(each.body);
         REQUIRE(each.whole);
         REQUIRE(each.curve);
-        const Effort effort = each.hypothesis.effort;
-        const bool is_by_draft = effort == Effort::draft || effort == Effort::rest_fit || effort == Effort::posed_fit;
-        CHECK(each.curve->is_draft == is_by_draft);
+        CHECK(each.curve->is_draft);
         CHECK(each.candidate.skeleton.joints.size() == 21);
         CHECK(each.candidate.doubt.size() == 21);
     }
@@ -226,8 +216,9 @@ TEST_CASE("a far vertex that no face uses does not make candidates agree") {
         for (const Found<double>& each : found) least = std::min(least, each.candidate.evidence[Witness::agreed]);
         return least;
     };
-    REQUIRE(least_agreed(thorough().found) < 0.05); // one of them lies head down
-    CHECK(least_agreed(climbed(mesh, 11, Thoroughness::exhaustive).found) < 0.05);
+    const double least = least_agreed(thorough().found);
+    REQUIRE(least < 0.2); // one of them lies elsewhere
+    CHECK(least_agreed(climbed(mesh, 24, Thoroughness::exhaustive).found) == Approx(least).margin(0.05));
 }
 
 TEST_CASE("skeletons agree that lie on each other, little where joints are far off, nothing where most are lacking") {
@@ -332,25 +323,7 @@ TEST_CASE("a surface that encloses nothing is a try that has failed") {
     CHECK(nothing->candidates == 0);
 }
 
-TEST_CASE("what has nothing to open is tried but as it is") {
-    for (const Tried& each : thorough().trail) CHECK(each.hypothesis.opening == Opening::opened);
-    for (const Tried& each : thorough().trail) CHECK(each.hypothesis.cuts == 0);
-}
-
-TEST_CASE("limbs that have grown together lead to cuts at the curve's loops") {
-    const Climb<double> climb = climbed(load_fixture_body("hands-clasped-woman").mesh, 4, Thoroughness::exhaustive);
-    REQUIRE_FALSE(climb.trail.empty());
-    CHECK(climb.trail.front().hypothesis.cuts == 0);
-    CHECK(std::any_of(climb.trail.begin(), climb.trail.end(), [](const Tried& each) {
-        return each.hypothesis.cuts == 1 && each.hypothesis.effort == Effort::quick;
-    }));
-    const auto cut = std::find_if(climb.found.begin(), climb.found.end(),
-                                  [](const Found<double>& each) { return each.hypothesis.cuts == 1; });
-    REQUIRE(cut != climb.found.end());
-    CHECK(cut->body != cut->whole);
-}
-
-TEST_CASE("bodies in any pose are laid into one surface, once, whatever the budget") {
+TEST_CASE("bodies in any pose are laid into the first surface, once, whatever the budget") {
     const Climb<double> climb = climbed(standing_man(), 1, Thoroughness::exhaustive);
     REQUIRE(climb.trail.size() == 2);
     CHECK(spent_on(climb.trail) == 1);
@@ -360,9 +333,20 @@ TEST_CASE("bodies in any pose are laid into one surface, once, whatever the budg
     CHECK(climb.found.front().candidate.evidence[Witness::posed] == 0);
     CHECK(climb.found.back().candidate.evidence[Witness::posed] == 1);
     CHECK(climb.found.back().candidate.evidence[Witness::fitted] == 1);
-    const Trail& more = thorough().trail;
-    CHECK(std::count_if(more.begin(), more.end(),
-                        [](const Tried& each) { return each.hypothesis.effort == Effort::posed_fit; }) == 1);
+}
+
+TEST_CASE("bodies in any pose are laid into each surface that pieces make together, too") {
+    const FixtureBody man = load_fixture_body("standing-man");
+    const auto hand = std::find_if(man.truth.joints.begin(), man.truth.joints.end(),
+                                   [](const auto& joint) { return joint.first == "left_hand"; });
+    REQUIRE(hand != man.truth.joints.end());
+    const Mesh ball = moved_by(sphere(0.12, 2), hand->second); // overlaps the hand, and is joined to nothing
+    const Climb<double> climb = climbed(side_by_side(man.mesh, ball), 24, Thoroughness::exhaustive);
+    std::vector<surface::Remedy> laid_into;
+    for (const Tried& each : climb.trail)
+        if (each.hypothesis.effort == Effort::posed_fit) laid_into.push_back(each.hypothesis.surface);
+    CHECK(laid_into.size() >= 2);
+    CHECK(std::count(laid_into.begin(), laid_into.end(), surface::Remedy::envelope) == 1);
 }
 
 TEST_CASE("a curve with too few ends is no body's: the failure says so, and so does the trail") {

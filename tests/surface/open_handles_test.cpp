@@ -4,7 +4,7 @@
 
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/surface/cut_surface.hpp>
+#include <skelgen/surface/impl/cut_surface.hpp>
 #include <skelgen/surface/impl/handle_loops.hpp>
 #include <skelgen/surface/open_handles.hpp>
 #include <skelgen/surface/prepare.hpp>

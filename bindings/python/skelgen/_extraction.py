@@ -608,7 +608,7 @@ def extract(  # noqa: PLR0913
 
     >>> body = skelgen.extract("body.off")
     >>> body
-    Extraction('body.off', human21: 21 joints, sides_confidence 0.97)
+    Extraction('body.off', human21: 21 joints, sides_confidence 0.98)
     >>> body.positions.shape, body.names[:2]
     ((21, 3), ('crotch', 'waist'))
     """

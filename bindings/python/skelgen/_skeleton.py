@@ -67,7 +67,7 @@ class Skeleton:
 
     >>> skeleton = skelgen.read_skeleton("body.json")
     >>> skeleton
-    Skeleton(human21: 21 joints, sides_confidence 0.97)
+    Skeleton(human21: 21 joints, sides_confidence 0.98)
     >>> skeleton["left_knee"].shape
     (3,)
     """

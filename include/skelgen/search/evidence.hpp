@@ -30,6 +30,7 @@ enum class Witness {
     doubt,        ///< mean over the joints of log(1 + doubt): see anatomy::joint_doubts
     outside,      ///< share of the joints that were outside the surface
     apart,        ///< how deep, in its radius, the worst joint of a limb lies in another limb or the trunk
+    folded,       ///< how near, from 0 to 1, the worst wrist or ankle is to its own upper bone
     unexplained,  ///< share of the surface that lies far beyond all bones
     pairs_girths, ///< mean |log ratio| of the distances of left and right bones to the surface
     // proportions, as log ratios to the trunk, relative to an adult's

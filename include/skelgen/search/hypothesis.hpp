@@ -8,30 +8,19 @@
 
 namespace skelgen::search {
 
-/// What is done to a surface where it may have grown together with itself, before its curve is looked for.
-enum class Opening {
-    opened,   ///< pockets closed, handles opened, as far as there are any
-    as_given, ///< nothing
-};
-
 /// How much work goes into a curve skeleton.
 enum class Effort {
-    draft,         ///< a coarse proxy, roughly centred: enough for most bodies
-    quick,         ///< the same proxy, centred, with regions
-    whole,         ///< as the options have it
-    finer,         ///< a proxy half as fine again
+    draft,         ///< a coarse proxy, roughly centred: enough for bodies
     detailed,      ///< roughly centred, with finer branches: tails, horns, trunks
     more_detailed, ///< the same of a proxy three times as fine
     rest_fit,      ///< none: a body at rest is laid into the surface (rest_fit.hpp)
     posed_fit      ///< none: a body in any pose is laid into the surface (posed_fit.hpp)
 };
 
-/// What may be true of a mesh: which surface stands for the body, where it was opened, how finely its curve has to be
-/// looked for. A value: the ladder (ladder.hpp) tries one after the other.
+/// What may be true of a mesh: which surface stands for the body, and what is looked for in it. A value: the ladder
+/// (ladder.hpp) tries one after the other.
 struct Hypothesis {
     surface::Remedy surface = surface::Remedy::largest_piece;
-    Opening opening = Opening::opened;
-    int cuts = 0; ///< how often it was cut open at loops of its curve
     Effort effort = Effort::draft;
 };
 
@@ -45,7 +34,6 @@ struct Hypothesis {
 
 /// As trails spell them: "largest_piece", "draft", ...
 [[nodiscard]] std::string_view to_string(surface::Remedy remedy);
-[[nodiscard]] std::string_view to_string(Opening opening);
 [[nodiscard]] std::string_view to_string(Effort effort);
 
 } // namespace skelgen::search

@@ -18,7 +18,7 @@ namespace skelgen::search {
 template <typename Scalar = double>
 struct Found {
     Candidate<Scalar> candidate;
-    std::shared_ptr<const Body<Scalar>> body;  ///< in which it was found: opened, cut
+    std::shared_ptr<const Body<Scalar>> body;  ///< in which it was found: opened
     std::shared_ptr<const Body<Scalar>> whole; ///< the same surface before that
     std::shared_ptr<const curve::CurveResult<Scalar>> curve;
     Hypothesis hypothesis;
@@ -51,9 +51,9 @@ enum class Thoroughness {
 };
 
 /// The one loop of the search: tries what may be true of a mesh (hypothesis.hpp), in the order of what that promises,
-/// until a candidate is sure enough or the budget of curves is used up. What a try shows leads to further hypotheses:
-/// loops of a curve to cuts, doubtful skeletons to finer curves. Bodies are laid into
-/// each surface, too, and how far all of these agree is part of their evidence. Each surface, curve
+/// until a candidate is sure enough or the budget of curves is used up. What is not sure leads to further hypotheses:
+/// bodies laid into the surface itself, and finer curves for animals. How far all candidates agree is part of their
+/// evidence. Each surface, curve
 /// and embedding is found once. `known`: joints' places in the mesh's coordinates, which bodies at rest are laid to.
 /// Where the options ask for a four-legged animal, too, both are looked for in the same curves, each is unlikely where
 /// the other is likely, and the likelier one is found. \throws Error bad_input when `mesh` is no usable surface; usage

@@ -199,7 +199,9 @@ BonesNumbers<count> numbers_of(const std::array<ModelBone, count>& bones) {
 }
 
 /// How far a place is outside a bone; negative within it. `by_bone`: gets the derivatives by the bone's numbers.
-inline double beyond(const ModelBone& bone, const Vec3d& place, BoneNumbers* by_bone = nullptr) {
+/// `outwards`: the unit direction from the bone's axis to the place.
+inline double beyond(const ModelBone& bone, const Vec3d& place, BoneNumbers* by_bone = nullptr,
+                     Vec3d* outwards = nullptr) {
     const Vec3d along = bone.to - bone.from, off = place - bone.from;
     const double squared = along.squaredNorm() + 1e-12;
     const double anywhere = off.dot(along) / squared, u = std::clamp(anywhere, 0.0, 1.0);
@@ -212,8 +214,9 @@ inline double beyond(const ModelBone& bone, const Vec3d& place, BoneNumbers* by_
         across -= sideways * wide;
     }
     const double distance = across.norm();
+    const Vec3d away = across / std::max(distance, 1e-12);
+    if (outwards) *outwards = away;
     if (by_bone) {
-        const Vec3d away = across / std::max(distance, 1e-12);
         *by_bone << -(1 - u) * away, -u * away, -(1 - u), -u, -(1 - u) * sideways * away, -u * sideways * away;
         if (anywhere == u) { // the place on the axis moves along with its ends
             const double by_u =
@@ -272,14 +275,21 @@ private:
 inline constexpr double prior_weight = 0.5; ///< beside the weights of add_misfit
 inline constexpr double at_known = 0.005;   ///< of the height: how far from a known place counts 1
 
-/// Adds the residuals of places that lie on no bone, and with middles those of axes that are not in the middle.
+/// A place on a surface, and the surface's unit normal there, outwards; zero where it does not count.
+struct SurfacePlace {
+    Vec3d place, normal = Vec3d::Zero();
+};
+
+/// Adds the residuals of places that lie on no bone, and with middles those of axes that are not in the middle. A place
+/// is of the bone that is nearest to it, where one whose surface faces the other way counts as farther.
 /// `by_number`: derivatives of the bones' numbers by the model's. `depth_of`: the Depth of a place.
 template <int numbers, std::size_t count, typename DepthOf>
 void add_misfit(const std::array<ModelBone, count>& bones,
                 const Eigen::Matrix<double, numbers_of_all<count>, numbers>& by_number,
-                const std::vector<Vec3d>& places, bool with_middles, const DepthOf& depth_of,
+                const std::vector<SurfacePlace>& places, bool with_middles, const DepthOf& depth_of,
                 core::NormalEquations<numbers>& out) {
     constexpr double on_surface = 0.02, in_middle = 0.03;        // of the height: as much as counts 1
+    constexpr double facing_away = 3 * on_surface;               // as much farther is a bone that faces the other way
     constexpr double surface_weight = 6, middle_weight = 4;      // of all residuals of the kind
     constexpr std::array<double, 4> along{0.1, 0.35, 0.65, 0.9}; // where axes have to be in the middle
     std::array<core::NormalEquations<bone_numbers>, count> of_bone;
@@ -288,11 +298,13 @@ void add_misfit(const std::array<ModelBone, count>& bones,
         of_bone[bone].add(Eigen::Matrix<double, 1, 1>(weight * residual), weight * slope / unit * by_bone.transpose());
     };
     BoneNumbers by_bone;
-    for (const Vec3d& place : places) {
+    for (const auto& [place, normal] : places) {
         std::size_t nearest = 0;
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t b = 0; b < count; ++b) {
-            const double distance = std::abs(beyond(bones[b], place));
+            Vec3d outwards;
+            const double distance =
+                std::abs(beyond(bones[b], place, nullptr, &outwards)) + facing_away * (1 - normal.dot(outwards)) / 2;
             if (distance < least) std::tie(least, nearest) = std::pair(distance, b);
         }
         const double off = beyond(bones[nearest], place, &by_bone);

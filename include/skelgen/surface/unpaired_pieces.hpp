@@ -1,16 +1,10 @@
 #pragma once
 
-#include <map>
+#include <optional>
 
 #include <skelgen/core/mesh.hpp>
 
 namespace skelgen::surface {
-
-/// Which pieces pass for a limb's, as there is one like them elsewhere.
-enum class Twins {
-    alike,   ///< of as many faces and of about the same area, wherever the two are: bodies in any pose
-    mirrored ///< and on either side of one plane: what both hands hold stays, what is found twice by chance does not
-};
 
 /// What is left of a mesh of pieces without the lone ones, and how much that leaves out.
 struct PairedPieces {
@@ -20,12 +14,12 @@ struct PairedPieces {
 };
 
 /// Leaves out the pieces that have no twin and lie beside the body's middle: swords, shields, bags, a plume. Limbs come
-/// in twins; head, trunk, hair and skirts lie in the middle. That is the plane which mirrors pieces onto their twins,
-/// or goes through pieces, with the largest area of such pieces together. \returns what is left by each kind of twins:
-/// nothing for a kind by which no two pieces are alike, less than 0.5 % of the area is left out, or more than half, and
-/// for mirrored ones where the alike ones say the same. O(n log n + k^4) for the k <= 40 largest pieces.
+/// in twins, of as many faces and of about the same area, wherever the two are: bodies may be in any pose. Head, trunk,
+/// hair and skirts lie in the middle. That is the plane which mirrors pieces onto their twins, or goes through pieces,
+/// with the largest area of such pieces together. \returns what is left; nothing where no two pieces are alike, less
+/// than 0.5 % of the area is left out, or more than half. O(n log n + k^4) for the k <= 40 largest pieces.
 template <typename Scalar>
-[[nodiscard]] std::map<Twins, PairedPieces> without_lone_pieces(const TriangleMesh<Scalar>& mesh);
+[[nodiscard]] std::optional<PairedPieces> without_lone_pieces(const TriangleMesh<Scalar>& mesh);
 
 } // namespace skelgen::surface
 

@@ -1,5 +1,5 @@
 // Written by `./dev calibrate`: what the probability that left and right are told apart rightly is made of. Fitted on
-// 7739 candidates of 518 meshes by 257 makers whose limbs are right; tests/calibration/calibrate.py says how, and how
+// 8588 candidates of 912 meshes by 459 makers whose limbs are right; tests/calibration/calibrate.py says how, and how
 // well on makers left out.
 #pragma once
 
@@ -8,8 +8,8 @@
 namespace skelgen::symmetry {
 
 /// What a unit of each SideWitness (sides.hpp) adds to the log odds: of foot, knee, elbow, head, sole, face.
-inline constexpr std::array<double, 6> side_weights{0.6958, 0.8379, 1.916, 13.27, 2.404, 83.33};
+inline constexpr std::array<double, 6> side_weights{0.1864, 1.469, 0.7885, 29.78, 2.78, 88.81};
 /// What counts of it at most: three root mean squares.
-inline constexpr std::array<double, 6> side_limits{4.815, 1.862, 1.457, 0.1607, 3.046, 0.05277};
+inline constexpr std::array<double, 6> side_limits{4.464, 1.928, 1.51, 0.109, 3.141, 0.05212};
 
 } // namespace skelgen::symmetry

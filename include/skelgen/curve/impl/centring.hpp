@@ -7,7 +7,7 @@
 #include <skelgen/core/curve_skeleton.hpp>
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/mesh.hpp>
-#include <skelgen/curve/regions.hpp>
+#include <skelgen/curve/impl/regions.hpp>
 
 namespace skelgen::curve {
 

@@ -12,8 +12,8 @@
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/parallel.hpp>
 #include <skelgen/curve/impl/centring.hpp>
+#include <skelgen/curve/impl/regions.hpp>
 #include <skelgen/curve/impl/section_regions.hpp>
-#include <skelgen/curve/regions.hpp>
 
 namespace skelgen::curve {
 

@@ -10,7 +10,7 @@
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/header_only.hpp>
 #include <skelgen/core/options.hpp>
-#include <skelgen/curve/regions.hpp>
+#include <skelgen/curve/impl/regions.hpp>
 
 namespace skelgen::curve {
 namespace detail {

@@ -115,6 +115,25 @@ double depth_in_others(const KinematicSkeleton<Scalar>& skeleton, const Skeleton
     return deepest;
 }
 
+/// How near the worst wrist or ankle is to its own upper bone: 1 on it, 0 half its length away. Where the surface lacks
+/// a forearm or a shin, what is laid into it turns back.
+template <typename Scalar>
+double folded_limbs(const KinematicSkeleton<Scalar>& skeleton, const SkeletonTemplate& wanted) {
+    using enum JointRole;
+    constexpr double far = 0.5; // of the upper bone's length
+    const RolePlaces<Scalar> places(skeleton, wanted);
+    double nearest = far;
+    for (const Side side : {Side::left, Side::right})
+        for (const auto& [root, middle, outer] : {std::array{shoulder, elbow, wrist}, std::array{hip, knee, ankle}}) {
+            const auto from = places.find(root, side), to = places.find(middle, side), end = places.find(outer, side);
+            if (!from || !to || !end) continue;
+            const double length = static_cast<double>((*to - *from).norm());
+            const auto distance = core::nearest_on_segment<Scalar, 3>(*end, *from, *to).distance;
+            if (length > 0) nearest = std::min(nearest, static_cast<double>(distance) / length);
+        }
+    return 1 - nearest / far;
+}
+
 /// Share of the surface that lies farther from each bone, and from the way to each end of a limb, than twice as far as
 /// the surface is around that bone.
 template <typename Scalar>
@@ -243,10 +262,10 @@ void add_pose(Evidence& out, const KinematicSkeleton<Scalar>& skeleton, const Sk
 
 SKELGEN_INLINE std::string_view to_string(Witness witness) {
     constexpr std::array<std::string_view, witness_count> names{
-        "unmatched_reach", "fitted",       "posed",      "fit_cost",    "envelope",  "lacks_head",
-        "lacks_limbs",     "cut_limbs",    "reach",      "doubt",       "outside",   "apart",
-        "unexplained",     "pairs_girths", "arm_length", "leg_length",  "hip_width", "below_hips",
-        "neck_height",     "sides",        "legs_go_on", "others_lack", "agreed",    "heard"};
+        "unmatched_reach", "fitted",      "posed",      "fit_cost",  "envelope",   "lacks_head",  "lacks_limbs",
+        "cut_limbs",       "reach",       "doubt",      "outside",   "apart",      "folded",      "unexplained",
+        "pairs_girths",    "arm_length",  "leg_length", "hip_width", "below_hips", "neck_height", "sides",
+        "legs_go_on",      "others_lack", "agreed",     "heard"};
     return names[static_cast<std::size_t>(witness)];
 }
 
@@ -276,6 +295,7 @@ Evidence evidence_of(const Body<Scalar>& body, const CurveSkeleton<Scalar>& curv
     out[Witness::doubt] = present > 0 ? doubt / present : 0;
     out[Witness::outside] = present > 0 ? static_cast<double>(completed.moved.size()) / present : 0;
     out[Witness::apart] = detail::depth_in_others(skeleton, wanted);
+    out[Witness::folded] = detail::folded_limbs(skeleton, wanted);
     detail::add_girths(out, body, skeleton, wanted);
     detail::add_proportions(out, skeleton, wanted);
     out[Witness::sides] = skeleton.quality.sides_confidence;

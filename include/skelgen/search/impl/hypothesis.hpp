@@ -12,16 +12,14 @@ SKELGEN_INLINE curve::CurveOptions curve_options(Effort effort, curve::CurveOpti
     constexpr int least_vertices = 750;
     constexpr double more_firmly = 5, most_firmly = 1e6; // the latter as contract takes it
     int& vertices = wanted.proxy.vertices;
-    if (effort == Effort::draft || effort == Effort::quick) {
+    if (effort == Effort::draft) {
         vertices = std::max(vertices / 2, std::min(vertices, least_vertices));
         double& weight = wanted.contraction.medial_weight;
         weight = std::min(more_firmly * weight, most_firmly);
     }
-    if (effort == Effort::finer) vertices = std::min(vertices + vertices / 2, curve::most_proxy_vertices);
-    const bool is_detailed = effort == Effort::detailed || effort == Effort::more_detailed;
-    if (is_detailed) wanted.pruning = curve::pruning_for_digits;
+    if (effort == Effort::detailed || effort == Effort::more_detailed) wanted.pruning = curve::pruning_for_digits;
     if (effort == Effort::more_detailed) vertices = std::min(3 * vertices, curve::most_proxy_vertices);
-    wanted.is_draft = effort == Effort::draft || is_detailed;
+    wanted.is_draft = true;
     return wanted;
 }
 
@@ -30,15 +28,10 @@ SKELGEN_INLINE int cost_of(Effort effort) {
     case Effort::draft:
     case Effort::rest_fit:
         return 1;
-    case Effort::quick:
     case Effort::detailed:
         return 2;
-    case Effort::whole:
-        return 3;
     case Effort::more_detailed:
         return 4;
-    case Effort::finer:
-        return 5;
     case Effort::posed_fit: // needs no curve
         return 0;
     }
@@ -55,18 +48,6 @@ SKELGEN_INLINE std::string_view to_string(surface::Remedy remedy) {
         return "rounded";
     case surface::Remedy::alike_pieces:
         return "alike_pieces";
-    case surface::Remedy::mirrored_pieces:
-        return "mirrored_pieces";
-    }
-    return "";
-}
-
-SKELGEN_INLINE std::string_view to_string(Opening opening) {
-    switch (opening) {
-    case Opening::opened:
-        return "opened";
-    case Opening::as_given:
-        return "as_given";
     }
     return "";
 }
@@ -75,12 +56,6 @@ SKELGEN_INLINE std::string_view to_string(Effort effort) {
     switch (effort) {
     case Effort::draft:
         return "draft";
-    case Effort::quick:
-        return "quick";
-    case Effort::whole:
-        return "whole";
-    case Effort::finer:
-        return "finer";
     case Effort::detailed:
         return "detailed";
     case Effort::more_detailed:

@@ -20,13 +20,11 @@
 #include <skelgen/core/geometry.hpp>
 #include <skelgen/core/precision.hpp>
 #include <skelgen/core/stopwatch.hpp>
-#include <skelgen/embedding/loop_cuts.hpp>
 #include <skelgen/embedding/missing_limbs.hpp>
 #include <skelgen/quadruped/limbs.hpp>
 #include <skelgen/quadruped/place_joints.hpp>
 #include <skelgen/search/impl/agreement.hpp>
 #include <skelgen/search/impl/consensus.hpp>
-#include <skelgen/search/impl/contacts.hpp>
 #include <skelgen/search/trust.hpp>
 #include <skelgen/surface/open_handles.hpp>
 #include <skelgen/surface/pockets.hpp>
@@ -51,13 +49,9 @@ double smoothed_away(const Body<Scalar>& body, const TriangleMesh<Scalar>& mesh)
     return count > 0 && size > 0 ? std::sqrt(static_cast<double>(sum) / static_cast<double>(count)) / size : 0;
 }
 
-inline bool is_without_lone_pieces(surface::Remedy remedy) {
-    return remedy == surface::Remedy::alike_pieces || remedy == surface::Remedy::mirrored_pieces;
-}
-
 /// Do all of its pieces, or some of them, make the surface together?
 inline bool is_envelope(surface::Remedy remedy) {
-    return remedy == surface::Remedy::envelope || is_without_lone_pieces(remedy);
+    return remedy == surface::Remedy::envelope || remedy == surface::Remedy::alike_pieces;
 }
 
 /// So much noise, a centimetre on a person, may have moved joints.
@@ -67,14 +61,13 @@ inline constexpr double much_noise = 0.005;
 template <typename Scalar>
 struct PreparedSurface {
     std::shared_ptr<const Body<Scalar>> whole;
-    std::shared_ptr<const Body<Scalar>> closed; ///< its pockets closed; the same where it has none
-    std::optional<Body<Scalar>> handles;        ///< and its handles opened; none where it has none
+    std::shared_ptr<const Body<Scalar>> opened; ///< pockets closed and handles opened; the same where it has none
     double noise = 0;
 };
 
 /// When a hypothesis is tried: those of lesser rungs promise more for their time.
 struct Rung {
-    int round = 0; ///< 0 where a body seems to be one piece, 1 for envelopes then, which take longer; 2 more if finer
+    int round = 0; ///< 0 where a body seems to be one piece, 1 for envelopes then, which take longer
     int step = 0;  ///< 0 for the draft of each surface, and a body at rest laid into it
     int surface = 0;
 
@@ -86,9 +79,7 @@ template <typename Scalar>
 struct Lead {
     Hypothesis what;
     Rung rung;
-    std::shared_ptr<const Body<Scalar>> body = {};                ///< none: the surface as the hypothesis has it
     std::shared_ptr<const curve::CurveResult<Scalar>> curve = {}; ///< none: to be found
-    int most_contacts = std::numeric_limits<int>::max();          ///< a cut that leaves as many has opened nothing
 };
 
 template <typename Scalar>
@@ -140,8 +131,7 @@ public:
 
 private:
     /// Each try that is not sure leads to those on higher steps: what costs more comes later.
-    static constexpr int for_rest_fit = 0, for_detailed = 1, for_cuts = 1, for_more_detailed = 9, for_whole = 10,
-                         for_posed = 12, for_as_given = 30;
+    static constexpr int for_rest_fit = 0, for_detailed = 1, for_more_detailed = 9, for_posed = 12;
 
     void add(Lead<Scalar> lead) {
         const auto place = std::upper_bound(leads_.begin(), leads_.end(), lead,
@@ -181,10 +171,10 @@ private:
         return std::any_of(out_.found.begin(), out_.found.end(), is_in_curve);
     }
 
-    /// Bodies in any pose that are laid into a second surface have shown nothing more.
-    [[nodiscard]] bool is_posed_fit_tried() const {
-        return std::any_of(out_.trail.begin(), out_.trail.end(),
-                           [](const Tried& each) { return each.hypothesis.effort == Effort::posed_fit; });
+    /// Whether bodies in any pose are laid into the surface that a remedy makes: into the first, and into each that
+    /// pieces make together.
+    [[nodiscard]] bool may_be_posed(surface::Remedy remedy) const {
+        return remedy == remedies_.front() || is_envelope(remedy);
     }
 
     /// The candidate that says which joints there are. Of those that agree with the likeliest one it is the first that
@@ -235,17 +225,13 @@ private:
         if (!body) return surfaces_.emplace(remedy, body.failure()).first->second;
         PreparedSurface<Scalar> out;
         out.whole = std::make_shared<const Body<Scalar>>(*std::move(body));
-        std::optional<Body<Scalar>> closed = surface::close_pockets(*out.whole);
-        out.closed = closed ? std::make_shared<const Body<Scalar>>(*std::move(closed)) : out.whole;
-        out.handles = surface::open_handles(*out.closed);
+        out.opened = out.whole;
+        if (auto closed = surface::close_pockets(*out.opened))
+            out.opened = std::make_shared<const Body<Scalar>>(*std::move(closed));
+        if (auto opened = surface::open_handles(*out.opened))
+            out.opened = std::make_shared<const Body<Scalar>>(*std::move(opened));
         out.noise = smoothed_away(*out.whole, mesh_);
         return surfaces_.emplace(remedy, std::move(out)).first->second;
-    }
-
-    /// The surface as a hypothesis has it opened.
-    std::shared_ptr<const Body<Scalar>> opened(const PreparedSurface<Scalar>& surface, Opening opening) const {
-        if (opening == Opening::as_given) return surface.whole;
-        return surface.handles ? std::make_shared<const Body<Scalar>>(*surface.handles) : surface.closed;
     }
 
     /// The one place where a curve is looked for.
@@ -255,42 +241,33 @@ private:
             find_curve(body, curve_options(lead.what.effort, options_.curve)));
     }
 
-    void try_lead(Lead<Scalar> lead) {
-        if (lead.what.effort == Effort::posed_fit && is_posed_fit_tried()) return;
+    void try_lead(const Lead<Scalar>& lead) {
         core::Stopwatch whole, stage;
         Tried entry{lead.what};
         const Outcome<PreparedSurface<Scalar>>& surface = surface_by(lead.what.surface);
-        if (surface && !lead.body) lead.body = opened(*surface, lead.what.opening);
         out_.timings.surface += stage.lap();
         if (!surface) return finish(entry, surface.failure(), whole.lap());
-        if (!lead.body) return;
-        const auto curve = curve_of(lead, *lead.body);
+        const auto curve = curve_of(lead, *surface->opened);
         out_.timings.curve += stage.lap();
 
         if (lead.what.effort == Effort::rest_fit)
             try_at_rest(lead, *surface, curve, entry);
         else if (lead.what.effort == Effort::posed_fit)
             try_posed(lead, *surface, curve, entry);
-        else if (!is_detailed(lead.what.effort))
+        else if (lead.what.effort == Effort::draft)
             try_templates(lead, *surface, curve, entry);
-        if (may_show_animal(lead.what)) try_quadruped(lead, *surface, curve, entry);
-        if (!is_sure()) follow(lead, *surface, curve);
+        if (animal_ && needs_curve(lead.what.effort)) try_quadruped(lead, *surface, curve, entry);
+        if (!is_sure()) follow(lead, curve);
         finish(entry, {}, whole.lap());
     }
 
-    /// Whether a curve is for animals alone.
-    [[nodiscard]] static bool is_detailed(Effort effort) {
-        return effort == Effort::detailed || effort == Effort::more_detailed;
+    /// Whether something is laid into a curve, not into the surface.
+    [[nodiscard]] static bool needs_curve(Effort effort) {
+        return effort != Effort::rest_fit && effort != Effort::posed_fit;
     }
 
     /// Whether an animal is looked for, and no person.
     [[nodiscard]] bool for_animal_alone() const { return wanted_.plan == BodyKind::quadruped; }
-
-    /// Whether an animal is looked for where that is true.
-    [[nodiscard]] bool may_show_animal(const Hypothesis& what) const {
-        return animal_ && what.opening == Opening::opened && what.cuts == 0 &&
-               (what.effort == Effort::draft || is_detailed(what.effort));
-    }
 
     void finish(Tried entry, const Failure& failure, double milliseconds) {
         if (entry.candidates > 0) entry.refusal = Refusal::none;
@@ -302,26 +279,38 @@ private:
         out_.trail.push_back(entry);
     }
 
-    /// The template in the curve and, where that is not sure, in a body that lacks a limb.
+    /// The template in the curve and, where it does not fit, ones that lack a limb. Where it fits with much distortion,
+    /// all limbs are there, but one may be shorter: ones that lack a forearm or a calf and fit far better.
     void try_templates(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
                        const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
         constexpr std::size_t most_partial = 4;
+        constexpr double usual = 0.006; // distortion per pair: whole bodies have less, those that lack a limb have more
+        constexpr double far_better = 0.5; // times the whole template's
         core::Stopwatch stage;
         if (curve->is_point) return refuse(entry, too_compact());
         const auto whole = embedding::embed(curve->curve, wanted_, options_.matching);
         out_.timings.embed += stage.lap();
-        double likeliest = 0;
+        const double distortion = whole ? distortion_per_pair(*whole) : 0;
         if (whole)
-            likeliest = try_laid(lead, surface, curve, {wanted_, *whole}, entry);
+            try_laid(lead, surface, curve, {wanted_, *whole}, entry);
         else
             refuse(entry, whole.failure());
-        if ((lead.what.effort == Effort::draft && whole) ||
-            (likeliest >= likely_enough && thoroughness_ == Thoroughness::until_sure))
-            return;
+        if (is_sure() || (whole && distortion < usual)) return;
         stage.lap();
         const auto partial = embedding::without_a_limb(curve->curve, wanted_, most_partial, options_.matching);
         out_.timings.embed += stage.lap();
-        for (const embedding::LaidTemplate& laid : partial) try_laid(lead, surface, curve, laid, entry);
+        for (const embedding::LaidTemplate& laid : partial)
+            if (!whole || (lacks_outer_bone(laid.skeleton_template) &&
+                           distortion_per_pair(laid.embedding) < far_better * distortion))
+                try_laid(lead, surface, curve, laid, entry);
+    }
+
+    /// Whether a template lacks a forearm or a calf, but neither a head nor a whole limb.
+    static bool lacks_outer_bone(const SkeletonTemplate& laid) {
+        return std::none_of(laid.joints.begin(), laid.joints.end(), [](const TemplateJoint& joint) {
+            return joint.is_absent &&
+                   (joint.role == JointRole::head || joint.role == JointRole::elbow || joint.role == JointRole::knee);
+        });
     }
 
     void try_at_rest(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
@@ -329,15 +318,15 @@ private:
         core::Stopwatch stage;
         std::vector<KnownPlace> known = known_;
         for (auto& [joint, place] : known)
-            place = lead.body->similarity.to_canonical(place.template cast<Scalar>()).template cast<double>();
-        const auto fit = fit_at_rest(*lead.body, wanted_, known);
+            place = surface.opened->similarity.to_canonical(place.template cast<Scalar>()).template cast<double>();
+        const auto fit = fit_at_rest(*surface.opened, wanted_, known);
         out_.timings.refine += stage.lap();
         if (!fit) {
             refuse(entry, {Refusal::no_mirror, "no body at rest: the surface mirrors itself in no plane"});
             return;
         }
         try_placed(lead, surface, curve, entry, options_,
-                   [&](const ExtractOptions& options) { return place_joints(*lead.body, *fit, options); });
+                   [&](const ExtractOptions& options) { return place_joints(*surface.opened, *fit, options); });
     }
 
     /// From the likeliest skeletons yet, and from bodies that stand along each axis of the surface.
@@ -356,16 +345,16 @@ private:
             Points<double>& start = starts.emplace_back(places_[i]);
             for (Eigen::Index j = 0; j < start.rows(); ++j) {
                 const Vector3<Scalar> place = core::point(start, j).template cast<Scalar>();
-                start.row(j) = lead.body->similarity.to_canonical(place).transpose().template cast<double>();
+                start.row(j) = surface.opened->similarity.to_canonical(place).transpose().template cast<double>();
             }
         }
-        for (Points<double>& start : standing_starts(*lead.body, wanted_)) starts.push_back(std::move(start));
-        const std::vector<PosedFit> fits = fit_posed(*lead.body, wanted_, starts);
-        const Scalar diameter = core::geodesic_diameter(lead.body->graph);
+        for (Points<double>& start : standing_starts(*surface.opened, wanted_)) starts.push_back(std::move(start));
+        const std::vector<PosedFit> fits = fit_posed(*surface.opened, wanted_, starts);
+        const Scalar diameter = core::geodesic_diameter(surface.opened->graph);
         out_.timings.refine += stage.lap();
         for (const PosedFit& fit : fits)
             try_placed(lead, surface, curve, entry, options_,
-                       [&](const ExtractOptions&) { return place_joints(*lead.body, fit, diameter); });
+                       [&](const ExtractOptions&) { return place_joints(*surface.opened, fit, diameter); });
     }
 
     void try_quadruped(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
@@ -384,9 +373,9 @@ private:
             return;
         }
         Candidate<Scalar> candidate;
-        candidate.skeleton = quadruped::place_joints(*lead.body, curve->curve, limbs.front(), *animal_);
+        candidate.skeleton = quadruped::place_joints(*surface.opened, curve->curve, limbs.front(), *animal_);
         candidate.doubt.assign(candidate.skeleton.joints.size(), 0);
-        candidate.geodesic_diameter = core::geodesic_diameter(lead.body->graph);
+        candidate.geodesic_diameter = core::geodesic_diameter(surface.opened->graph);
         candidate.probability = limbs.front().probability;
         keep(lead, surface, curve, std::move(candidate), entry, BodyKind::quadruped);
     }
@@ -394,9 +383,10 @@ private:
     double try_laid(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
                     const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, const embedding::LaidTemplate& laid,
                     Tried& entry) {
-        const auto ends = refinement::find_end_points(*lead.body, curve->curve, laid.embedding, laid.skeleton_template);
+        const auto ends =
+            refinement::find_end_points(*surface.opened, curve->curve, laid.embedding, laid.skeleton_template);
         const auto placed = [&](const ExtractOptions& options) {
-            return place_joints(*lead.body, *curve, laid, ends, options);
+            return place_joints(*surface.opened, *curve, laid, ends, options);
         };
         const double likeliest = try_placed(lead, surface, curve, entry, options_, placed);
         const bool is_cut = last_cut_limbs_ > 0;
@@ -415,9 +405,9 @@ private:
         PlacedJoints<Scalar> placed = place(options);
         placed.vertices = &vertices_;
         out_.timings.refine += stage.lap();
-        Outcome<Candidate<Scalar>> candidate = skeleton_of(*lead.body, *curve, placed);
+        Outcome<Candidate<Scalar>> candidate = skeleton_of(*surface.opened, *curve, placed);
         last_cut_limbs_ = candidate ? candidate->evidence[Witness::cut_limbs] : 0;
-        if (candidate && is_without_lone_pieces(lead.what.surface) && lacks_part(candidate->evidence))
+        if (candidate && lead.what.surface == surface::Remedy::alike_pieces && lacks_part(candidate->evidence))
             return 0; // what it lacks may be what was left out
         if (candidate) {
             candidate->evidence[Witness::envelope] = is_envelope(lead.what.surface) ? 1 : 0;
@@ -434,8 +424,10 @@ private:
         out_.timings = out_.timings + candidate.timings;
         ++entry.candidates;
         if (out_.found.empty()) extent_ = extent_of(*surface.whole);
-        places_.push_back(plan == BodyKind::human ? joints_in_input(candidate.skeleton, *lead.body) : Points<double>());
-        out_.found.push_back({std::move(candidate), lead.body, surface.whole, curve, lead.what, surface.noise, plan});
+        places_.push_back(plan == BodyKind::human ? joints_in_input(candidate.skeleton, *surface.opened)
+                                                  : Points<double>());
+        out_.found.push_back(
+            {std::move(candidate), surface.opened, surface.whole, curve, lead.what, surface.noise, plan});
         if (plan == BodyKind::human) hear_the_others();
         const Candidate<Scalar>& kept = out_.found.back().candidate;
         if (kept.probability > entry.probability) {
@@ -499,63 +491,21 @@ private:
     }
 
     /// What else a try leads to that is not sure.
-    void follow(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
-                const std::shared_ptr<const curve::CurveResult<Scalar>>& curve) {
-        const Effort effort = lead.what.effort;
-        const auto rung = [&](int step) { return Rung{lead.rung.round, step, lead.rung.surface}; };
-        const Rung finer{lead.rung.round + 2, 0, lead.rung.surface};
-        Hypothesis what = lead.what;
-        if (effort == Effort::rest_fit || effort == Effort::posed_fit || curve->is_point) return;
-        if (effort == Effort::draft && lead.what.opening == Opening::opened) {
-            what.effort = Effort::detailed;
-            if (animal_) add({what, rung(for_detailed), lead.body});
-            what.effort = Effort::rest_fit;
-            add({what, rung(for_rest_fit), lead.body, curve});
-            what.effort = Effort::posed_fit; // extract_hinted lays its own bodies to what is known
-            if (!for_animal_alone() && known_.empty()) add({what, rung(for_posed), lead.body, curve});
-            what = lead.what;
+    void follow(const Lead<Scalar>& lead, const std::shared_ptr<const curve::CurveResult<Scalar>>& curve) {
+        if (!needs_curve(lead.what.effort) || curve->is_point) return;
+        const auto lead_to = [&](Effort effort, int step, bool is_in_curve) {
+            Lead<Scalar> next{lead.what, {lead.rung.round, step, lead.rung.surface}};
+            next.what.effort = effort;
+            if (is_in_curve) next.curve = curve;
+            add(std::move(next));
+        };
+        if (lead.what.effort == Effort::draft) {
+            if (animal_) lead_to(Effort::detailed, for_detailed, false);
+            lead_to(Effort::rest_fit, for_rest_fit, true);
+            if (!for_animal_alone() && known_.empty() && may_be_posed(lead.what.surface)) // hints have their own bodies
+                lead_to(Effort::posed_fit, for_posed, true);
         }
-        if (effort == Effort::detailed) {
-            what.effort = Effort::more_detailed;
-            add({what, rung(for_more_detailed), lead.body});
-        }
-        if (is_detailed(effort)) return;
-        if (effort == Effort::draft || effort == Effort::quick) {
-            what.effort = Effort::whole;
-            add({what, rung(lead.rung.step + for_whole), lead.body});
-        }
-        follow_contacts(lead, curve);
-        if (effort != Effort::whole) return;
-        if (lead.what.cuts == 0) {
-            if (lead.what.opening == Opening::opened && (surface.handles || surface.closed != surface.whole)) {
-                what = lead.what;
-                what.effort = Effort::draft;
-                what.opening = Opening::as_given;
-                add({what, rung(for_as_given), nullptr});
-            }
-            what = lead.what;
-            what.effort = Effort::finer;
-            add({what, finer, lead.body});
-        }
-    }
-
-    /// Cuts at the loops of a curve; those of an envelope's draft, whose pieces grow together where they lie close,
-    /// are the whole curve's to tell.
-    void follow_contacts(const Lead<Scalar>& lead, const std::shared_ptr<const curve::CurveResult<Scalar>>& curve) {
-        const int contacts = embedding::contact_count(curve->curve);
-        const bool is_envelopes_draft = curve->is_draft && is_envelope(lead.what.surface);
-        if (contacts == 0 || contacts >= lead.most_contacts || is_envelopes_draft) return;
-        core::Stopwatch stage;
-        const auto with_regions =
-            curve->is_draft ? std::make_shared<const curve::CurveResult<Scalar>>(finished(*curve, *lead.body)) : curve;
-        Hypothesis what = lead.what;
-        ++what.cuts;
-        if (what.effort == Effort::draft) what.effort = Effort::quick;
-        Rung rung = lead.rung;
-        rung.step += for_cuts;
-        for (Body<Scalar>& cut : cut_at_contacts(*lead.body, with_regions->curve, wanted_, options_.matching))
-            add({what, rung, std::make_shared<const Body<Scalar>>(std::move(cut)), nullptr, contacts});
-        out_.timings.curve += stage.lap();
+        if (lead.what.effort == Effort::detailed) lead_to(Effort::more_detailed, for_more_detailed, false);
     }
 
     const TriangleMesh<Scalar>& mesh_;
@@ -609,11 +559,10 @@ std::vector<std::string> warnings_of(const Found<Scalar>& found, const SkeletonT
     const bool is_fitted = evidence[Witness::fitted] > 0;
     if (is_fitted)
         out.push_back("its curve skeleton does not show it all: a model of a body was laid into the surface");
-    const int contacts = (is_fitted ? 0 : embedding::contact_count(found.curve->curve)) + found.hypothesis.cuts;
+    const int contacts = is_fitted ? 0 : core::cycle_count(found.curve->curve);
     if (contacts > 0)
         out.push_back("the body touches itself in " + std::to_string(contacts) +
-                      (contacts == 1 ? " place" : " places") +
-                      (found.hypothesis.cuts > 0 ? ": it was cut there" : ": limbs may be mistaken"));
+                      (contacts == 1 ? " place" : " places") + ": limbs may be mistaken");
     out.insert(out.end(), found.body->repairs.begin(), found.body->repairs.end());
     if (found.body->dropped_pieces > 0)
         out.push_back(std::to_string(found.body->dropped_pieces) + " pieces not connected to the body were left out");

@@ -109,7 +109,7 @@ public:
         : depth_(depth), known_(std::move(known)) {}
 
     /// `places` of the surface that have to lie on the bones; with middles, axes have to lie in its middle, too.
-    [[nodiscard]] core::LeastSquares<posed_numbers> solve(const std::vector<Vec3d>& places, bool with_middles,
+    [[nodiscard]] core::LeastSquares<posed_numbers> solve(const std::vector<SurfacePlace>& places, bool with_middles,
                                                           const PosedNumbers& from, const PosedNumbers& start,
                                                           int rounds) const {
         return core::least_squares(from, rounds,
@@ -118,7 +118,7 @@ public:
 
 private:
     static constexpr std::size_t bones = 12;
-    static constexpr int prior_count = 24 + proportion_count;
+    static constexpr int prior_count = 40 + proportion_count;
 
     static std::array<ModelBone, bones> model_of(const PosedNumbers& x) {
         const auto radius = [&](PosedRadius which) { return std::exp(x[3 * posed_nodes + which]); };
@@ -148,8 +148,8 @@ private:
         return out;
     }
 
-    [[nodiscard]] core::NormalEquations<posed_numbers> equations(const std::vector<Vec3d>& places, bool with_middles,
-                                                                 const PosedNumbers& x,
+    [[nodiscard]] core::NormalEquations<posed_numbers> equations(const std::vector<SurfacePlace>& places,
+                                                                 bool with_middles, const PosedNumbers& x,
                                                                  const PosedNumbers& start) const {
         constexpr double near_start = 0.15; // of the height
         core::NormalEquations<posed_numbers> out;
@@ -201,6 +201,21 @@ private:
         add(to_shoulders.dot(up) + .03, .03);
         add(1 - shoulders.normalized().dot(hips.normalized()), .2);
         add(1 - head.normalized().dot(up), .5);
+        // Arms and legs mirror each other more often than not, and legs seldom go up. All this may be otherwise.
+        const Vec3d across = (shoulders.normalized() + hips.normalized()).normalized();
+        constexpr std::size_t arm_and_leg_bones = 4;
+        for (std::size_t b = 0; b < arm_and_leg_bones; ++b) {
+            const auto [from, to] = limb_bones[b];
+            const auto direction = [&](int side) -> Vec3d {
+                return (place_at(x, to, side) - place_at(x, from, side)).normalized();
+            };
+            const Vec3d left = direction(0), right = direction(1);
+            const Vec3d off_mirrored = left - 2 * left.dot(across) * across - right;
+            for (int i = 0; i < 3; ++i) add(robust(off_mirrored[i] / .5).first, 1);
+            if (from == at_shoulder || from == at_elbow) continue;
+            add(robust((1 + left.dot(up)) / .3).first, 1);
+            add(robust((1 + right.dot(up)) / .3).first, 1);
+        }
         constexpr double far_off = 2; // deviations, beyond which these count less: there are figures of all kinds
         for (const double off : ProportionsPrior::get().deviations(proportions_of(x)))
             add(far_off * robust(off / far_off).first, 1);
@@ -305,10 +320,14 @@ inline bool are_alike(const PosedNumbers& a, const PosedNumbers& b) {
 
 /// Places spread over a surface, in units of the height.
 template <typename Scalar>
-std::vector<Vec3d> places_of(const TriangleMesh<Scalar>& mesh, int count, double height) {
-    const Places spread = spread_places(mesh, count) / height;
-    std::vector<Vec3d> out;
-    for (const auto& place : spread.rowwise()) out.emplace_back(place.transpose());
+std::vector<SurfacePlace> places_of(const TriangleMesh<Scalar>& mesh, int count, double height) {
+    std::vector<Eigen::Index> faces;
+    const Places spread = spread_places(mesh, count, &faces) / height;
+    std::vector<SurfacePlace> out;
+    for (int i = 0; i < count; ++i)
+        out.push_back({spread.row(i).transpose(), core::face_area_vector(mesh, faces[static_cast<std::size_t>(i)])
+                                                      .stableNormalized()
+                                                      .template cast<double>()});
     return out;
 }
 
@@ -390,7 +409,8 @@ std::vector<PosedFit> fit_posed(const Body<Scalar>& body, const SkeletonTemplate
         runs.push_back({from, from, 0, s});
     }
     // Brings all nearer, and keeps the cheapest of those that differ.
-    const auto fit = [&](const std::vector<Vec3d>& places, bool with_middles, int rounds, std::size_t most) {
+    const auto fit = [&](const std::vector<detail::SurfacePlace>& places, bool with_middles, int rounds,
+                         std::size_t most) {
         for (Run& run : runs) {
             const auto [numbers, cost] = solver.solve(places, with_middles, run.numbers, run.from, rounds);
             run.numbers = numbers;
@@ -405,7 +425,7 @@ std::vector<PosedFit> fit_posed(const Body<Scalar>& body, const SkeletonTemplate
                 kept.push_back(run);
         runs = std::move(kept);
     };
-    const std::vector<Vec3d> roughly = detail::places_of(body.mesh, few, height);
+    const std::vector<detail::SurfacePlace> roughly = detail::places_of(body.mesh, few, height);
     fit(roughly, false, 3, 60);
     fit(roughly, true, 6, most_finals);
     fit(detail::places_of(body.mesh, more, height), true, 25, most_finals);

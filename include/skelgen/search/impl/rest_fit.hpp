@@ -112,7 +112,7 @@ public:
     RestSolver(const RestFrame& frame, const Places& places, const SurfaceDepth& depth,
                const std::vector<KnownPlace>& known, const SkeletonTemplate& wanted)
         : frame_(frame), depth_(depth), known_(known), wanted_(wanted) {
-        for (const auto& place : places.rowwise()) places_.push_back(frame.to_model(place.transpose()));
+        for (const auto& place : places.rowwise()) places_.push_back({frame.to_model(place.transpose())});
         for (auto& [joint, place] : known_) place = frame.to_model(place);
     }
 
@@ -150,7 +150,7 @@ private:
     const SurfaceDepth& depth_;
     std::vector<KnownPlace> known_;
     const SkeletonTemplate& wanted_;
-    std::vector<Vec3d> places_;
+    std::vector<SurfacePlace> places_;
 };
 
 /// The axes of a model that was laid into a body as a curve, and the template in it. `place`: per joint, `tip`: per end

@@ -65,6 +65,7 @@ SKELGEN_INLINE const char* strongest_doubt(const Evidence& evidence) {
     case Witness::apart:
         return "limbs lie on each other; check that all stand free";
     case Witness::doubt:
+    case Witness::folded:
         return "its bones would have unlikely lengths; give hints (--hint)";
     case Witness::outside:
         return "joints would lie outside of it; close holes and turn its faces outwards";

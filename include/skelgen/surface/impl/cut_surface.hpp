@@ -1,16 +1,26 @@
 #pragma once
 
-#include <skelgen/surface/cut_surface.hpp>
-
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <map>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include <skelgen/core/adjacency.hpp>
+#include <skelgen/core/mesh.hpp>
 
 namespace skelgen::surface {
+
+/// A surface cut in places, and where its vertices come from. The old vertices come first and keep their indices; those
+/// along a cut are there twice, and both draw back from it, halfway to their neighbours. The holes are closed by fans
+/// around new vertices; holes that were there before stay.
+template <typename Scalar = double>
+struct CutSurface {
+    TriangleMesh<Scalar> mesh;
+    std::vector<int> source; ///< per vertex that of the original mesh at the same place, -1 where it closes a hole
+};
+
 namespace detail {
 
 /// A mesh while it is being cut: in some corners of its faces copies stand in for their vertices.
@@ -145,35 +155,10 @@ private:
     std::vector<std::vector<int>> rings_; ///< of the holes, whose hubs come last
 };
 
-enum class Place : std::uint8_t { nowhere, part, other };
-
 } // namespace detail
 
-template <typename Scalar>
-CutSurface<Scalar> cut_surface(const TriangleMesh<Scalar>& mesh, const std::vector<int>& part,
-                               const std::vector<int>& other) {
-    using detail::Place;
-    std::vector<Place> place(static_cast<std::size_t>(mesh.vertices.rows()), Place::nowhere);
-    for (const int v : other) place[static_cast<std::size_t>(v)] = Place::other;
-    for (const int v : part) place[static_cast<std::size_t>(v)] = Place::part;
-    const auto place_of = [&](Eigen::Index f, int k) { return place[static_cast<std::size_t>(mesh.faces(f, k))]; };
-    const auto has = [&](Eigen::Index f, Place wanted) {
-        return place_of(f, 0) == wanted || place_of(f, 1) == wanted || place_of(f, 2) == wanted;
-    };
-    detail::Cut<Scalar> cut(mesh);
-    std::vector<int> copies(place.size(), -1);
-    for (Eigen::Index f = 0; f < mesh.faces.rows(); ++f) {
-        if (!has(f, Place::part) || !has(f, Place::other)) continue;
-        for (int k = 0; k < 3; ++k) {
-            if (place_of(f, k) != Place::part) continue;
-            int& copy = copies[static_cast<std::size_t>(mesh.faces(f, k))];
-            if (copy < 0) copy = cut.copy(mesh.faces(f, k));
-            cut.corner(f, k) = copy;
-        }
-    }
-    return cut.closed();
-}
-
+/// Cuts a surface along closed paths of its edges, each a list of vertices in order; no vertex may be on two, or twice
+/// on one, or at a boundary. `mesh` must be manifold, `adjacency` as from core::face_adjacency(mesh.faces). O(n log n).
 template <typename Scalar>
 CutSurface<Scalar> cut_along(const TriangleMesh<Scalar>& mesh, const Triangles& adjacency,
                              const std::vector<std::vector<int>>& loops) {

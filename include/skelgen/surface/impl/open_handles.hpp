@@ -13,7 +13,7 @@
 #include <skelgen/core/adjacency.hpp>
 #include <skelgen/core/disjoint_sets.hpp>
 #include <skelgen/core/geometry.hpp>
-#include <skelgen/surface/cut_surface.hpp>
+#include <skelgen/surface/impl/cut_surface.hpp>
 #include <skelgen/surface/impl/handle_loops.hpp>
 
 namespace skelgen::surface {

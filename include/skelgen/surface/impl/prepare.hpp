@@ -394,15 +394,11 @@ void keep_faces(CleanMesh<Scalar>& clean, Triangles faces) {
     clean.is_sound = false;
 }
 
-/// The remedies that leave out what a body holds or wears on one side, where that is pieces of their own.
+/// The remedy that leaves out what a body holds or wears on one side, where that is pieces of their own.
 template <typename Scalar>
 void add_paired_pieces(BodyMaterial<Scalar>& material) {
-    auto place = material.remedies.begin() + 1;
-    for (auto& [twins, pieces] : without_lone_pieces(material.clean.mesh)) {
-        const Remedy remedy = twins == Twins::alike ? Remedy::alike_pieces : Remedy::mirrored_pieces;
-        material.paired.emplace(remedy, std::move(pieces));
-        place = material.remedies.insert(place, remedy) + 1;
-    }
+    material.paired = without_lone_pieces(material.clean.mesh);
+    if (material.paired) material.remedies.insert(material.remedies.begin() + 1, Remedy::alike_pieces);
 }
 
 /// The body of a mesh that is too fine in fewer faces, if `is_sound` then says that it is sound and it has no noise.
@@ -494,9 +490,9 @@ Points<Scalar> input_vertices(const BodyMaterial<Scalar>& material) {
 template <typename Scalar>
 Outcome<Body<Scalar>> make_body_by(Remedy remedy, BodyMaterial<Scalar> material, const PrepareOptions& options) {
     const Similarity<Scalar> cleaned = material.clean.similarity;
-    if (const auto paired = material.paired.find(remedy); paired != material.paired.end()) {
-        detail::keep_faces(material.clean, std::move(paired->second.faces));
-        material.dropped_pieces += paired->second.dropped;
+    if (remedy == Remedy::alike_pieces && material.paired) {
+        detail::keep_faces(material.clean, std::move(material.paired->faces));
+        material.dropped_pieces += material.paired->dropped;
     }
     Outcome<Body<Scalar>> body = remedy == Remedy::largest_piece
                                      ? detail::body_of_largest_piece(std::move(material), options)

@@ -52,7 +52,7 @@ PairedPieces kept_pieces(const TriangleMesh<Scalar>& mesh, const std::vector<Fac
 } // namespace detail
 
 template <typename Scalar>
-std::map<Twins, PairedPieces> without_lone_pieces(const TriangleMesh<Scalar>& mesh) {
+std::optional<PairedPieces> without_lone_pieces(const TriangleMesh<Scalar>& mesh) {
     constexpr std::size_t most_pieces = 40;
     constexpr double least_area = 0.002, alike = 0.05; // of all, of the piece
     constexpr Scalar apart = Scalar(0.05), same_place = Scalar(0.03), through = Scalar(0.02),
@@ -99,20 +99,13 @@ std::map<Twins, PairedPieces> without_lone_pieces(const TriangleMesh<Scalar>& me
         middle = plane;
     }
 
-    std::map<Twins, PairedPieces> out;
-    if (pairs.empty()) return out;
-    for (const Twins twins : {Twins::alike, Twins::mirrored}) {
-        std::vector<bool> is_kept(pieces.size(), false);
-        for (const auto& pair : pairs)
-            if (twins == Twins::alike || are_mirrored(pair, middle)) is_kept[pair.first] = is_kept[pair.second] = true;
-        PairedPieces kept = detail::kept_pieces(mesh, pieces, [&](std::size_t i) {
-            return is_kept[i] || middle.absDistance(centres[i]) <= beside * extent;
-        });
-        const bool is_known = !out.empty() && out.begin()->second.dropped == kept.dropped; // the latter's are no fewer
-        if (!is_known && kept.left_out >= least_left_out && kept.left_out <= most_left_out)
-            out.emplace(twins, std::move(kept));
-    }
-    return out;
+    if (pairs.empty()) return std::nullopt;
+    std::vector<bool> has_twin(pieces.size(), false);
+    for (const auto& [a, b] : pairs) has_twin[a] = has_twin[b] = true;
+    PairedPieces kept = detail::kept_pieces(
+        mesh, pieces, [&](std::size_t i) { return has_twin[i] || middle.absDistance(centres[i]) <= beside * extent; });
+    if (kept.left_out < least_left_out || kept.left_out > most_left_out) return std::nullopt;
+    return kept;
 }
 
 } // namespace skelgen::surface
