@@ -8,6 +8,7 @@
 #include <skelgen/fit_skeleton.hpp>
 #include <skelgen/hands/find_hands.hpp>
 #include <skelgen/io/template_json.hpp>
+#include <skelgen/search/trust.hpp>
 
 #include "console.hpp"
 #include "rig_joints.hpp"
@@ -67,7 +68,6 @@ std::string in_short(std::string repair) {
 
 void print_warnings(const std::filesystem::path& file, const KinematicSkeleton<double>& skeleton,
                     const std::vector<std::string>& repairs, Words words) {
-    constexpr double likely = 0.5; // below, it is more often wrong than right
     std::string repaired;
     for (const std::string& warning : skeleton.quality.warnings) {
         if (words == Words::few) break;
@@ -77,7 +77,7 @@ void print_warnings(const std::filesystem::path& file, const KinematicSkeleton<d
             print_warning(file.string() + ": " + warning);
     }
     if (!repaired.empty()) print_warning(file.string() + repaired);
-    if (skeleton.quality.sides_confidence < likely)
+    if (skeleton.quality.sides_confidence < search::likely_enough)
         print_warning(file.string() + ": the skeleton is a guess: confidence " +
                       std::to_string(skeleton.quality.sides_confidence).substr(0, 4) + "; look at it (render)");
 }

@@ -53,11 +53,10 @@ enum class Thoroughness {
 /// The one loop of the search: tries what may be true of a mesh (hypothesis.hpp), in the order of what that promises,
 /// until a candidate is sure enough or the budget of curves is used up. What is not sure leads to further hypotheses:
 /// bodies laid into the surface itself, and finer curves for animals. How far all candidates agree is part of their
-/// evidence. Each surface, curve
-/// and embedding is found once. `known`: joints' places in the mesh's coordinates, which bodies at rest are laid to.
-/// Where the options ask for a four-legged animal, too, both are looked for in the same curves, each is unlikely where
-/// the other is likely, and the likelier one is found. \throws Error bad_input when `mesh` is no usable surface; usage
-/// when `options.prepare.component` is larger than the number of bodies.
+/// evidence. Each surface, curve and embedding is found once. `known`: joints' places in the mesh's coordinates, which
+/// bodies at rest are laid to. Where the options ask for a four-legged animal, too, both are looked for in the same
+/// curves, each is unlikely where the other is likely, and the likelier one is found. \throws Error bad_input when
+/// `mesh` is no usable surface; usage when `options.prepare.component` is larger than the number of bodies.
 template <typename Scalar>
 [[nodiscard]] Climb<Scalar> climb(const TriangleMesh<Scalar>& mesh, const SkeletonTemplate& wanted,
                                   const ExtractOptions& options, Thoroughness thoroughness = Thoroughness::until_sure,

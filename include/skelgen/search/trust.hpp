@@ -20,10 +20,10 @@ namespace skelgen::search {
     return own < 1 ? own * (1 - other) / (1 - own * other) : 1;
 }
 
-/// Less likely skeletons are no answer. Between this and one half an answer is a guess and says so.
+/// Less likely skeletons are no answer.
 inline constexpr double least_probability = 0.1;
 
-/// Where one way to lay the template into a curve is likelier, no other one is tried.
+/// Less likely answers are more often wrong than right: guesses, which say so.
 inline constexpr double likely_enough = 0.5;
 
 /// So many that disagree with it are thought beside all candidates: that one other agrees says little by itself.

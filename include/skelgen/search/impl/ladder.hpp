@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -380,9 +379,9 @@ private:
         keep(lead, surface, curve, std::move(candidate), entry, BodyKind::quadruped);
     }
 
-    double try_laid(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
-                    const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, const embedding::LaidTemplate& laid,
-                    Tried& entry) {
+    void try_laid(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
+                  const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, const embedding::LaidTemplate& laid,
+                  Tried& entry) {
         const auto ends =
             refinement::find_end_points(*surface.opened, curve->curve, laid.embedding, laid.skeleton_template);
         const auto placed = [&](const ExtractOptions& options) {
@@ -390,10 +389,10 @@ private:
         };
         const double likeliest = try_placed(lead, surface, curve, entry, options_, placed);
         const bool is_cut = last_cut_limbs_ > 0;
-        if (!is_cut || (likeliest >= sure_enough && thoroughness_ == Thoroughness::until_sure)) return likeliest;
+        if (!is_cut || (likeliest >= sure_enough && thoroughness_ == Thoroughness::until_sure)) return;
         ExtractOptions as_whole = options_; // flat soles may pass for cuts
         as_whole.refinement.limbs_may_be_cut = false;
-        return std::max(likeliest, try_placed(lead, surface, curve, entry, as_whole, placed));
+        try_placed(lead, surface, curve, entry, as_whole, placed);
     }
 
     /// The skeleton of placed joints. \returns its probability.
