@@ -34,9 +34,9 @@ inline std::filesystem::path fixture_folder() {
 }
 
 /// One of walking-woman, standing-man, kneeling-boy, figure (8000 faces each; the last one with a head of a third of
-/// its height), hands-clasped-woman, heels-together-man, kneeling-on-heels-joined (13776, their limbs grown together
-/// where they touch), shepherd-raised, shepherd-a, woodman-raised, fencer-a and fencer-walk (13776, with a staff, an
-/// axe or a sword in the right hand).
+/// its height), robot (a man of parts that do not touch), hands-clasped-woman, heels-together-man,
+/// kneeling-on-heels-joined (13776, their limbs grown together where they touch), shepherd-raised, shepherd-a,
+/// woodman-raised, fencer-a and fencer-walk (13776, with a staff, an axe or a sword in the right hand).
 inline FixtureBody load_fixture_body(const std::string& name) {
     const std::filesystem::path folder = fixture_folder() / "bodies";
     return {io::read_mesh<double>(folder / (name + ".off")), io::read_ground_truth(folder / (name + ".json"))};

@@ -49,7 +49,7 @@ export function told_error(name, { code, message, refusal }) {
 
 const surfaces = {
   largest_piece: "the largest piece", rounded: "the largest piece made rounder", envelope: "an envelope around all",
-  alike_pieces: "an envelope without lone pieces",
+  alike_pieces: "an envelope without lone pieces", bridged: "an envelope with bridged gaps",
 };
 const curves = {
   draft: "a curve", detailed: "a curve with tails and horns", more_detailed: "a finer curve with tails and horns",

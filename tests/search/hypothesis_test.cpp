@@ -70,7 +70,8 @@ TEST_CASE("a curve costs a draft or more, and the more the finer it is") {
 TEST_CASE("every part of a hypothesis has a name of its own, as trails spell it") {
     using surface::Remedy;
     CHECK(spellings(efforts) == efforts.size());
-    CHECK(spellings(std::array{Remedy::largest_piece, Remedy::envelope, Remedy::rounded, Remedy::alike_pieces}) == 4);
+    CHECK(spellings(std::array{Remedy::largest_piece, Remedy::envelope, Remedy::rounded, Remedy::alike_pieces,
+                               Remedy::bridged}) == 5);
     CHECK(to_string(Remedy::largest_piece) == "largest_piece");
 }
 

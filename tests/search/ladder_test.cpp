@@ -288,10 +288,30 @@ TEST_CASE("a face is seen by the input's vertices, where an envelope stands for 
     CHECK(seen[1] > 0.002);
 }
 
-TEST_CASE("several bodies are refused before a curve is looked for, and one of them can be chosen") {
+TEST_CASE("parts that do not touch, as a robot's, are one body where a skeleton in all of them is likely") {
+    const FixtureBody robot = load_fixture_body("robot");
+    const Climb<double> climb = climbed(robot.mesh, 4);
+    REQUIRE(climb.found.size() == 1);
+    CHECK(climb.found.front().hypothesis.surface == surface::Remedy::bridged);
+    CHECK(climb.found.front().candidate.probability > 0.5);
+    ExtractOptions options;
+    options.budget = 4;
+    const KinematicSkeleton<double> skeleton = extract(robot.mesh, options).skeleton;
+    REQUIRE(robot.truth.joints.size() == skeleton.joints.size());
+    for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {
+        const auto& [name, place] = robot.truth.joints[j];
+        INFO(name);
+        REQUIRE(skeleton.joints[j].is_present);
+        CHECK((skeleton.joints[j].position - place).norm() < 0.08 * robot.truth.scale);
+    }
+}
+
+TEST_CASE("several bodies that are too far apart to be one are refused, and one of them can be chosen") {
     const Climb<double> both = climbed(two_balls(), 1);
     CHECK(both.found.empty());
-    CHECK(both.trail.empty());
+    REQUIRE(both.trail.size() == 1);
+    CHECK(both.trail[0].hypothesis.surface == surface::Remedy::bridged);
+    CHECK(both.trail[0].refusal == Refusal::several_bodies);
     CHECK(both.failure.reason == Refusal::several_bodies);
     CHECK_THAT(both.failure.what, Catch::Matchers::StartsWith("2 bodies apart"));
 

@@ -3,6 +3,7 @@
 
 #include <skelgen/core/error.hpp>
 #include <skelgen/core/geometry.hpp>
+#include <skelgen/surface/manifold_parts.hpp>
 #include <skelgen/surface/pieces.hpp>
 #include <skelgen/surface/prepare.hpp>
 
@@ -50,9 +51,11 @@ TEST_CASE("a plate grown to a body is left out where the body has sunk through i
     };
     const BodyFaces body = kept(0.1);
     CHECK(body.notes == std::vector<std::string>{"a plate left out"});
+    CHECK(body.stood_on_plate);
     CHECK(body.faces.maxCoeff() < tube.vertices.rows());
     CHECK(10 * body.faces.rows() > 9 * tube.faces.rows());
     CHECK(kept(0.5).notes.empty()); // a table's top, say
+    CHECK_FALSE(kept(0.5).stood_on_plate);
 }
 
 TEST_CASE("a plate that toes reach past beside it is no floor") {
@@ -72,6 +75,8 @@ TEST_CASE("bodies apart are counted, and each can be had", "[slow]") {
     const Mesh tube = capsule(0.3, 4), other = moved_by(capsule(0.28, 4), Vec3(1, 0, 0));
     const Mesh both = side_by_side(tube, other);
     CHECK(faces_of_body(both).bodies == 2);
+    CHECK(faces_of_body(both).all_things == both.faces);
+    CHECK(faces_of_body(tube).all_things.rows() == 0); // nothing stands apart from it
     CHECK(faces_of_body(both, 1).faces == tube.faces);
     CHECK(faces_of_body(both, 2).faces == both.faces.bottomRows(other.faces.rows()));
     PrepareOptions options;
@@ -88,6 +93,26 @@ TEST_CASE("pieces that overlap or lie in each other are one body") {
     const Mesh tube = capsule(0.3, 4);
     CHECK(faces_of_body(side_by_side(tube, moved_by(tube, Vec3(0.3, 0, 0)))).bodies == 1);
     CHECK(faces_of_body(side_by_side(tube, capsule(0.25, 4))).bodies == 1);
+}
+
+TEST_CASE("what stands apart is bridged where the gap is narrower than it is thick, and else is not one body") {
+    const auto bodies_across = [](double gap) {
+        const Mesh tube = capsule(0.3, 4);
+        const double height = tube.vertices.col(2).maxCoeff() - tube.vertices.col(2).minCoeff();
+        const BodyMaterial<double> material = gather(side_by_side(tube, moved_by(tube, Vec3(0, 0, height + gap))));
+        CHECK(material.bodies == 2);
+        REQUIRE(material.remedies.back() == Remedy::bridged);
+        return make_body_by(Remedy::bridged, material);
+    };
+    const Outcome<Body<double>> joined = bodies_across(0.2);
+    REQUIRE(joined);
+    CHECK(is_closed(joined->mesh.faces));
+    CHECK(manifold_parts(joined->mesh).size() == 1);
+    CHECK(joined->dropped_pieces == 0);
+    CHECK(joined->repairs.back() == "gaps bridged between its parts: 1");
+    const Outcome<Body<double>> apart = bodies_across(1.5);
+    REQUIRE_FALSE(apart);
+    CHECK(apart.failure().reason == Refusal::several_bodies);
 }
 
 TEST_CASE("a sound body has one remedy, pieces have an envelope first", "[slow]") {

@@ -10,8 +10,10 @@ namespace skelgen::surface {
 /// The faces of a mesh that may belong to one body, and what was left out of it.
 struct BodyFaces {
     Triangles faces;                ///< in their order
+    Triangles all_things;           ///< those of all that stands apart from it, too; empty where nothing does
     int bodies = 1;                 ///< how many things of a body's size there are; the faces are the largest one's
     int dropped_pieces = 0;         ///< that stand apart, or are no more than plates
+    bool stood_on_plate = false;    ///< a plate that was grown to the body is left out, and what had sunk into it
     std::vector<std::string> notes; ///< on plates, one sentence each
 };
 

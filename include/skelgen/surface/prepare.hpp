@@ -39,6 +39,7 @@ enum class Remedy {
     largest_piece, ///< the piece with the largest area, its small holes closed, its triangles untouched
     envelope,      ///< winding_envelope around all pieces
     alike_pieces,  ///< winding_envelope without lone pieces (unpaired_pieces.hpp): what a hand holds or one side wears
+    bridged,       ///< winding_envelope around all that stands apart, too, where narrow gaps can be bridged
     rounded,       ///< the largest piece, rounder than its faces (surface::rounded): those of a coarse one bend bones
 };
 
@@ -48,9 +49,11 @@ struct BodyMaterial {
     CleanMesh<Scalar> clean; ///< in its own axes unless it is sound; only the vertices that its faces use count
     int bodies = 1;          ///< how many stand apart in the input
     int dropped_pieces = 0;
-    std::vector<Remedy> remedies;            ///< that may do, the gentlest first; never empty
-    std::optional<PairedPieces> paired = {}; ///< for the remedy that leaves pieces out
-    std::optional<Body<Scalar>> coarse = {}; ///< that of a large clean mesh which is to be taken as it is
+    bool stood_on_plate = false;                 ///< as BodyFaces has it
+    std::vector<Remedy> remedies;                ///< that may do, the gentlest first; never empty
+    std::optional<PairedPieces> paired = {};     ///< for the remedy that leaves pieces out
+    std::optional<CleanMesh<Scalar>> apart = {}; ///< for the one that bridges gaps: with what stands apart
+    std::optional<Body<Scalar>> coarse = {};     ///< that of a large clean mesh which is to be taken as it is
 };
 
 /// What a mesh of several bodies is refused for, of which none was chosen.

@@ -48,6 +48,8 @@ SKELGEN_INLINE std::string_view to_string(surface::Remedy remedy) {
         return "rounded";
     case surface::Remedy::alike_pieces:
         return "alike_pieces";
+    case surface::Remedy::bridged:
+        return "bridged";
     }
     return "";
 }

@@ -50,7 +50,8 @@ double smoothed_away(const Body<Scalar>& body, const TriangleMesh<Scalar>& mesh)
 
 /// Do all of its pieces, or some of them, make the surface together?
 inline bool is_envelope(surface::Remedy remedy) {
-    return remedy == surface::Remedy::envelope || remedy == surface::Remedy::alike_pieces;
+    return remedy == surface::Remedy::envelope || remedy == surface::Remedy::alike_pieces ||
+           remedy == surface::Remedy::bridged;
 }
 
 /// So much noise, a centimetre on a person, may have moved joints.
@@ -95,11 +96,13 @@ public:
         core::Stopwatch stage;
         material_ = surface::gather(mesh_, options_.prepare);
         out_.timings.surface = stage.lap();
-        if (material_.bodies > 1 && options_.prepare.component == 0) {
-            out_.failure = surface::several_bodies(material_.bodies);
-            return std::move(out_);
-        }
+        if (material_.stood_on_plate) options_.refinement.limbs_may_be_cut = false; // it is what has cut the soles
         remedies_ = material_.remedies;
+        const bool are_several = material_.bodies > 1 && options_.prepare.component == 0;
+        if (are_several) { // unless they are parts of one
+            out_.failure = surface::several_bodies(material_.bodies);
+            remedies_ = {surface::Remedy::bridged};
+        }
         vertices_ = surface::input_vertices(material_);
         for (std::size_t i = 0; i < remedies_.size(); ++i) {
             const bool is_later = is_envelope(remedies_[i]) && !is_envelope(remedies_.front());
@@ -119,9 +122,12 @@ public:
         if (thoroughness_ == Thoroughness::until_sure && !out_.found.empty()) {
             Found<Scalar> best = placed_by_all();
             best.candidate.probability = likeliest_yet();
-            // A body can be laid into anything: where no curve shows one, why it does not is the answer.
-            const bool is_answer = best.candidate.probability >= least_probability ||
-                                   best.plan == BodyKind::quadruped || is_any_in_curve();
+            // A body can be laid into anything: where no curve shows one, why it does not is the answer. Bodies apart
+            // are one where that is likelier than not.
+            constexpr double likelier_than_not = 0.5;
+            const bool is_answer = are_several ? best.candidate.probability > likelier_than_not
+                                               : best.candidate.probability >= least_probability ||
+                                                     best.plan == BodyKind::quadruped || is_any_in_curve();
             out_.found.clear();
             if (is_answer) out_.found.push_back(std::move(best));
         }
@@ -278,37 +284,34 @@ private:
         out_.trail.push_back(entry);
     }
 
-    /// The template in the curve and, where it does not fit, ones that lack a limb. Where it fits with much distortion,
-    /// all limbs are there, but one may be shorter: ones that lack a forearm or a calf and fit far better.
+    /// The template in the curve and, where it does not fit, ones that lack a limb. Where it fits with more distortion
+    /// than whole bodies have, the stump of a leg may stand for it, or a limb may be shorter: ones that lack a leg, a
+    /// forearm or a calf. Not where the curve has loops: legs that touch may pass for one.
     void try_templates(const Lead<Scalar>& lead, const PreparedSurface<Scalar>& surface,
                        const std::shared_ptr<const curve::CurveResult<Scalar>>& curve, Tried& entry) {
         constexpr std::size_t most_partial = 4;
-        constexpr double usual = 0.006; // distortion per pair: whole bodies have less, those that lack a limb have more
-        constexpr double far_better = 0.5; // times the whole template's
+        constexpr double usual = 0.006; // distortion per pair of whole bodies
         core::Stopwatch stage;
         if (curve->is_point) return refuse(entry, too_compact());
         const auto whole = embedding::embed(curve->curve, wanted_, options_.matching);
         out_.timings.embed += stage.lap();
-        const double distortion = whole ? distortion_per_pair(*whole) : 0;
         if (whole)
             try_laid(lead, surface, curve, {wanted_, *whole}, entry);
         else
             refuse(entry, whole.failure());
-        if (is_sure() || (whole && distortion < usual)) return;
+        const bool is_usual = whole && (distortion_per_pair(*whole) < usual || core::cycle_count(curve->curve) > 0);
+        if (is_sure() || is_usual) return;
         stage.lap();
         const auto partial = embedding::without_a_limb(curve->curve, wanted_, most_partial, options_.matching);
         out_.timings.embed += stage.lap();
         for (const embedding::LaidTemplate& laid : partial)
-            if (!whole || (lacks_outer_bone(laid.skeleton_template) &&
-                           distortion_per_pair(laid.embedding) < far_better * distortion))
-                try_laid(lead, surface, curve, laid, entry);
+            if (!whole || has_head_and_arms(laid.skeleton_template)) try_laid(lead, surface, curve, laid, entry);
     }
 
-    /// Whether a template lacks a forearm or a calf, but neither a head nor a whole limb.
-    static bool lacks_outer_bone(const SkeletonTemplate& laid) {
+    /// Whether a template has a head and upper arms, whatever else it lacks.
+    static bool has_head_and_arms(const SkeletonTemplate& laid) {
         return std::none_of(laid.joints.begin(), laid.joints.end(), [](const TemplateJoint& joint) {
-            return joint.is_absent &&
-                   (joint.role == JointRole::head || joint.role == JointRole::elbow || joint.role == JointRole::knee);
+            return joint.is_absent && (joint.role == JointRole::head || joint.role == JointRole::elbow);
         });
     }
 
@@ -509,7 +512,7 @@ private:
 
     const TriangleMesh<Scalar>& mesh_;
     const SkeletonTemplate& wanted_;
-    const ExtractOptions& options_;
+    ExtractOptions options_;
     Thoroughness thoroughness_;
     std::vector<KnownPlace> known_;  ///< in the mesh's coordinates
     const SkeletonTemplate* animal_; ///< looked for, too, or alone; none: people are looked for alone

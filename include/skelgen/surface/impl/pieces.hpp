@@ -208,6 +208,15 @@ TriangleMesh<Scalar> mesh_of(const TriangleMesh<Scalar>& mesh, const FaceSet<Sca
     return out;
 }
 
+/// All sets as one, its faces in order.
+template <typename Scalar>
+FaceSet<Scalar> all_of(const std::vector<FaceSet<Scalar>>& sets) {
+    FaceSet<Scalar> out;
+    for (const FaceSet<Scalar>& set : sets) out.add(set);
+    std::sort(out.faces.begin(), out.faces.end());
+    return out;
+}
+
 /// Is a vertex of one set in or near a surface? Looks at four thousand of them.
 template <typename Scalar>
 bool meets(const TriangleMesh<Scalar>& mesh, const TriangleMesh<Scalar>& surface, const FaceSet<Scalar>& set,
@@ -299,6 +308,7 @@ BodyFaces faces_of_body(const TriangleMesh<Scalar>& mesh, int component, bool is
     BodyFaces out;
     std::vector<bool> keep(static_cast<std::size_t>(mesh.faces.rows()), true);
     int plates = detail::drop_grown_plates(mesh, keep);
+    out.stood_on_plate = plates > 0;
     if (plates == 0 && is_one_piece) {
         out.faces = mesh.faces;
         return out;
@@ -337,11 +347,10 @@ BodyFaces faces_of_body(const TriangleMesh<Scalar>& mesh, int component, bool is
         };
         out.bodies = static_cast<int>(std::count_if(things.begin(), things.end(), is_body));
         chosen = things[static_cast<std::size_t>(std::clamp(component, 1, out.bodies)) - 1];
+        if (things.size() > 1) out.all_things = detail::mesh_of(rest, detail::all_of(things)).faces;
     }
     std::sort(chosen.faces.begin(), chosen.faces.end());
-    out.faces.resize(static_cast<Eigen::Index>(chosen.faces.size()), 3);
-    for (std::size_t i = 0; i < chosen.faces.size(); ++i)
-        out.faces.row(static_cast<Eigen::Index>(i)) = rest.faces.row(chosen.faces[i]);
+    out.faces = detail::mesh_of(rest, chosen).faces;
     for (const auto& piece : pieces)
         out.dropped_pieces += !std::binary_search(chosen.faces.begin(), chosen.faces.end(), piece.faces.front());
     out.dropped_pieces = std::min(out.dropped_pieces, all_pieces - 1);

@@ -347,13 +347,16 @@ Body<Scalar> body_of_rounded_piece(const BodyMaterial<Scalar>& material, const P
 /// grows with them, and how many characters are right differs by chance alone between 10 and 60 thousand.
 inline constexpr int most_envelope_faces = 24'000;
 
-/// An envelope of the material as a body.
+/// An envelope of the material as a body; `has_gaps`: a failure where none can be bridged.
 template <typename Scalar>
-Outcome<Body<Scalar>> body_of_envelope(const BodyMaterial<Scalar>& material, const PrepareOptions& options) {
+Outcome<Body<Scalar>> body_of_envelope(const BodyMaterial<Scalar>& material, const PrepareOptions& options,
+                                       bool has_gaps) {
     // In canonical form first: the lattice then lies along the body's axes, however the input was turned.
     const CanonicalMesh<Scalar> whole = canonical_form(used_part(material.clean.mesh).mesh);
     std::vector<TriangleMesh<Scalar>> parts = closed_parts(winding_envelope(whole.mesh, options.envelope));
     const std::vector<TriangleMesh<Scalar>> bridges = bridges_between(parts);
+    if (has_gaps && bridges.empty())
+        return Failure{Refusal::several_bodies, "what stands apart is too far away to belong together"};
     if (!bridges.empty()) {
         TriangleMesh<Scalar> joined = whole.mesh;
         for (const TriangleMesh<Scalar>& bridge : bridges) joined = side_by_side(joined, bridge);
@@ -446,7 +449,12 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
                                           std::to_string(chosen.bodies));
     out.bodies = chosen.bodies;
     out.dropped_pieces = chosen.dropped_pieces;
+    out.stood_on_plate = chosen.stood_on_plate;
     out.clean.notes.insert(out.clean.notes.end(), chosen.notes.begin(), chosen.notes.end());
+    if (chosen.all_things.rows() > 0) {
+        out.apart = out.clean;
+        detail::keep_faces(*out.apart, std::move(chosen.all_things));
+    }
     if (chosen.faces.rows() < out.clean.mesh.faces.rows()) detail::keep_faces(out.clean, std::move(chosen.faces));
 
     const std::vector<Remedy> for_one_piece = out.clean.mesh.vertices.rows() < few_vertices
@@ -469,6 +477,7 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
     else
         out.remedies = {Remedy::envelope, Remedy::largest_piece};
     detail::add_paired_pieces(out);
+    if (out.apart) out.remedies.push_back(Remedy::bridged);
     return out;
 }
 
@@ -489,15 +498,19 @@ Points<Scalar> input_vertices(const BodyMaterial<Scalar>& material) {
 
 template <typename Scalar>
 Outcome<Body<Scalar>> make_body_by(Remedy remedy, BodyMaterial<Scalar> material, const PrepareOptions& options) {
+    if (remedy == Remedy::bridged && material.apart) {
+        material.clean = *std::move(material.apart);
+        material.dropped_pieces = 0;
+    }
     const Similarity<Scalar> cleaned = material.clean.similarity;
     if (remedy == Remedy::alike_pieces && material.paired) {
         detail::keep_faces(material.clean, std::move(material.paired->faces));
         material.dropped_pieces += material.paired->dropped;
     }
-    Outcome<Body<Scalar>> body = remedy == Remedy::largest_piece
-                                     ? detail::body_of_largest_piece(std::move(material), options)
-                                 : remedy == Remedy::rounded ? detail::body_of_rounded_piece(material, options)
-                                                             : detail::body_of_envelope(material, options);
+    Outcome<Body<Scalar>> body =
+        remedy == Remedy::largest_piece ? detail::body_of_largest_piece(std::move(material), options)
+        : remedy == Remedy::rounded     ? detail::body_of_rounded_piece(material, options)
+                                        : detail::body_of_envelope(material, options, remedy == Remedy::bridged);
     if (body) body->similarity = cleaned.then(body->similarity);
     return body;
 }
