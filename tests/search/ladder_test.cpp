@@ -218,7 +218,7 @@ TEST_CASE("a far vertex that no face uses does not make candidates agree") {
     };
     const double least = least_agreed(thorough().found);
     REQUIRE(least < 0.2); // one of them lies elsewhere
-    CHECK(least_agreed(climbed(mesh, 24, Thoroughness::exhaustive).found) == Approx(least).margin(0.05));
+    CHECK(least_agreed(climbed(mesh, 24, Thoroughness::exhaustive).found) < least + 0.05);
 }
 
 TEST_CASE("skeletons agree that lie on each other, little where joints are far off, nothing where most are lacking") {
@@ -290,12 +290,12 @@ TEST_CASE("a face is seen by the input's vertices, where an envelope stands for 
 
 TEST_CASE("parts that do not touch, as a robot's, are one body where a skeleton in all of them is likely") {
     const FixtureBody robot = load_fixture_body("robot");
-    const Climb<double> climb = climbed(robot.mesh, 4);
+    const Climb<double> climb = climbed(robot.mesh, 8);
     REQUIRE(climb.found.size() == 1);
     CHECK(climb.found.front().hypothesis.surface == surface::Remedy::bridged);
     CHECK(climb.found.front().candidate.probability > 0.5);
     ExtractOptions options;
-    options.budget = 4;
+    options.budget = 8;
     const KinematicSkeleton<double> skeleton = extract(robot.mesh, options).skeleton;
     REQUIRE(robot.truth.joints.size() == skeleton.joints.size());
     for (std::size_t j = 0; j < skeleton.joints.size(); ++j) {

@@ -122,12 +122,11 @@ public:
         if (thoroughness_ == Thoroughness::until_sure && !out_.found.empty()) {
             Found<Scalar> best = placed_by_all();
             best.candidate.probability = likeliest_yet();
-            // A body can be laid into anything: where no curve shows one, why it does not is the answer. Bodies apart
-            // are one where that is likelier than not.
+            // A body can be laid into anything: where no curve shows one, or bodies are apart, one has to be likelier
+            // than not, or else why there is none is the answer.
             constexpr double likelier_than_not = 0.5;
-            const bool is_answer = are_several ? best.candidate.probability > likelier_than_not
-                                               : best.candidate.probability >= least_probability ||
-                                                     best.plan == BodyKind::quadruped || is_any_in_curve();
+            const bool is_answer = best.candidate.probability > likelier_than_not ||
+                                   (!are_several && (best.plan == BodyKind::quadruped || is_any_in_curve()));
             out_.found.clear();
             if (is_answer) out_.found.push_back(std::move(best));
         }
