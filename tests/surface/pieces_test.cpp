@@ -81,6 +81,8 @@ TEST_CASE("bodies apart are counted, and each can be had", "[slow]") {
     CHECK(faces_of_body(both, 2).faces == both.faces.bottomRows(other.faces.rows()));
     PrepareOptions options;
     options.component = 2;
+    CHECK(gather(both).apart.has_value());
+    CHECK_FALSE(gather(both, options).apart.has_value()); // who has chosen one wants it alone
     const CleanMesh<double> second = gather(both, options).clean;
     REQUIRE(second.mesh.vertices.rows() == other.vertices.rows());
     for (Eigen::Index v = 0; v < other.vertices.rows(); ++v)

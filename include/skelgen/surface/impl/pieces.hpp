@@ -201,20 +201,16 @@ int drop_grown_plates(const TriangleMesh<Scalar>& mesh, std::vector<bool>& keep)
 /// The faces of a set alone.
 template <typename Scalar>
 TriangleMesh<Scalar> mesh_of(const TriangleMesh<Scalar>& mesh, const FaceSet<Scalar>& set) {
-    TriangleMesh<Scalar> out{mesh.vertices, {}};
-    out.faces.resize(static_cast<Eigen::Index>(set.faces.size()), 3);
-    for (std::size_t i = 0; i < set.faces.size(); ++i)
-        out.faces.row(static_cast<Eigen::Index>(i)) = mesh.faces.row(set.faces[i]);
-    return out;
+    return {mesh.vertices, mesh.faces(set.faces, Eigen::all)};
 }
 
-/// All sets as one, its faces in order.
+/// The faces of some sets in the mesh's order.
 template <typename Scalar>
-FaceSet<Scalar> all_of(const std::vector<FaceSet<Scalar>>& sets) {
-    FaceSet<Scalar> out;
-    for (const FaceSet<Scalar>& set : sets) out.add(set);
-    std::sort(out.faces.begin(), out.faces.end());
-    return out;
+Triangles faces_in(const TriangleMesh<Scalar>& mesh, const std::vector<FaceSet<Scalar>>& sets) {
+    std::vector<int> faces;
+    for (const FaceSet<Scalar>& set : sets) faces.insert(faces.end(), set.faces.begin(), set.faces.end());
+    std::sort(faces.begin(), faces.end());
+    return mesh.faces(faces, Eigen::all);
 }
 
 /// Is a vertex of one set in or near a surface? Looks at four thousand of them.
@@ -347,10 +343,10 @@ BodyFaces faces_of_body(const TriangleMesh<Scalar>& mesh, int component, bool is
         };
         out.bodies = static_cast<int>(std::count_if(things.begin(), things.end(), is_body));
         chosen = things[static_cast<std::size_t>(std::clamp(component, 1, out.bodies)) - 1];
-        if (things.size() > 1) out.all_things = detail::mesh_of(rest, detail::all_of(things)).faces;
+        if (things.size() > 1) out.all_things = detail::faces_in(rest, things);
     }
     std::sort(chosen.faces.begin(), chosen.faces.end());
-    out.faces = detail::mesh_of(rest, chosen).faces;
+    out.faces = rest.faces(chosen.faces, Eigen::all);
     for (const auto& piece : pieces)
         out.dropped_pieces += !std::binary_search(chosen.faces.begin(), chosen.faces.end(), piece.faces.front());
     out.dropped_pieces = std::min(out.dropped_pieces, all_pieces - 1);

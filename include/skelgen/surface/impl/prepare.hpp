@@ -451,7 +451,7 @@ BodyMaterial<Scalar> gather(const TriangleMesh<Scalar>& mesh, const PrepareOptio
     out.dropped_pieces = chosen.dropped_pieces;
     out.stood_on_plate = chosen.stood_on_plate;
     out.clean.notes.insert(out.clean.notes.end(), chosen.notes.begin(), chosen.notes.end());
-    if (chosen.all_things.rows() > 0) {
+    if (chosen.all_things.rows() > 0 && options.component == 0) {
         out.apart = out.clean;
         detail::keep_faces(*out.apart, std::move(chosen.all_things));
     }
